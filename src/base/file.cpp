@@ -1,0 +1,158 @@
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "base/interrupt.h"
+#include "base/spool.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t buffer_bytes = std::size_t{256} << 10;
+constexpr int writer_patience_ms = 3000;
+constexpr std::size_t most_bytes_a_call = std::size_t{1} << 30;
+
+/// Waits until a descriptor that someone made non-blocking is ready.
+void wait_for(int descriptor, short event) {
+  pollfd wanted = {descriptor, event, 0};
+  if (::poll(&wanted, 1, -1) < 0) throw_if_interrupted();
+}
+
+/// After a call that failed with this errno: whether to try again.
+bool may_go_on(int error_number, int descriptor, short event) {
+  if (error_number == EINTR) {
+    throw_if_interrupted();
+    return true;
+  }
+  if (error_number != EAGAIN && error_number != EWOULDBLOCK) return false;
+  wait_for(descriptor, event);
+  return true;
+}
+
+void write_whole(int descriptor, std::string_view text, const std::string& name) {
+  while (!text.empty()) {
+    const std::string_view piece = text.substr(0, most_bytes_a_call);
+    const ssize_t written = ::write(descriptor, piece.data(), piece.size());
+    if (written > 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    } else if (const int why = written == 0 ? EIO : errno; !may_go_on(why, descriptor, POLLOUT)) {
+      throw system_error(name, "cannot write", why);
+    }
+  }
+}
+
+}  // namespace
+
+InputFile::InputFile(const std::string& name) : name_(name) {
+  throw_if_interrupted();
+  if (name == "-") {
+    name_ = "standard input";
+    file_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    if (!file_.is_open()) throw system_error(name_, "cannot read", errno);
+    return;
+  }
+  if (name.empty()) throw Error(Message{"", 0, "the name of an input is empty", ""});
+  open(name);
+}
+
+void InputFile::open(const std::string& path) {
+  // Without O_NONBLOCK, the opening of a pipe that nobody writes to would never come back.
+  file_ = open_descriptor(path, O_RDONLY | O_NONBLOCK);
+  if (!file_.is_open()) throw system_error(name_, "cannot open", errno);
+  struct stat status = {};
+  if (::fstat(file_.number(), &status) != 0) throw system_error(name_, "cannot open", errno);
+  if (S_ISDIR(status.st_mode)) throw system_error(name_, "cannot read", EISDIR);
+  if (S_ISFIFO(status.st_mode)) await_writer();
+  const int flags = ::fcntl(file_.number(), F_GETFL);
+  if (flags >= 0 && ::fcntl(file_.number(), F_SETFL, flags & ~O_NONBLOCK) != 0) {
+    throw system_error(name_, "cannot open", errno);
+  }
+}
+
+void InputFile::await_writer() {
+  pollfd pipe = {file_.number(), POLLIN, 0};
+  const int ready = ::poll(&pipe, 1, writer_patience_ms);
+  throw_if_interrupted();
+  if (ready > 0) return;  // there are bytes, or there was a writer
+  char byte = 0;
+  const ssize_t count = ::read(file_.number(), &byte, 1);
+  if (count > 0) first_ = byte;
+  if (count == 0) {
+    throw Error(Message{name_, 0, "cannot read: nobody writes to this pipe", ""});
+  }
+}
+
+std::size_t InputFile::read(std::span<char> into) {
+  throw_if_interrupted();
+  if (first_ && !into.empty()) {
+    into[0] = *first_;
+    first_.reset();
+    return 1;
+  }
+  const std::size_t wanted = std::min(into.size(), most_bytes_a_call);
+  for (;;) {
+    const ssize_t count = ::read(file_.number(), into.data(), wanted);
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (const int why = errno; !may_go_on(why, file_.number(), POLLIN)) {
+      throw system_error(name_, "cannot read", why);
+    }
+  }
+}
+
+OutputFile::OutputFile(std::string name, Descriptor file, Care care)
+    : name_(std::move(name)), file_(std::move(file)), care_(care) {
+  buffer_.reserve(buffer_bytes);
+}
+
+void OutputFile::append(std::string_view text) {
+  if (buffer_.size() + text.size() > buffer_bytes) flush();
+  if (text.size() >= buffer_bytes) {
+    write(text);
+  } else {
+    buffer_ += text;
+  }
+}
+
+void OutputFile::flush() {
+  throw_if_interrupted();
+  write(buffer_);
+  buffer_.clear();
+}
+
+void OutputFile::write(std::string_view text) {
+  if (care_ == Care::held && !spool_.is_open()) spool_ = open_spool();
+  const bool spools = spool_.is_open();
+  write_whole(spools ? spool_.number() : file_.number(), text, spools ? spool_name : name_);
+}
+
+void OutputFile::finish() {
+  if (!file_.is_open()) return;
+  if (care_ == Care::held && !spool_.is_open()) care_ = Care::closed;  // all is in the buffer
+  flush();
+  if (spool_.is_open())
+    copy_spool(spool_, [&](std::string_view text) { write_whole(file_.number(), text, name_); });
+  if (care_ == Care::synced) sync_to_disk(file_.number(), name_);
+  if (!file_.close()) throw system_error(name_, "cannot close", errno);
+}
+
+OutputFile standard_output(OutputFile::Care care) {
+  const int copy = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  if (copy < 0) throw system_error("standard output", "cannot write", errno);
+  return {"standard output", Descriptor(copy), care};
+}
+
+void sync_to_disk(int descriptor, const std::string& name) {
+  while (::fsync(descriptor) != 0) {
+    if (errno == EINVAL || errno == ENOSYS || errno == ENOTSUP) return;  // nothing there to sync
+    if (const int why = errno; why != EINTR) throw system_error(name, "cannot write", why);
+    throw_if_interrupted();
+  }
+}
+
+}  // namespace thiessen

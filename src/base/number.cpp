@@ -1,0 +1,164 @@
+#include "base/number.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace thiessen {
+namespace {
+
+/// Powers of ten that a double holds exactly.
+constexpr std::array<double, 23> exact_tens = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                               1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                               1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
+constexpr int digits_that_fit = 18;  ///< any 18 digits fit 64 bits
+/// Far beyond what any count of decimals could bring back, far below overflow.
+constexpr std::int64_t exponent_ceiling = 1'000'000'000'000'000;
+
+unsigned digit(char c) {
+  return static_cast<unsigned>(c) - unsigned{'0'};
+}
+
+/// The number's parts, as the grammar finds them: mantissa * 10^exponent, where they fit.
+struct Decimal {
+  std::uint64_t mantissa = 0;
+  int significant =
+      0;  ///< digits in the mantissa from the first that is not 0; beyond 18 it is not whole
+  std::int64_t exponent = 0;
+  bool negative = false;
+};
+
+class DecimalScanner {
+ public:
+  DecimalScanner(std::string_view text, DecimalMark mark)
+      : at_(text.data()), end_(text.data() + text.size()), mark_(static_cast<char>(mark)) {}
+
+  /// Whether the whole text is a number; fills `decimal`.
+  bool scan(Decimal& decimal) {
+    decimal.negative = take('-');
+    if (!decimal.negative) take('+');
+    bool any = mantissa_digits(decimal);
+    if (take(mark_)) {
+      const char* const fraction = at_;
+      any = mantissa_digits(decimal) || any;
+      decimal.exponent = fraction - at_;
+    }
+    return any && (!(take('e') || take('E')) || exponent(decimal)) && at_ == end_;
+  }
+
+ private:
+  bool take(char c) {
+    if (at_ == end_ || *at_ != c) return false;
+    ++at_;
+    return true;
+  }
+
+  bool mantissa_digits(Decimal& decimal) {
+    const char* const begin = at_;
+    for (; at_ != end_ && digit(*at_) < 10; ++at_) {
+      if (decimal.significant <= digits_that_fit) {
+        decimal.mantissa = decimal.mantissa * 10 + digit(*at_);
+        decimal.significant += decimal.mantissa != 0;
+      }
+    }
+    return at_ != begin;
+  }
+
+  bool exponent(Decimal& decimal) {
+    const bool negative = take('-');
+    if (!negative) take('+');
+    const char* const begin = at_;
+    std::int64_t value = 0;
+    for (; at_ != end_ && digit(*at_) < 10; ++at_) {
+      if (value < exponent_ceiling) value = value * 10 + digit(*at_);
+    }
+    decimal.exponent += negative ? -value : value;
+    return at_ != begin;
+  }
+
+  const char* at_;
+  const char* end_;
+  char mark_;
+};
+
+/// For numbers, not zero, that do not fit in a mantissa of 53 bits times an exact power of ten.
+Parsed<double> parse_long_number(std::string_view text) {
+  if (text.front() == '+') text.remove_prefix(1);
+  double value = 0;
+  const std::errc error = std::from_chars(text.data(), text.data() + text.size(), value).ec;
+  if (error != std::errc() || !std::isfinite(value) || value == 0) {
+    return {0, NumberFault::out_of_range};
+  }
+  return {value, NumberFault::none};
+}
+
+}  // namespace
+
+Parsed<double> parse_any_number(std::string_view text, DecimalMark mark) {
+  Decimal decimal;
+  if (!DecimalScanner(text, mark).scan(decimal)) return {};
+  if (decimal.mantissa == 0) return {decimal.negative ? -0.0 : 0.0, NumberFault::none};
+  if (decimal.significant <= digits_that_fit && decimal.mantissa <= exact_integers &&
+      decimal.exponent >= -22 && decimal.exponent <= 22) {
+    // Both factors are exact, so the one operation rounds once, to the nearest double.
+    const auto whole = static_cast<double>(decimal.mantissa);
+    const double value = decimal.exponent < 0
+                             ? whole / exact_tens[static_cast<std::size_t>(-decimal.exponent)]
+                             : whole * exact_tens[static_cast<std::size_t>(decimal.exponent)];
+    return {decimal.negative ? -value : value, NumberFault::none};
+  }
+  if (mark == DecimalMark::point) return parse_long_number(text);
+  std::string pointed(text);
+  std::replace(pointed.begin(), pointed.end(), ',', '.');
+  return parse_long_number(pointed);
+}
+
+Parsed<std::size_t> parse_size(std::string_view text) {
+  std::size_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (stop != end || error == std::errc::invalid_argument) return {};
+  if (error != std::errc()) return {0, NumberFault::out_of_range};
+  return {value, NumberFault::none};
+}
+
+void append_shortest(std::string& out, double value) {
+  assert(std::isfinite(value));
+  if (value == 0) value = 0;  // drops the sign of -0
+  const double size = std::abs(value);
+  const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
+  std::array<char, 64> text;
+  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value, format);
+  out.append(text.data(), result.ptr);
+}
+
+std::string shortest_text(double value) {
+  std::string out;
+  append_shortest(out, value);
+  return out;
+}
+
+void append_fixed(std::string& out, double value, int decimals) {
+  assert(std::isfinite(value) && decimals >= 0 && decimals <= 100);
+  std::array<char, 512> text;  // 309 digits, a point, 100 decimals and a sign
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::fixed, decimals);
+  std::string_view written(text.data(), static_cast<std::size_t>(result.ptr - text.data()));
+  if (written.find_first_not_of("-0.") == std::string_view::npos && written.front() == '-') {
+    written.remove_prefix(1);
+  }
+  out += written;
+}
+
+std::string fixed_text(double value, int decimals) {
+  std::string out;
+  append_fixed(out, value, decimals);
+  return out;
+}
+
+}  // namespace thiessen

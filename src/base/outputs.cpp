@@ -1,0 +1,233 @@
+#include "base/outputs.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "base/interrupt.h"
+
+namespace thiessen {
+namespace {
+
+constexpr unsigned new_file_mode = 0666;  // less the umask
+constexpr mode_t permissions = 0777;      // a new file never takes over set-uid or set-gid
+constexpr int name_trials = 100;
+
+using Kind = Destination::Kind;
+
+/// Calls `make` with fresh names beside the final one until it does not find the name taken. The
+/// name is in `hidden` before the file exists, so that its owner removes it whatever happens; empty
+/// on failure.
+template <typename Make>
+void make_hidden(const std::string& final_path, std::string& hidden, Make make) {
+  for (int trial = 0; trial < name_trials; ++trial) {
+    hidden = fresh_name(folder_of(final_path));
+    if (make(hidden)) return;
+    if (errno != EEXIST) break;
+  }
+  const int why = errno;
+  hidden.clear();
+  throw system_error(final_path, "cannot write", why);
+}
+
+/// Gives the new file the old one's owner, as far as the system allows, and its mode.
+void take_over(int file, const Destination& old, const std::string& name) {
+  if (old.kind != Kind::file) return;
+  if (::fchown(file, old.status.st_uid, old.status.st_gid) != 0) errno = 0;
+  if (::fchmod(file, old.status.st_mode & permissions) != 0) {
+    throw system_error(name, "cannot write", errno);
+  }
+}
+
+Descriptor open_stream(const std::string& path) {
+  const std::optional<int> standing = standing_descriptor(path);
+  Descriptor stream = standing ? Descriptor(::fcntl(*standing, F_DUPFD_CLOEXEC, STDERR_FILENO + 1))
+                               : open_descriptor(path, O_WRONLY);
+  if (!stream.is_open()) throw system_error(path, "cannot write", errno);
+  return stream;
+}
+
+/// Renames, and fails with EEXIST where the name is taken.
+int rename_to_free_name(const std::string& from, const std::string& to) {
+#ifdef RENAME_NOREPLACE
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
+  if (errno != EINVAL && errno != ENOSYS) return -1;  // else the file system does not know how
+#endif
+  struct stat status = {};
+  if (::lstat(to.c_str(), &status) == 0) {
+    errno = EEXIST;
+    return -1;
+  }
+  return std::rename(from.c_str(), to.c_str());
+}
+
+void sync_folder(const std::string& folder) {
+  const Descriptor opened = open_descriptor(folder, O_RDONLY | O_DIRECTORY);
+  if (opened.is_open() && ::fsync(opened.number()) != 0) errno = 0;  // the files are safe already
+}
+
+}  // namespace
+
+Outputs::~Outputs() {
+  if (!committed_) discard();
+}
+
+OutputFile& Outputs::add(const std::string& path) {
+  if (path == "-") return streams_.emplace_back(standard_output(OutputFile::Care::held));
+  const bool standing = standing_descriptor(path).has_value();
+  const Destination destination =
+      standing ? Destination{Kind::stream} : examine_destination(path, rules_);
+  if (destination.kind == Kind::stream) {
+    return streams_.emplace_back(path, open_stream(path), OutputFile::Care::held);
+  }
+  refuse_twice(path);
+  Staged& staged = staged_.emplace_back();
+  staged.path = path;
+  Descriptor file;
+  make_hidden(path, staged.hidden, [&](const std::string& name) {
+    file = open_descriptor(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, new_file_mode);
+    return file.is_open();
+  });
+  take_over(file.number(), destination, path);
+  return files_.emplace_back(path, std::move(file), OutputFile::Care::synced);
+}
+
+std::string Outputs::add_foreign(const std::string& path) {
+  if (path == "-" || standing_descriptor(path) ||
+      examine_destination(path, rules_).kind == Kind::stream) {
+    throw Error(Message{"", 0, path + " is no file, and this format needs one", ""});
+  }
+  refuse_twice(path);
+  Foreign& foreign = foreign_.emplace_back();
+  foreign.path = path;
+  make_hidden(path, foreign.folder,
+              [](const std::string& name) { return ::mkdir(name.c_str(), 0700) == 0; });
+  return foreign.folder + "/" + name_in_folder(path);
+}
+
+void Outputs::make_folder(const std::string& path) {
+  new_folders_.push_back(path);
+  if (::mkdir(path.c_str(), 0777) == 0) return;
+  const int why = errno;
+  new_folders_.pop_back();
+  struct stat status = {};
+  if (why != EEXIST) throw system_error(path, "cannot make the folder", why);
+  if (::stat(path.c_str(), &status) != 0) throw system_error(path, "cannot use the folder", errno);
+  if (!S_ISDIR(status.st_mode)) throw system_error(path, "cannot use the folder", ENOTDIR);
+}
+
+void Outputs::refuse_twice(const std::string& path) const {
+  const auto same = [&](const std::string& other) {
+    std::error_code ignored;
+    return name_in_folder(path) == name_in_folder(other) &&
+           std::filesystem::equivalent(folder_of(path), folder_of(other), ignored);
+  };
+  bool twice = false;
+  for (const Staged& staged : staged_) twice = twice || same(staged.path);
+  for (const Foreign& foreign : foreign_) twice = twice || same(foreign.path);
+  if (twice) throw Error(Message{"", 0, path + " would be written twice", ""});
+}
+
+void Outputs::collect_foreign_files() {
+  for (const Foreign& foreign : foreign_) {
+    const std::size_t before = staged_.size();
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(foreign.folder, error)) {
+      const std::string name = entry.path().filename().string();
+      const std::string folder = folder_of(foreign.path);
+      const bool whole = name == name_in_folder(foreign.path);
+      staged_.push_back(
+          {whole ? foreign.path : folder + "/" + name, foreign.folder + "/" + name, {}});
+    }
+    if (error) throw system_error(foreign.path, "cannot write", error.value());
+    if (staged_.size() == before) throw system_error(foreign.path, "cannot write", ENOENT);
+  }
+}
+
+void Outputs::prepare(Staged& staged) {
+  const Destination old = examine_destination(staged.path, rules_);
+  if (old.kind == Kind::stream) throw system_error(staged.path, "cannot write", EEXIST);
+  staged.replaced = old.kind != Kind::nothing;
+  if (!staged.replaced || staged_.size() == 1) return;
+  staged.backup = fresh_name(folder_of(staged.path));
+  if (::link(staged.path.c_str(), staged.backup.c_str()) != 0) staged.backup.clear();
+}
+
+void Outputs::commit() {
+  for (OutputFile& file : files_) file.finish();
+  const std::size_t own = staged_.size();
+  collect_foreign_files();
+  for (std::size_t i = own; i < staged_.size(); ++i) {
+    const Descriptor file = open_descriptor(staged_[i].hidden, O_RDONLY | O_NOFOLLOW);
+    if (!file.is_open()) throw system_error(staged_[i].path, "cannot write", errno);
+    take_over(file.number(), examine_destination(staged_[i].path, rules_), staged_[i].path);
+    sync_to_disk(file.number(), staged_[i].path);
+  }
+  for (Staged& staged : staged_) prepare(staged);
+  throw_if_interrupted();
+  for (OutputFile& stream : streams_) stream.finish();
+  rename_all();
+  committed_ = true;
+  for (const Staged& staged : staged_) {
+    if (!staged.backup.empty()) ::unlink(staged.backup.c_str());
+    sync_folder(folder_of(staged.path));
+  }
+  for (const Foreign& foreign : foreign_) ::rmdir(foreign.folder.c_str());
+}
+
+void Outputs::rename_all() {
+  for (Staged& staged : staged_) {
+    const int failed = staged.replaced ? std::rename(staged.hidden.c_str(), staged.path.c_str())
+                                       : rename_to_free_name(staged.hidden, staged.path);
+    if (failed == 0) {
+      staged.renamed = true;
+      continue;
+    }
+    const Error error = system_error(staged.path, "cannot write", errno);
+    std::string lost;
+    for (const Staged& other : staged_) {
+      if (other.renamed && other.replaced && other.backup.empty()) lost += " " + other.path;
+    }
+    roll_back();
+    if (lost.empty()) throw error;
+    Message message = error.messages().front();
+    message.hint = "replaced already, and not to be brought back:" + lost;
+    throw Error(std::move(message));
+  }
+}
+
+void Outputs::roll_back() noexcept {
+  for (Staged& staged : staged_) {
+    if (!staged.renamed) continue;
+    staged.renamed = false;
+    staged.hidden.clear();
+    if (!staged.replaced) {
+      ::unlink(staged.path.c_str());
+    } else if (!staged.backup.empty()) {
+      std::rename(staged.backup.c_str(), staged.path.c_str());
+      staged.backup.clear();  // where that failed, the old file stays under its hidden name
+    }
+  }
+}
+
+void Outputs::discard() noexcept {
+  files_.clear();
+  for (const Staged& staged : staged_) {
+    if (!staged.hidden.empty()) ::unlink(staged.hidden.c_str());
+    if (!staged.backup.empty()) ::unlink(staged.backup.c_str());
+  }
+  std::error_code ignored;
+  for (const Foreign& foreign : foreign_) {
+    if (!foreign.folder.empty()) std::filesystem::remove_all(foreign.folder, ignored);
+  }
+  for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
+    ::rmdir(folder->c_str());
+  }
+}
+
+}  // namespace thiessen

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/destination.h"
+#include "base/file.h"
+
+namespace thiessen {
+
+/// The files that a run writes: all of them appear, whole, or none does.
+///
+/// Each is written under a hidden name (`.thiessen-` and random letters) in the folder of its final
+/// name, and synced. `commit` renames them when all are on the disk; until then, and where anything
+/// fails or the object goes first, the folder looks as before. A file that is replaced hands its
+/// mode (and, where the system allows it, its owner) on to the new one; a symbolic link is itself
+/// replaced, not followed. What goes to a pipe, a device or the standard output waits (see
+/// OutputFile::Care::held) until all files are on the disk, and is handed over before the first is
+/// renamed: a run that fails has printed nothing, unless the pipe or device itself failed.
+///
+/// Laws: (1) another process that opens a final name sees the old file or the new one, whole;
+/// (2) where a later rename fails, the earlier ones are undone (but where the file system knows no
+/// hard links and the file was replaced: the Error then names it); (3) without `overwrite` no file
+/// is replaced, even one that appears during the run.
+class Outputs {
+ public:
+  explicit Outputs(OutputRules rules) : rules_(std::move(rules)) {}
+  Outputs(const Outputs&) = delete;
+  Outputs& operator=(const Outputs&) = delete;
+  ~Outputs();
+
+  /// A file to append to; `-` is the standard output, as /dev/stdout is. The reference lasts
+  /// as long as this object. Throws Error where the name cannot or may not be written;
+  /// then nothing is left to do with this object but to let it go.
+  OutputFile& add(const std::string& path);
+
+  /// A name at which a library may write a file of its own, with any side files beside it: the same
+  /// last name, in a hidden folder. `commit` moves all that it finds there. Throws Error as `add`,
+  /// and where the path is no plain file.
+  std::string add_foreign(const std::string& path);
+
+  /// Makes the folder if it is not there; it goes again unless `commit` succeeds.
+  void make_folder(const std::string& path);
+
+  /// Finishes, syncs and renames all. Throws Error where anything fails, and Interrupted only
+  /// before the first rename. Nothing can be added afterwards.
+  void commit();
+
+ private:
+  struct Staged {
+    std::string path;
+    std::string hidden;  ///< empty once it is renamed
+    std::string backup;  ///< another name of the file that was replaced, until all is done
+    bool renamed = false;
+    bool replaced = false;
+  };
+  struct Foreign {
+    std::string path;
+    std::string folder;
+  };
+
+  void refuse_twice(const std::string& path) const;
+  void collect_foreign_files();
+  void prepare(Staged& staged);
+  void rename_all();
+  void roll_back() noexcept;
+  void discard() noexcept;
+
+  OutputRules rules_;
+  std::deque<OutputFile> files_;
+  std::deque<OutputFile> streams_;
+  std::vector<Staged> staged_;
+  std::vector<Foreign> foreign_;
+  std::vector<std::string> new_folders_;
+  bool committed_ = false;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,43 @@
+#include "base/parallel.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "base/interrupt.h"
+
+namespace thiessen {
+
+unsigned available_threads() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+void in_parallel(std::size_t count, unsigned threads,
+                 const std::function<void(std::size_t, std::size_t)>& work) {
+  const std::size_t workers = std::min<std::size_t>(std::max(1u, threads), count);
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto run = [&](std::size_t worker) {
+    try {
+      for (std::size_t i = next++; i < count; i = next++) {
+        throw_if_interrupted();
+        work(worker, i);
+      }
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      failure = std::current_exception();
+      next = count;
+    }
+  };
+  std::vector<std::thread> others;
+  for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+  if (workers > 0) run(0);
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace thiessen

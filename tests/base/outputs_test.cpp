@@ -1,0 +1,425 @@
+#include "base/outputs.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <functional>
+
+#include "base/interrupt.h"
+#include "base/temporary_folder.h"
+
+namespace thiessen {
+namespace {
+
+using Names = std::set<std::string>;
+
+std::string sentence_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string refusal(const std::string& path, const OutputRules& rules) {
+  return sentence_of([&] { Outputs(rules).add(path); });
+}
+
+mode_t mode_of(const std::string& path) {
+  struct stat status = {};
+  EXPECT_EQ(::lstat(path.c_str(), &status), 0);
+  return status.st_mode & 07777;
+}
+
+const OutputRules replacing = {true, {}};
+
+TEST(Outputs, appear_when_all_are_committed_and_not_before) {
+  const TemporaryFolder folder;
+  Outputs outputs({});
+  outputs.add(folder.path("a.csv")).append("one");
+  outputs.add(folder.path("b.csv")).append("two");
+  EXPECT_FALSE(folder.names().contains("a.csv"));
+  outputs.commit();
+  EXPECT_EQ(folder.names(), (Names{"a.csv", "b.csv"}));
+  EXPECT_EQ(folder.read("a.csv"), "one");
+  EXPECT_EQ(folder.read("b.csv"), "two");
+}
+
+TEST(Outputs, leave_nothing_behind_unless_committed) {
+  const TemporaryFolder folder;
+  folder.write("b.csv", "old");
+  {
+    Outputs outputs(replacing);
+    outputs.add(folder.path("a.csv")).append("one");
+    outputs.add(folder.path("b.csv")).append("two");
+    outputs.make_folder(folder.path("dir"));
+    outputs.add(folder.path("dir/c.csv"));
+    std::ofstream(outputs.add_foreign(folder.path("d.gpkg"))) << "three";
+    EXPECT_EQ(folder.names().size(), 5u);
+  }
+  EXPECT_EQ(folder.names(), (Names{"b.csv"}));
+  EXPECT_EQ(folder.read("b.csv"), "old");
+}
+
+TEST(Outputs, replace_a_file_only_when_told_to) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "old");
+  try {
+    Outputs({}).add(path);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.messages()[0].sentence(), path + " exists already");
+    EXPECT_EQ(error.messages()[0].hint, "--overwrite replaces it");
+  }
+  Outputs outputs(replacing);
+  outputs.add(path).append("new");
+  outputs.commit();
+  EXPECT_EQ(folder.read("a.csv"), "new");
+  EXPECT_EQ(folder.names(), (Names{"a.csv"}));
+}
+
+TEST(Outputs, keep_the_mode_of_what_they_replace) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", "old");
+  ::chmod(path.c_str(), 0640);
+  Outputs outputs(replacing);
+  outputs.add(path);
+  std::ofstream(outputs.add_foreign(folder.write("b.gpkg", ""))) << "x";
+  ::chmod(folder.path("b.gpkg").c_str(), 0604);
+  outputs.commit();
+  EXPECT_EQ(mode_of(path), 0640u);
+  EXPECT_EQ(mode_of(folder.path("b.gpkg")), 0604u);
+}
+
+TEST(Outputs, leave_the_mode_of_new_files_to_the_umask) {
+  const TemporaryFolder folder;
+  const mode_t old = ::umask(027);
+  Outputs outputs({});
+  outputs.add(folder.path("a.csv"));
+  outputs.commit();
+  ::umask(old);
+  EXPECT_EQ(mode_of(folder.path("a.csv")), 0640u);
+}
+
+TEST(Outputs, never_touch_an_input_whatever_it_is_called) {
+  const TemporaryFolder folder;
+  const std::string input = folder.write("in.csv", "data");
+  ASSERT_EQ(::symlink("in.csv", folder.path("link").c_str()), 0);
+  ASSERT_EQ(::link(input.c_str(), folder.path("hard").c_str()), 0);
+  for (const bool overwrite : {false, true}) {
+    for (const char* name : {"in.csv", "link", "hard", "./in.csv"}) {
+      const std::string path = folder.path(name);
+      EXPECT_EQ(refusal(path, {overwrite, {"PG:dbname=x", input}}),
+                path + " is an input of this run, and would be lost");
+    }
+  }
+  EXPECT_EQ(folder.read("in.csv"), "data");
+}
+
+TEST(Outputs, replace_a_link_and_not_what_it_leads_to) {
+  const TemporaryFolder folder;
+  folder.write("target", "old");
+  const std::string link = folder.path("link");
+  ASSERT_EQ(::symlink("target", link.c_str()), 0);
+  EXPECT_EQ(refusal(link, {}), link + " exists already");
+  Outputs outputs(replacing);
+  outputs.add(link).append("new");
+  outputs.commit();
+  EXPECT_EQ(folder.read("target"), "old");
+  EXPECT_EQ(folder.read("link"), "new");
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(link)));
+}
+
+TEST(Outputs, refuse_names_that_no_file_can_have) {
+  const TemporaryFolder folder;
+  const std::string dangling = folder.path("dangling");
+  const std::string loop = folder.path("loop");
+  ASSERT_EQ(::symlink("nowhere", dangling.c_str()), 0);
+  ASSERT_EQ(::symlink("loop", loop.c_str()), 0);
+  const std::string cannot = ": cannot write: ";
+  EXPECT_EQ(refusal(folder.path(), replacing), folder.path() + cannot + "Is a directory");
+  EXPECT_EQ(refusal(folder.path("new/"), replacing),
+            folder.path("new/") + cannot + "Is a directory");
+  EXPECT_EQ(refusal("", replacing), "the name of an output is empty");
+  EXPECT_EQ(refusal(dangling, replacing),
+            dangling + cannot + "a symbolic link that leads nowhere: No such file or directory");
+  EXPECT_EQ(
+      refusal(loop, replacing),
+      loop + cannot + "a symbolic link that leads nowhere: Too many levels of symbolic links");
+  EXPECT_EQ(refusal(folder.path("no/a.csv"), {}),
+            folder.path("no/a.csv") + cannot + "No such file or directory");
+  EXPECT_EQ(folder.names(), (Names{"dangling", "loop"}));
+}
+
+TEST(Outputs, refuse_to_write_one_file_twice) {
+  const TemporaryFolder folder;
+  Outputs outputs({});
+  outputs.add(folder.path("a.csv"));
+  const std::string same = folder.path() + "/./a.csv";
+  EXPECT_EQ(sentence_of([&] { outputs.add(same); }), same + " would be written twice");
+  EXPECT_EQ(sentence_of([&] { outputs.add_foreign(same); }), same + " would be written twice");
+}
+
+TEST(Outputs, do_not_replace_a_file_that_appears_meanwhile) {
+  const TemporaryFolder folder;
+  Outputs outputs({});
+  outputs.add(folder.path("a.csv")).append("ours");
+  outputs.add(folder.path("b.csv")).append("ours");
+  folder.write("b.csv", "theirs");
+  EXPECT_EQ(sentence_of([&] { outputs.commit(); }), folder.path("b.csv") + " exists already");
+  EXPECT_FALSE(folder.names().contains("a.csv"));
+  EXPECT_EQ(folder.read("b.csv"), "theirs");
+}
+
+/// Makes the rename of the last output fail: its hidden file goes away just before `commit`.
+void fail_at_the_last(const TemporaryFolder& folder, bool older_files) {
+  const TemporaryFolder elsewhere;
+  if (older_files) {
+    folder.write("a.csv", "old a");
+    folder.write("b.csv", "old b");
+  }
+  {
+    Outputs outputs(replacing);
+    outputs.add(folder.path("a.csv")).append("new a");
+    outputs.add(folder.path("b.csv")).append("new b");
+    outputs.add(elsewhere.path("c.csv")).append("new c");
+    std::filesystem::remove(elsewhere.path(*elsewhere.names().begin()));
+    EXPECT_EQ(sentence_of([&] { outputs.commit(); }),
+              elsewhere.path("c.csv") + ": cannot write: No such file or directory");
+  }
+  EXPECT_TRUE(elsewhere.names().empty());
+}
+
+TEST(Outputs, are_taken_back_where_a_later_one_fails) {
+  const TemporaryFolder folder;
+  fail_at_the_last(folder, false);
+  EXPECT_TRUE(folder.names().empty());
+  fail_at_the_last(folder, true);
+  EXPECT_EQ(folder.names(), (Names{"a.csv", "b.csv"}));
+  EXPECT_EQ(folder.read("a.csv"), "old a");
+  EXPECT_EQ(folder.read("b.csv"), "old b");
+}
+
+TEST(Outputs, move_all_that_a_library_wrote) {
+  const TemporaryFolder folder;
+  folder.write("cells.dbf", "old");
+  Outputs outputs(replacing);
+  const std::string path = outputs.add_foreign(folder.path("cells.shp"));
+  EXPECT_EQ(std::filesystem::path(path).filename(), "cells.shp");
+  std::ofstream(path) << "shapes";
+  std::ofstream(std::filesystem::path(path).replace_extension("dbf")) << "table";
+  outputs.commit();
+  EXPECT_EQ(folder.names(), (Names{"cells.dbf", "cells.shp"}));
+  EXPECT_EQ(folder.read("cells.shp"), "shapes");
+  EXPECT_EQ(folder.read("cells.dbf"), "table");
+}
+
+TEST(Outputs, replace_no_side_file_unless_told_to) {
+  const TemporaryFolder folder;
+  folder.write("cells.dbf", "old");
+  {
+    Outputs outputs({});
+    const std::string path = outputs.add_foreign(folder.path("cells.shp"));
+    std::ofstream(path) << "shapes";
+    std::ofstream(std::filesystem::path(path).replace_extension("dbf")) << "table";
+    EXPECT_EQ(sentence_of([&] { outputs.commit(); }), folder.path("cells.dbf") + " exists already");
+  }
+  EXPECT_EQ(folder.names(), (Names{"cells.dbf"}));
+  EXPECT_EQ(folder.read("cells.dbf"), "old");
+}
+
+TEST(Outputs, fail_where_a_library_wrote_nothing) {
+  const TemporaryFolder folder;
+  Outputs outputs({});
+  outputs.add_foreign(folder.path("cells.shp"));
+  EXPECT_EQ(sentence_of([&] { outputs.commit(); }),
+            folder.path("cells.shp") + ": cannot write: No such file or directory");
+}
+
+TEST(Outputs, go_to_devices_and_pipes) {
+  Outputs outputs({});
+  outputs.add("/dev/null").append("x");
+  EXPECT_NO_THROW(outputs.commit());
+  struct stat status = {};
+  ASSERT_EQ(::stat("/dev/null", &status), 0);
+  EXPECT_TRUE(S_ISCHR(status.st_mode));
+
+  Outputs full({});
+  full.add("/dev/full").append("x");
+  EXPECT_EQ(sentence_of([&] { full.commit(); }),
+            "/dev/full: cannot write: No space left on device");
+
+  int ends[2] = {};
+  ASSERT_EQ(::pipe(ends), 0);
+  Outputs piped({});
+  piped.add("/dev/fd/" + std::to_string(ends[1])).append("through");
+  piped.commit();
+  char text[10] = {};
+  EXPECT_EQ(::read(ends[0], text, sizeof text), 7);
+  EXPECT_STREQ(text, "through");
+  ::close(ends[0]);
+  ::close(ends[1]);
+  EXPECT_NE(sentence_of([] { Outputs({}).add_foreign("/dev/null"); }), "no error");
+}
+
+/// The bytes that wait in a pipe whose writing end is not blocking.
+std::string drained(int end) {
+  std::string all;
+  std::array<char, 65'536> piece = {};
+  for (ssize_t count = 0; (count = ::read(end, piece.data(), piece.size())) > 0;) {
+    all.append(piece.data(), static_cast<std::size_t>(count));
+  }
+  return all;
+}
+
+TEST(Outputs, print_nothing_unless_committed) {
+  for (const std::size_t bytes : {std::size_t{10}, std::size_t{1'000'000}}) {
+    int ends[2] = {};
+    ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
+    const std::string path = "/dev/fd/" + std::to_string(ends[1]);
+    {
+      Outputs outputs({});
+      OutputFile& file = outputs.add(path);
+      for (std::size_t i = 0; i < bytes; ++i) file.append("x");
+      file.flush();
+    }
+    ::close(ends[1]);
+    EXPECT_EQ(drained(ends[0]), "");
+    ::close(ends[0]);
+  }
+}
+
+TEST(Outputs, print_what_no_buffer_holds_whole_and_in_order) {
+  std::string expected;
+  for (int i = 0; expected.size() < 3'000'000; ++i) expected += std::to_string(i) + ",";
+  int ends[2] = {};
+  ASSERT_EQ(::pipe(ends), 0);
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    Outputs outputs({});
+    OutputFile& file = outputs.add("/dev/fd/" + std::to_string(ends[1]));
+    file.append(expected.substr(0, 10));
+    file.append(expected.substr(10, 2'000'000));
+    for (const char c : expected.substr(2'000'010)) file.append({&c, 1});
+    outputs.commit();
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  EXPECT_EQ(drained(ends[0]), expected);
+  ::close(ends[0]);
+  ::waitpid(writer, nullptr, 0);
+}
+
+TEST(Outputs, are_printed_only_after_every_file_is_safe) {
+  const TemporaryFolder folder;
+  int ends[2] = {};
+  ASSERT_EQ(::pipe2(ends, O_NONBLOCK), 0);
+  {
+    Outputs outputs({});
+    outputs.add("/dev/fd/" + std::to_string(ends[1])).append("printed");
+    outputs.add(folder.path("a.csv")).append("ours");
+    folder.write("a.csv", "theirs");
+    EXPECT_EQ(sentence_of([&] { outputs.commit(); }), folder.path("a.csv") + " exists already");
+  }
+  ::close(ends[1]);
+  EXPECT_EQ(drained(ends[0]), "");
+  ::close(ends[0]);
+}
+
+TEST(Outputs, are_not_renamed_where_a_device_fails) {
+  const TemporaryFolder folder;
+  Outputs outputs({});
+  outputs.add(folder.path("a.csv")).append("x");
+  outputs.add("/dev/full").append("x");
+  EXPECT_EQ(sentence_of([&] { outputs.commit(); }),
+            "/dev/full: cannot write: No space left on device");
+  EXPECT_FALSE(folder.names().contains("a.csv"));
+}
+
+TEST(Outputs, fail_whole_at_every_byte_where_the_disk_is_full) {
+  const TemporaryFolder folder;
+  folder.write("a.csv", "old");
+  const auto attempt = [&](rlim_t bytes) {
+    watch_for_interrupts();
+    const rlimit limit = {bytes, bytes};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+    const bool failed = sentence_of([&] {
+                          Outputs outputs(replacing);
+                          outputs.add(folder.path("a.csv")).append("0123456789");
+                          outputs.add(folder.path("b.csv")).append("01234567890123456789");
+                          outputs.commit();
+                        }) != "no error";
+    ::_exit(failed ? 1 : 0);
+  };
+  for (rlim_t bytes = 0; bytes < 20; ++bytes) {
+    ASSERT_EXIT(attempt(bytes), ::testing::ExitedWithCode(1), "");
+    ASSERT_EQ(folder.names(), (Names{"a.csv"}));
+    ASSERT_EQ(folder.read("a.csv"), "old");
+  }
+  ASSERT_EXIT(attempt(20), ::testing::ExitedWithCode(0), "");
+  EXPECT_EQ(folder.read("a.csv"), "0123456789");
+}
+
+TEST(Outputs, vanish_when_the_run_is_interrupted) {
+  const TemporaryFolder folder;
+  watch_for_interrupts();
+  try {
+    Outputs outputs({});
+    outputs.add(folder.path("a.csv")).append("x");
+    std::raise(SIGTERM);
+    outputs.commit();
+    FAIL();
+  } catch (const Interrupted& interrupted) {
+    EXPECT_EQ(interrupted.exit_status(), 143);
+  }
+  forget_interrupt();
+  EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Outputs, make_a_folder_that_stays_only_if_all_goes_well) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("out");
+  {
+    Outputs outputs({});
+    outputs.make_folder(path);
+    outputs.add(path + "/a.csv").append("x");
+  }
+  EXPECT_TRUE(folder.names().empty());
+  Outputs outputs({});
+  outputs.make_folder(path);
+  outputs.make_folder(path);
+  outputs.add(path + "/a.csv").append("x");
+  outputs.commit();
+  EXPECT_EQ(folder.read("out/a.csv"), "x");
+  const std::string file = folder.write("file", "");
+  EXPECT_EQ(sentence_of([&] { Outputs({}).make_folder(file); }),
+            file + ": cannot use the folder: Not a directory");
+}
+
+TEST(Outputs, replace_their_file_at_once_for_those_who_read_it) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.csv", std::string(100'000, '0'));
+  const pid_t writer = ::fork();
+  if (writer == 0) {
+    for (int i = 0; i < 100; ++i) {
+      Outputs outputs(replacing);
+      outputs.add(path).append(std::string(100'000, static_cast<char>('0' + i % 10)));
+      outputs.commit();
+    }
+    ::_exit(0);
+  }
+  for (int status = 0; ::waitpid(writer, &status, WNOHANG) == 0;) {
+    const std::string text = folder.read("a.csv");
+    ASSERT_EQ(text.size(), 100'000u);
+    ASSERT_EQ(text.find_first_not_of(text[0]), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace thiessen
