@@ -1,0 +1,260 @@
+#include "tessellation/plane_diagram.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "geometry/predicates.h"
+#include "tessellation/tessellation.h"
+
+namespace thiessen {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t no_node = 0xFFFFFFFFu;
+
+/// The bisector of two points as a line with the first point's side to its left.
+struct Bisector {
+  Point middle;
+  Point direction;
+
+  // Going from a to b, a quarter turn to the left leads along the edge, with a on the left of it.
+  Bisector(Point a, Point b)
+      : middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}, direction{-(b.y - a.y), b.x - a.x} {}
+
+  Point at(double t) const { return {middle.x + t * direction.x, middle.y + t * direction.y}; }
+  double parameter_of(Point p) const {
+    const double square = direction.x * direction.x + direction.y * direction.y;
+    return ((p.x - middle.x) * direction.x + (p.y - middle.y) * direction.y) / square;
+  }
+};
+
+struct Stretch {
+  double from;
+  double to;
+};
+
+/// The stretch of the line within the box; none where it passes by.
+std::optional<Stretch> within(const Box& box, const Bisector& line) {
+  Stretch stretch{-infinity, infinity};
+  const auto cut = [&](double start, double step, double low, double high) {
+    if (step == 0) return low <= start && start <= high;
+    double enter = (low - start) / step;
+    double leave = (high - start) / step;
+    if (enter > leave) std::swap(enter, leave);
+    stretch = {std::max(stretch.from, enter), std::min(stretch.to, leave)};
+    return stretch.from < stretch.to;
+  };
+  const bool meets = cut(line.middle.x, line.direction.x, box.low.x, box.high.x) &&
+                     cut(line.middle.y, line.direction.y, box.low.y, box.high.y);
+  return meets ? std::optional(stretch) : std::nullopt;
+}
+
+/// The centres of a tessellation's simplices. Cocircular ones have one centre, and so have those
+/// next to each other that rounding cannot tell apart: an edge so short would turn any way. A group
+/// is known by the number of one of its simplices.
+class Centres {
+ public:
+  explicit Centres(const Tessellation& tessellation)
+      : tessellation_(tessellation), topology_(tessellation.topology()) {
+    group_.resize(topology_.size());
+    std::iota(group_.begin(), group_.end(), 0u);
+    unite([this](VertexId v, VertexId w) { return are_cocircular(v, w); });
+    compute();
+    unite([this](VertexId v, VertexId w) {
+      const Point p = centre_[index(v)];
+      const Point q = centre_[index(w)];
+      const double allowed = indistinct * (rounding(v) + rounding(w));
+      return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
+    });
+    compute();
+  }
+
+  std::uint32_t group_of(VertexId v) { return find(index(v)); }
+  Point of(VertexId v) const { return centre_[index(v)]; }
+
+ private:
+  static constexpr double indistinct = 4;
+
+  template <typename AreOne>
+  void unite(AreOne&& are_one) {
+    for (std::uint32_t i = 0; i < topology_.size(); ++i) {
+      const VertexId v{i};
+      if (topology_.is_free(v) || topology_.is_infinite(v)) continue;
+      for (std::size_t side = 0; side < 3; ++side) {
+        const VertexId w = topology_.neighbour(v, side);
+        if (index(w) > i && !topology_.is_infinite(w) && are_one(v, w))
+          group_[find(index(w))] = find(i);
+      }
+    }
+  }
+
+  // A group's centre is that of its lexicographically first simplex, so that it does not depend on
+  // the order in which the places came.
+  void compute() {
+    std::vector<VertexId> first(topology_.size(), no_vertex);
+    const auto for_each_simplex = [&](auto&& visit) {
+      for (std::uint32_t i = 0; i < topology_.size(); ++i) {
+        if (!topology_.is_free(VertexId{i}) && !topology_.is_infinite(VertexId{i}))
+          visit(VertexId{i});
+      }
+    };
+    for_each_simplex([&](VertexId v) {
+      VertexId& best = first[find(index(v))];
+      if (best == no_vertex || corners_of(v) < corners_of(best)) best = v;
+    });
+    centre_.resize(topology_.size());
+    for_each_simplex([&](VertexId v) {
+      const auto corners = corners_of(first[find(index(v))]);
+      centre_[index(v)] = circumcentre(corners[0], corners[1], corners[2]);
+    });
+  }
+
+  bool are_cocircular(VertexId v, VertexId w) const {
+    const auto& f = topology_.forming(v);
+    const PointId across = topology_.forming(w)[topology_.side_towards(w, v)];
+    return in_circle(position(f[0]), position(f[1]), position(f[2]), position(across)) == 0;
+  }
+
+  // How far a computed centre may be from the true one: see circumcentre.
+  double rounding(VertexId v) const {
+    const Point centre = centre_[index(v)];
+    const Point corner = position(topology_.forming(v)[0]);
+    return 0x1p-47 * (std::abs(centre.x - corner.x) + std::abs(centre.y - corner.y)) +
+           0x1p-52 * std::max(std::abs(centre.x), std::abs(centre.y));
+  }
+
+  std::uint32_t find(std::size_t i) {
+    auto v = static_cast<std::uint32_t>(i);
+    while (group_[v] != v) v = group_[v] = group_[group_[v]];
+    return v;
+  }
+
+  std::array<Point, 3> corners_of(VertexId v) const {
+    const auto& f = topology_.forming(v);
+    std::array<Point, 3> corners{position(f[0]), position(f[1]), position(f[2])};
+    std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  Point position(PointId p) const { return tessellation_.position(p); }
+
+  const Tessellation& tessellation_;
+  const Topology<2>& topology_;
+  std::vector<std::uint32_t> group_;
+  std::vector<Point> centre_;
+};
+
+class PlaneDiagramBuilder {
+ public:
+  PlaneDiagramBuilder(std::span<const Point> places, const Box& frame)
+      : tessellation_(std::make_shared<Tessellation>()) {
+    for (const PointId p : tessellation_->add_all(places)) {
+      diagram_.cell_of.push_back(PlaceIndex{static_cast<std::uint32_t>(p)});
+    }
+    const double margin = std::max(frame.width(), frame.height()) / 16;
+    cutting_box_ = frame.grown(margin > 0 ? margin : largest_magnitude(frame) / 16 + 1);
+    diagram_.frame = frame;
+    diagram_.places.assign(places.begin(), places.end());
+  }
+
+  Diagram build() && {
+    if (tessellation_->span() == Span::line) add_parallel_edges();
+    if (tessellation_->span() == Span::plane) {
+      centres_.emplace(*tessellation_);
+      node_of_.assign(topology().size(), no_node);
+      add_edges();
+    }
+    diagram_.near = [tessellation = tessellation_](Point p) {
+      return PlaceIndex{static_cast<std::uint32_t>(*tessellation->nearest(p))};
+    };
+    return std::move(diagram_);
+  }
+
+ private:
+  static double largest_magnitude(const Box& box) {
+    return std::max(
+        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  }
+
+  Point position(PointId p) const { return tessellation_->position(p); }
+  const Topology<2>& topology() const { return tessellation_->topology(); }
+
+  void add_parallel_edges() {
+    const std::vector<PointId> line = tessellation_->along_line();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+      add_edge(line[i], line[i + 1], no_vertex, no_vertex);
+  }
+
+  void add_edges() {
+    for (std::uint32_t i = 0; i < topology().size(); ++i) {
+      const VertexId v{i};
+      if (topology().is_free(v)) continue;
+      for (std::size_t side = 0; side < 3; ++side) {
+        const VertexId w = topology().neighbour(v, side);
+        if (index(w) < i) continue;
+        const PointId a = topology().forming(v)[(side + 1) % 3];
+        const PointId b = topology().forming(v)[(side + 2) % 3];
+        // v lies to the left of a→b: the edge runs from w's centre to v's.
+        if (a != infinite_point && b != infinite_point) add_edge(a, b, w, v);
+      }
+    }
+  }
+
+  // The edge between the cells of a and b, from `start` to `end` (vertices to the right and the
+  // left of a→b; infinite or none where it has no end).
+  void add_edge(PointId a, PointId b, VertexId start, VertexId end) {
+    const bool starts = start != no_vertex && !topology().is_infinite(start);
+    const bool ends = end != no_vertex && !topology().is_infinite(end);
+    if (starts && ends && centres_->group_of(start) == centres_->group_of(end)) return;
+    // One way only, so that rounding is the same for any order of places.
+    if (position(b) < position(a)) {
+      add_edge(b, a, end, start);
+      return;
+    }
+    const Bisector line(position(a), position(b));
+    const auto stretch = within(cutting_box_, line);
+    if (!stretch) return;
+    if (starts && line.parameter_of(centres_->of(start)) >= stretch->to) return;
+    if (ends && line.parameter_of(centres_->of(end)) <= stretch->from) return;
+    const std::uint32_t first = node_at(starts ? start : no_vertex, line.at(stretch->from));
+    const std::uint32_t last = node_at(ends ? end : no_vertex, line.at(stretch->to));
+    diagram_.chords.push_back({first, last, PlaceIndex{static_cast<std::uint32_t>(a)},
+                               PlaceIndex{static_cast<std::uint32_t>(b)}});
+  }
+
+  // The vertex's node, or one where the edge towards it leaves the box: the rounding of a far
+  // centre would turn the edge.
+  std::uint32_t node_at(VertexId v, Point leaving) {
+    if (v == no_vertex) return new_node(leaving);
+    const Point centre = centres_->of(v);
+    if (!cutting_box_.contains(centre)) return new_node(leaving);
+    std::uint32_t& node = node_of_[centres_->group_of(v)];
+    if (node == no_node) node = new_node(centre);
+    return node;
+  }
+
+  std::uint32_t new_node(Point p) {
+    diagram_.nodes.push_back(p);
+    return static_cast<std::uint32_t>(diagram_.nodes.size() - 1);
+  }
+
+  std::shared_ptr<Tessellation> tessellation_;
+  Box cutting_box_;
+  Diagram diagram_;
+  std::optional<Centres> centres_;
+  std::vector<std::uint32_t> node_of_;  // by group of centres
+};
+
+}  // namespace
+
+Diagram plane_diagram(std::span<const Point> places, const Box& frame) {
+  return PlaneDiagramBuilder(places, frame).build();
+}
+
+}  // namespace thiessen
