@@ -1,0 +1,24 @@
+#pragma once
+
+#include "earth/conformal_sphere.h"
+
+namespace thiessen {
+
+/// The great circle of points equally far from two others, by the angle from their middle, growing
+/// to the left of the way from the first to the second; the first's side is on its left.
+class BisectorArc {
+ public:
+  /// Requires different points; where they are antipodes any point of the circle stands for the
+  /// middle.
+  BisectorArc(Direction first, Direction second);
+
+  Direction at(double angle) const;
+  /// In [-pi, pi].
+  double angle_of(Direction p) const;
+
+ private:
+  Direction middle_;
+  Direction left_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "earth/surface.h"
+#include "tessellation/diagram.h"
+
+namespace thiessen {
+
+/// What "near" means: the shortest path on the ellipsoid, or straight distance in the coordinates.
+enum class Metric { geodesic, planar };
+
+/// What a study stands on: how near is measured, and how areas are.
+struct Ground {
+  Metric metric = Metric::planar;
+  double unit_area = 1;  ///< planar: square metres in a square unit of the coordinates
+  double tolerance =
+      0.1;  ///< geodesic: how far, in metres, a cell's edge may lie from the true one
+
+  /// The cells of `places` near `frame`: see plane_diagram and sphere_diagram.
+  Diagram diagram(std::span<const Point> places, const Box& frame) const;
+  std::unique_ptr<Surface> surface() const;
+};
+
+}  // namespace thiessen

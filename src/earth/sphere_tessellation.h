@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "earth/conformal_sphere.h"
+#include "tessellation/place.h"
+#include "tessellation/tessellation.h"
+
+namespace thiessen {
+
+/// The Delaunay tessellation of places on the conformal sphere: that of their projections in a
+/// chart whose pole is the first place by coordinates, which stands for the point at infinity.
+/// There is no hull and no outside.
+class SphereTessellation {
+ public:
+  /// `places`: longitude and latitude in degrees. Requires at least one, different ones.
+  explicit SphereTessellation(std::span<const Point> places);
+
+  /// Of all places but the pole, in the chart.
+  const Tessellation& tessellation() const { return tessellation_; }
+  PlaceIndex pole() const { return pole_; }
+  PlaceIndex place(PointId p) const { return p == infinite_point ? pole_ : place_of_[index(p)]; }
+  Direction direction(PlaceIndex p) const { return directions_[index(p)]; }
+  /// For each place itself, or the place from which rounding does not tell it.
+  const std::vector<PlaceIndex>& cell_of() const { return cell_of_; }
+  /// The places whose cells have an edge in common with the place's, and those that rounding does
+  /// not tell from it. One may stand twice.
+  const std::vector<PlaceIndex>& neighbours(PlaceIndex p) const { return neighbours_[index(p)]; }
+  double square_distance(Direction p, PlaceIndex place) const {
+    const Direction chord = directions_[index(place)] - p;
+    return dot(chord, chord);
+  }
+  /// The nearest place on the sphere. Cost: a walk from `start`, or from where the chart puts p.
+  PlaceIndex nearest(Direction p, PlaceIndex start) const;
+  PlaceIndex nearest(Direction p) const;
+
+ private:
+  void connect();
+
+  std::vector<Direction> directions_;
+  PlaceIndex pole_;
+  StereographicChart chart_;
+  Tessellation tessellation_;
+  std::vector<PlaceIndex> place_of_;  // by the tessellation's numbers
+  std::vector<PlaceIndex> cell_of_;
+  std::vector<std::vector<PlaceIndex>> neighbours_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "geometry/point.h"
+
+namespace thiessen {
+
+/// Where areas are measured.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// The area between the segment a→b and the parallel `reference`, positive where it runs to the
+  /// right (east) above it. Laws: as those of area_under.
+  virtual double under(Point a, Point b, double reference) const = 0;
+};
+
+/// The plane of the coordinates; areas in their unit, squared, times `unit_area`.
+class PlaneSurface : public Surface {
+ public:
+  explicit PlaneSurface(double unit_area = 1) : unit_area_(unit_area) {}
+  double under(Point a, Point b, double reference) const override;
+
+ private:
+  double unit_area_;
+};
+
+/// The WGS 84 ellipsoid under longitudes and latitudes in degrees; areas in square metres.
+class EllipsoidSurface : public Surface {
+ public:
+  double under(Point a, Point b, double reference) const override;
+};
+
+}  // namespace thiessen
