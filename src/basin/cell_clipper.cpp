@@ -1,0 +1,134 @@
+#include "basin/cell_clipper.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "basin/ring_linking.h"
+
+namespace thiessen {
+namespace {
+
+constexpr double rounding_share = 1e-14;
+
+Box box_of_basin(const Basin& basin) {
+  Box box;
+  for (const Polygon& part : basin.shape) {
+    for (const Point p : part.outer) box.take_in(p);
+  }
+  return box;
+}
+
+bool is_reverse(const BoundaryPiece& a, const BoundaryPiece& b) {
+  return a.from == b.to && a.to == b.from;
+}
+
+auto undirected(const BoundaryPiece& piece) {
+  return std::tuple(piece.place, std::min(piece.from, piece.to), std::max(piece.from, piece.to));
+}
+
+// Pieces of one cell that lie on each other in opposite directions enclose nothing: both go.
+void cancel_opposite_pieces(std::vector<BoundaryPiece>& pieces) {
+  std::stable_sort(
+      pieces.begin(), pieces.end(),
+      [](const BoundaryPiece& a, const BoundaryPiece& b) { return undirected(a) < undirected(b); });
+  std::vector<BoundaryPiece> kept;
+  kept.reserve(pieces.size());
+  for (const BoundaryPiece& piece : pieces) {
+    if (!kept.empty() && kept.back().place == piece.place && is_reverse(kept.back(), piece)) {
+      kept.pop_back();
+    } else {
+      kept.push_back(piece);
+    }
+  }
+  pieces = std::move(kept);
+}
+
+}  // namespace
+
+CellClipper::CellClipper(const Diagram& diagram, const Surface& surface)
+    : surface_(surface),
+      overlay_(diagram),
+      area_(diagram.places.size()),
+      is_touched_(diagram.places.size(), false) {}
+
+double area_of(const Basin& basin, const Surface& surface) {
+  const double reference = box_of_basin(basin).centre().y;
+  LongSum area;
+  std::size_t ring_number = 0;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      area.add(-surface.under(ring[i], ring[(i + 1) % ring.size()], reference));
+      if (!basin.bulges.empty()) area.add(basin.bulges[ring_number][i]);
+    }
+    ++ring_number;
+  };
+  for (const Polygon& part : basin.shape) {
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
+  }
+  return area.value();
+}
+
+LongSum& CellClipper::area_at(PlaceIndex place) {
+  if (!is_touched_[index(place)]) {
+    is_touched_[index(place)] = true;
+    touched_.push_back(place);
+  }
+  return area_[index(place)];
+}
+
+void CellClipper::measure(const CutBasin& cut, double reference) {
+  for (const PlaceIndex place : touched_) {
+    area_[index(place)] = {};
+    is_touched_[index(place)] = false;
+  }
+  touched_.clear();
+  double under = 0;
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    const BoundaryPiece& piece = cut.pieces[i];
+    const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
+    under = known ? -under : surface_.under(piece.from, piece.to, reference);
+    LongSum& area = area_at(piece.place);
+    area.add(-under);
+    if (piece.bulge != 0) area.add(piece.bulge);
+  }
+  std::sort(touched_.begin(), touched_.end());
+}
+
+std::vector<CellShare> CellClipper::shares(const Basin& basin) {
+  CutBasin cut = overlay_.cut(basin);
+  if (cut.touching) cancel_opposite_pieces(cut.pieces);
+  measure(cut, box_of_basin(basin).centre().y);
+  const double smallest = rounding_share * area_of(basin, surface_);
+  std::vector<CellShare> shares;
+  for (const PlaceIndex place : touched_) {
+    const double area = area_[index(place)].value();
+    if (area > smallest) shares.push_back({place, area});
+  }
+  return shares;
+}
+
+std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
+  CutBasin cut = overlay_.cut(basin);
+  if (cut.touching) cancel_opposite_pieces(cut.pieces);
+  measure(cut, box_of_basin(basin).centre().y);
+  const double smallest = rounding_share * area_of(basin, surface_);
+  std::stable_sort(
+      cut.pieces.begin(), cut.pieces.end(),
+      [](const BoundaryPiece& a, const BoundaryPiece& b) { return a.place < b.place; });
+  std::vector<ClippedCell> cells;
+  for (std::size_t first = 0; first < cut.pieces.size();) {
+    const PlaceIndex place = cut.pieces[first].place;
+    std::vector<DirectedEdge> edges;
+    std::size_t end = first;
+    for (; end < cut.pieces.size() && cut.pieces[end].place == place; ++end) {
+      edges.push_back({cut.pieces[end].from, cut.pieces[end].to});
+    }
+    first = end;
+    const double area = area_[index(place)].value();
+    if (area > smallest) cells.push_back({place, area, link_rings(std::move(edges))});
+  }
+  return cells;
+}
+
+}  // namespace thiessen

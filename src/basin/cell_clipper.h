@@ -1,0 +1,52 @@
+#pragma once
+
+#include <vector>
+
+#include "basin/overlay.h"
+#include "earth/surface.h"
+#include "geometry/long_sum.h"
+
+namespace thiessen {
+
+/// How much of a basin lies in the cell of a place.
+struct CellShare {
+  PlaceIndex place;
+  double area;  ///< square metres (a plane of unknown unit: its unit, squared)
+};
+
+/// The part of a place's cell within a basin.
+struct ClippedCell {
+  PlaceIndex place;
+  double area;
+  MultiPolygon shape;
+};
+
+/// The basin's area. Requires a basin whose rings run as Polygon says.
+double area_of(const Basin& basin, const Surface& surface);
+
+/// Clips the cells of a diagram to basins. The diagram and the surface must outlive it; one for
+/// each thread.
+class CellClipper {
+ public:
+  CellClipper(const Diagram& diagram, const Surface& surface);
+
+  /// The cells that have a share in the basin, by place. The areas add up to the basin's to 1e-13
+  /// of it. A share below 1e-14 of the basin is rounding, not ground, and is left out. Requires a
+  /// valid basin inside the diagram's frame. Cost: as Overlay::cut.
+  std::vector<CellShare> shares(const Basin& basin);
+
+  /// The same with shapes. Cells side by side share their edge vertex for vertex.
+  std::vector<ClippedCell> cells(const Basin& basin);
+
+ private:
+  void measure(const CutBasin& cut, double reference);
+  LongSum& area_at(PlaceIndex place);
+
+  const Surface& surface_;
+  Overlay overlay_;
+  std::vector<LongSum> area_;  // by place
+  std::vector<bool> is_touched_;
+  std::vector<PlaceIndex> touched_;  // those with pieces in the basin at hand
+};
+
+}  // namespace thiessen

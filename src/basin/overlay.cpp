@@ -1,0 +1,370 @@
+#include "basin/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "basin/crossing.h"
+#include "geometry/predicates.h"
+
+namespace thiessen {
+namespace {
+
+std::vector<Box> boxes_of(const Diagram& diagram) {
+  std::vector<Box> boxes;
+  boxes.reserve(diagram.chords.size());
+  for (const Chord& chord : diagram.chords) {
+    boxes.push_back(box_of(diagram.nodes[chord.from], diagram.nodes[chord.to]));
+  }
+  return boxes;
+}
+
+void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place, int step) {
+  for (std::size_t i = 0; i < presence.size(); ++i) {
+    if (presence[i].first != place) continue;
+    presence[i].second += step;
+    if (presence[i].second == 0) presence.erase(presence.begin() + static_cast<std::ptrdiff_t>(i));
+    return;
+  }
+  presence.emplace_back(place, step);
+}
+
+/// The share of a parabola's area over its chord that lies before `along`.
+double parabola_share(double along) {
+  return along * along * (3 - 2 * along);
+}
+
+/// Along an edge or a chord, from 0 to 1: what rounding may change in the place of a crossing.
+constexpr double rounding = 1e-9;
+
+double distance(Point a, Point b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+// Even-odd, with the basin shifted as in Crossing: a point on its edge is in or out, never both.
+bool is_within(const Ring& ring, Point p) {
+  bool within = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i];
+    const Point b = ring[(i + 1) % ring.size()];
+    if ((a.y < p.y) == (b.y < p.y)) continue;
+    const Point low = a.y < b.y ? a : b;
+    const Point high = a.y < b.y ? b : a;
+    const int side = orientation(low, high, p);
+    if (side >= 0) within = !within;
+  }
+  return within;
+}
+
+bool is_within(const Basin& basin, Point p) {
+  bool within = false;
+  for (const Polygon& part : basin.shape) {
+    within = within != is_within(part.outer, p);
+    for (const Ring& hole : part.holes) within = within != is_within(hole, p);
+  }
+  return within;
+}
+
+}  // namespace
+
+Overlay::Overlay(const Diagram& diagram)
+    : diagram_(diagram), tree_(boxes_of(diagram)), stamp_(diagram.chords.size(), 0) {
+  first_chord_at_.assign(diagram.nodes.size() + 1, 0);
+  for (const Chord& chord : diagram.chords) {
+    ++first_chord_at_[chord.from + 1];
+    ++first_chord_at_[chord.to + 1];
+  }
+  for (std::size_t i = 1; i < first_chord_at_.size(); ++i)
+    first_chord_at_[i] += first_chord_at_[i - 1];
+  chord_at_.resize(2 * diagram.chords.size());
+  std::vector<std::uint32_t> next(first_chord_at_.begin(), first_chord_at_.end() - 1);
+  for (std::uint32_t i = 0; i < diagram.chords.size(); ++i) {
+    chord_at_[next[diagram.chords[i].from]++] = i;
+    chord_at_[next[diagram.chords[i].to]++] = i;
+  }
+}
+
+const CutBasin& Overlay::cut(const Basin& basin) {
+  result_.pieces.clear();
+  result_.touching = false;
+  chord_events_.clear();
+  crossed_ = false;
+  nodes_within_.clear();
+  ++basin_number_;
+
+  std::size_t ring_number = 0;
+  const auto cut_next = [&](const Ring& ring) {
+    cut_ring(ring, basin.bulges.empty() ? nullptr : &basin.bulges[ring_number]);
+    ++ring_number;
+  };
+  for (const Polygon& part : basin.shape) {
+    cut_next(part.outer);
+    for (const Ring& hole : part.holes) cut_next(hole);
+  }
+  emit_crossed_chords(basin);
+  emit_whole_chords_within();
+  return result_;
+}
+
+void Overlay::cut_ring(const Ring& ring, const std::vector<double>* bulges) {
+  edges_.clear();
+  edge_events_.clear();
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Edge edge{ring[i], ring[(i + 1) % ring.size()], bulges == nullptr ? 0 : (*bulges)[i]};
+    if (edge.from == edge.to) continue;
+    find_events(static_cast<std::uint32_t>(edges_.size()), edge);
+    edges_.push_back(edge);
+  }
+  if (edges_.empty()) return;
+  std::sort(edge_events_.begin(), edge_events_.end(), [](const EdgeEvent& a, const EdgeEvent& b) {
+    return std::pair(a.edge, a.along) < std::pair(b.edge, b.along);
+  });
+  presence_ = presence_at_start();
+  emit_ring();
+}
+
+// Where the ring starts is what the crossings before its longest stretch elsewhere lead away from:
+// that is beyond doubt, where nodes closer together than rounding may confuse what is near them.
+Overlay::Presence Overlay::presence_at_start() const {
+  const auto length = [&](std::size_t e) { return distance(edges_[e].from, edges_[e].to); };
+  double longest = 0;
+  for (std::size_t e = 0; e < edges_.size(); ++e) longest += rounding * length(e);
+  Presence change_since_start;
+  std::optional<PlaceIndex> start;
+  double way = 0;  // of the last crossing
+  double way_to_edge = 0;
+  std::size_t edge = 0;
+  const auto end_stretch = [&](double end) {
+    const bool elsewhere = change_since_start.size() == 2 &&
+                           change_since_start[0].second + change_since_start[1].second == 0 &&
+                           std::abs(change_since_start[0].second) == 1;
+    if (elsewhere && end - way > longest) {
+      longest = end - way;
+      start = change_since_start[change_since_start[0].second < 0 ? 0 : 1].first;
+    }
+    way = end;
+  };
+  for (const EdgeEvent& event : edge_events_) {
+    if (!event.is_crossing) continue;
+    for (; edge < event.edge; ++edge) way_to_edge += length(edge);
+    end_stretch(way_to_edge + event.along * length(edge));
+    change(change_since_start, event.from, -1);
+    change(change_since_start, event.to, 1);
+  }
+  return {{start ? *start : locate(edges_.front().from), 1}};
+}
+
+void Overlay::find_events(std::uint32_t edge_number, const Edge& edge) {
+  tree_.search(box_of(edge.from, edge.to),
+               [&](std::uint32_t chord) { add_events(edge_number, edge, chord); });
+}
+
+void Overlay::add_events(std::uint32_t edge_number, const Edge& edge, std::uint32_t chord_number) {
+  const Chord& chord = diagram_.chords[chord_number];
+  const Point from = diagram_.nodes[chord.from];
+  const Point to = diagram_.nodes[chord.to];
+  const Meeting meeting = meet(edge.from, edge.to, from, to);
+  if (meeting.crossing) {
+    const Crossing& c = *meeting.crossing;
+    crossed_ = true;
+    edge_events_.push_back({edge_number, c.along_edge, c.point, true,
+                            c.to_left ? chord.right : chord.left,
+                            c.to_left ? chord.left : chord.right});
+    chord_events_.push_back({chord_number, c.along_chord, c.point, c.entering ? 1 : -1});
+  }
+  if (!meeting.touches()) return;
+  result_.touching = true;
+  const auto on_edge = [&](Point p) {
+    const double along = distance(edge.from, p) / distance(edge.from, edge.to);
+    edge_events_.push_back({edge_number, along, p, false, {}, {}});
+  };
+  const auto on_chord = [&](Point p) {
+    chord_events_.push_back({chord_number, distance(from, p) / distance(from, to), p, 0});
+  };
+  if (meeting.from_on_edge) on_edge(from);
+  if (meeting.to_on_edge) on_edge(to);
+  if (meeting.a_on_chord) on_chord(edge.from);
+  if (meeting.b_on_chord) on_chord(edge.to);
+}
+
+void Overlay::emit_ring() {
+  std::size_t next = 0;
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const Edge& edge = edges_[e];
+    Point from = edge.from;
+    double begin = 0;
+    for (; next < edge_events_.size() && edge_events_[next].edge == e; ++next) {
+      put_next_in_order(next);
+      const EdgeEvent& event = edge_events_[next];
+      emit_edge_piece(edge, begin, from, event.along, event.point);
+      from = event.point;
+      begin = event.along;
+      if (!event.is_crossing) continue;
+      change(presence_, event.from, -1);
+      change(presence_, event.to, 1);
+    }
+    emit_edge_piece(edge, begin, from, 1, edge.to);
+  }
+}
+
+// Crossings of one point, or swapped by rounding, are put in the order in which the cells follow.
+void Overlay::put_next_in_order(std::size_t next) {
+  const EdgeEvent event = edge_events_[next];
+  const auto follows = [&](const EdgeEvent& e) {
+    return e.is_crossing && presence_.size() == 1 && e.from == presence_.front().first;
+  };
+  if (!event.is_crossing || follows(event)) return;
+  for (std::size_t i = next + 1; i < edge_events_.size() && edge_events_[i].edge == event.edge &&
+                                 edge_events_[i].along - event.along < rounding;
+       ++i) {
+    if (!follows(edge_events_[i])) continue;
+    std::swap(edge_events_[next], edge_events_[i]);
+    return;
+  }
+}
+
+void Overlay::emit_edge_piece(const Edge& edge, double begin, Point from, double end, Point to) {
+  if (from == to) return;
+  const double bulge =
+      edge.bulge == 0 ? 0 : edge.bulge * (parabola_share(end) - parabola_share(begin));
+  for (const auto& [place, count] : presence_) {
+    for (int i = 0; i < count; ++i) result_.pieces.push_back({place, from, to, bulge});
+    for (int i = count; i < 0; ++i) result_.pieces.push_back({place, to, from, -bulge});
+  }
+}
+
+void Overlay::emit_crossed_chords(const Basin& basin) {
+  std::sort(chord_events_.begin(), chord_events_.end(),
+            [](const ChordEvent& a, const ChordEvent& b) {
+              return std::pair(a.chord, a.along) < std::pair(b.chord, b.along);
+            });
+  touched_.clear();
+  for (std::size_t first = 0; first < chord_events_.size();) {
+    std::size_t end = first;
+    bool crossed = false;
+    while (end < chord_events_.size() && chord_events_[end].chord == chord_events_[first].chord) {
+      crossed = crossed || chord_events_[end].step != 0;
+      ++end;
+    }
+    if (crossed) {
+      emit_crossed_chord(basin, first, end);
+    } else {
+      touched_.emplace_back(chord_events_[first].chord, first);
+    }
+    first = end;
+  }
+  // Edges between cells hang together (or leave the frame): crossed nowhere, all are within or
+  // none.
+  if (crossed_ || diagram_.chords.empty()) return;
+  const std::uint32_t node = diagram_.chords.front().from;
+  if (is_within(basin, diagram_.nodes[node])) nodes_within_.push_back(node);
+}
+
+// Whether the chord begins within the basin follows from its crossings: of the two possibilities
+// the one that is in the basin never more than once, nor less than not at all.
+bool Overlay::begins_within(const Basin& basin, std::size_t first, std::size_t end) const {
+  double wrong_if_outside = 0;
+  double wrong_if_within = 0;
+  double before = 0;
+  int depth = 0;
+  for (std::size_t i = first; i <= end; ++i) {
+    const double along = i == end ? 1 : chord_events_[i].along;
+    if (depth < 0 || depth > 1) wrong_if_outside += along - before;
+    if (depth < -1 || depth > 0) wrong_if_within += along - before;
+    before = along;
+    if (i < end) depth += chord_events_[i].step;
+  }
+  const double difference = wrong_if_outside - wrong_if_within;
+  if (std::abs(difference) > rounding) return difference > 0;
+  return is_within(basin, diagram_.nodes[diagram_.chords[chord_events_[first].chord].from]);
+}
+
+void Overlay::emit_crossed_chord(const Basin& basin, std::size_t first, std::size_t end) {
+  const std::uint32_t number = chord_events_[first].chord;
+  stamp_[number] = basin_number_;
+  const Chord& chord = diagram_.chords[number];
+  int depth = begins_within(basin, first, end) ? 1 : 0;
+  if (depth != 0) nodes_within_.push_back(chord.from);
+  Point from = diagram_.nodes[chord.from];
+  for (std::size_t i = first; i < end; ++i) {
+    emit_chord_piece(chord, from, chord_events_[i].point, depth);
+    from = chord_events_[i].point;
+    depth += chord_events_[i].step;
+  }
+  emit_chord_piece(chord, from, diagram_.nodes[chord.to], depth);
+  if (depth != 0) nodes_within_.push_back(chord.to);
+}
+
+// From the nodes known to be within, along chords that cross no edge.
+void Overlay::emit_whole_chords_within() {
+  while (!nodes_within_.empty()) {
+    const std::uint32_t node = nodes_within_.back();
+    nodes_within_.pop_back();
+    for (std::uint32_t i = first_chord_at_[node]; i < first_chord_at_[node + 1]; ++i) {
+      const std::uint32_t number = chord_at_[i];
+      if (stamp_[number] == basin_number_) continue;
+      stamp_[number] = basin_number_;
+      emit_whole_chord(number);
+      const Chord& chord = diagram_.chords[number];
+      nodes_within_.push_back(chord.from == node ? chord.to : chord.from);
+    }
+  }
+}
+
+void Overlay::emit_whole_chord(std::uint32_t number) {
+  const Chord& chord = diagram_.chords[number];
+  Point from = diagram_.nodes[chord.from];
+  const auto touched =
+      std::lower_bound(touched_.begin(), touched_.end(), std::pair(number, std::size_t{0}));
+  if (touched != touched_.end() && touched->first == number) {
+    for (std::size_t i = touched->second;
+         i < chord_events_.size() && chord_events_[i].chord == number; ++i) {
+      emit_chord_piece(chord, from, chord_events_[i].point, 1);
+      from = chord_events_[i].point;
+    }
+  }
+  emit_chord_piece(chord, from, diagram_.nodes[chord.to], 1);
+}
+
+void Overlay::emit_chord_piece(const Chord& chord, Point from, Point to, int count) {
+  if (from == to) return;
+  if (count < 0) std::swap(from, to);
+  for (int i = 0; i < std::abs(count); ++i) {
+    result_.pieces.push_back({chord.left, from, to});
+    result_.pieces.push_back({chord.right, to, from});
+  }
+}
+
+// Goes straight to the place that the diagram thinks near: the first chord on the way, if any,
+// tells on whose side the point lies. Where chords meet on the way, the cells follow each other
+// through them: the first is the one that none leads to.
+PlaceIndex Overlay::locate(Point p) const {
+  struct Step {
+    double along;
+    PlaceIndex from;
+    PlaceIndex to;
+  };
+  const PlaceIndex guess = diagram_.near(p);
+  Point goal = diagram_.places[index(guess)];
+  if (diagram_.period > 0) goal.x -= diagram_.period * std::round((goal.x - p.x) / diagram_.period);
+  if (goal == p) return guess;
+  std::vector<Step> steps;
+  double first = 2;
+  tree_.search(box_of(p, goal), [&](std::uint32_t number) {
+    const Chord& chord = diagram_.chords[number];
+    const Meeting meeting = meet(p, goal, diagram_.nodes[chord.from], diagram_.nodes[chord.to]);
+    if (!meeting.crossing) return;
+    const bool to_left = meeting.crossing->to_left;
+    steps.push_back({meeting.crossing->along_edge, to_left ? chord.right : chord.left,
+                     to_left ? chord.left : chord.right});
+    first = std::min(first, steps.back().along);
+  });
+  std::erase_if(steps, [&](const Step& step) { return step.along > first + rounding; });
+  for (const Step& step : steps) {
+    const auto leads_here = [&](const Step& other) { return other.to == step.from; };
+    if (std::none_of(steps.begin(), steps.end(), leads_here)) return step.from;
+  }
+  return guess;
+}
+
+}  // namespace thiessen

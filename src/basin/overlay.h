@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "basin/basin.h"
+#include "geometry/box_tree.h"
+#include "tessellation/diagram.h"
+
+namespace thiessen {
+
+/// A directed straight piece of the boundary of one cell's part in a basin; the part lies to its
+/// left.
+struct BoundaryPiece {
+  PlaceIndex place;
+  Point from;
+  Point to;
+  double bulge =
+      0;  ///< square metres between the basin's true edge and this piece: see Basin::bulges
+};
+
+/// The boundaries of all cells' parts in one basin. Each part's pieces close, whatever rounding
+/// did: at every point as many end as begin. Pieces may lie on each other in opposite directions
+/// where `touching` is set (an edge of the basin along a chord): they cancel.
+struct CutBasin {
+  std::vector<BoundaryPiece> pieces;
+  bool touching = false;
+};
+
+/// Lays basins over the cells of a diagram. The diagram must outlive it; one for each thread.
+/// All decisions are exact (see Crossing), so there is no tolerance and no special case. Cost:
+/// building n log n in the chords; a basin log n for each of its edges, and in proportion to the
+/// crossings and to the chords within; nothing in proportion to what it does not touch. Memory: 60
+/// bytes a chord.
+class Overlay {
+ public:
+  explicit Overlay(const Diagram& diagram);
+
+  /// Requires a valid basin inside the diagram's frame. The result stands until the next call.
+  const CutBasin& cut(const Basin& basin);
+
+ private:
+  struct Edge {
+    Point from;
+    Point to;
+    double bulge;
+  };
+  struct EdgeEvent {  // a crossing, or just a node on the edge
+    std::uint32_t edge;
+    double along;
+    Point point;
+    bool is_crossing;
+    PlaceIndex from;
+    PlaceIndex to;
+  };
+  struct ChordEvent {
+    std::uint32_t chord;
+    double along;
+    Point point;
+    int step;  // into the basin: 1, out of it: -1, just a node on the chord: 0
+  };
+  using Presence = std::vector<std::pair<PlaceIndex, int>>;
+
+  void cut_ring(const Ring& ring, const std::vector<double>* bulges);
+  void find_events(std::uint32_t edge_number, const Edge& edge);
+  void add_events(std::uint32_t edge_number, const Edge& edge, std::uint32_t chord_number);
+  Presence presence_at_start() const;
+  void emit_ring();
+  void put_next_in_order(std::size_t next);
+  void emit_edge_piece(const Edge& edge, double begin, Point from, double end, Point to);
+  void emit_crossed_chords(const Basin& basin);
+  void emit_crossed_chord(const Basin& basin, std::size_t first, std::size_t end);
+  bool begins_within(const Basin& basin, std::size_t first, std::size_t end) const;
+  void emit_whole_chords_within();
+  void emit_whole_chord(std::uint32_t number);
+  void emit_chord_piece(const Chord& chord, Point from, Point to, int count);
+  PlaceIndex locate(Point p) const;
+
+  const Diagram& diagram_;
+  BoxTree tree_;
+  std::vector<std::uint32_t>
+      first_chord_at_;  // chords by node: chord_at_[first_chord_at_[node]] ...
+  std::vector<std::uint32_t> chord_at_;
+
+  CutBasin result_;
+  std::vector<Edge> edges_;  // of the ring at hand
+  std::vector<EdgeEvent> edge_events_;
+  Presence presence_;  // which cells the boundary is in: one, but between crossings that rounding
+                       // swapped
+  std::vector<ChordEvent> chord_events_;
+  std::vector<std::pair<std::uint32_t, std::size_t>>
+      touched_;                       // chords with nodes on them, and their first event
+  bool crossed_ = false;              // whether any chord is
+  std::vector<std::uint32_t> stamp_;  // by chord: the basin that has it done
+  std::uint32_t basin_number_ = 0;
+  std::vector<std::uint32_t> nodes_within_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,159 @@
+#include "basin/cell_clipper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "basin/shapes.h"
+#include "tessellation/plane_diagram.h"
+
+namespace thiessen {
+namespace {
+
+using Areas = std::map<std::size_t, double>;
+
+Areas areas_in(const std::vector<Point>& places, const Basin& basin, const Box& frame) {
+  const Diagram diagram = plane_diagram(places, frame);
+  const PlaneSurface plane;
+  Areas areas;
+  for (const CellShare& share : CellClipper(diagram, plane).shares(basin))
+    areas[index(share.place)] = share.area;
+  return areas;
+}
+
+Areas areas_in(const std::vector<Point>& places, const MultiPolygon& shape) {
+  return areas_in(places, shapes::basin(shape), shapes::box_of(shape));
+}
+
+const MultiPolygon square{{shapes::rectangle({0, 0}, {25, 25}), {}}};
+
+TEST(CellShares, of_one_place_are_the_basin) {
+  EXPECT_EQ(areas_in({{99, -7}}, square), (Areas{{0, 625}}));
+}
+
+TEST(CellShares, of_two_places_are_its_two_sides) {
+  EXPECT_EQ(areas_in({{0, 12.5}, {20, 12.5}}, square), (Areas{{0, 250}, {1, 375}}));
+}
+
+// Graduate Aptitude Test in Engineering 2017, civil engineering: gauges in the four corners and the
+// middle of a square; the middle weighs a half and each corner an eighth.
+TEST(CellShares, of_a_square_s_corners_and_centre) {
+  EXPECT_EQ(areas_in({{0, 0}, {25, 0}, {25, 25}, {0, 25}, {12.5, 12.5}}, square),
+            (Areas{{0, 78.125}, {1, 78.125}, {2, 78.125}, {3, 78.125}, {4, 312.5}}));
+}
+
+TEST(CellShares, of_places_on_a_line_are_strips) {
+  std::vector<Point> places;
+  for (int i = 0; i < 50; ++i) places.push_back({i + 0.5, i + 0.5});
+  const Areas found = areas_in(places, square);
+  // The strip of place i lies between x + y = 2 i and 2 i + 2; below x + y = s lies a triangle, or
+  // the square less one.
+  const auto below = [](double s) { return s <= 25 ? s * s / 2 : 625 - (50 - s) * (50 - s) / 2; };
+  ASSERT_EQ(found.size(), 25u);
+  for (const auto& [place, area] : found) {
+    const double low = place == 0 ? 0 : 2.0 * static_cast<double>(place);
+    EXPECT_EQ(area, below(low + 2) - below(low)) << place;
+  }
+}
+
+// d3-delaunay's tests: the midpoint of the long side is the circle's centre.
+TEST(CellShares, of_a_right_triangle_meet_in_the_middle_of_its_long_side) {
+  const MultiPolygon box{{shapes::rectangle({-1, -1}, {2, 2}), {}}};
+  EXPECT_EQ(areas_in({{0, 0}, {1, 0}, {0, 1}}, box), (Areas{{0, 2.25}, {1, 3.375}, {2, 3.375}}));
+}
+
+TEST(CellShares, of_a_lattice_are_equal) {
+  std::vector<Point> places;
+  for (int x = 0; x < 20; ++x) {
+    for (int y = 0; y < 20; ++y) places.push_back({x + 0.5, y + 0.5});
+  }
+  const Areas areas = areas_in(places, {{shapes::rectangle({0, 0}, {20, 20}), {}}});
+  ASSERT_EQ(areas.size(), 400u);
+  for (const auto& [place, area] : areas) EXPECT_EQ(area, 1) << place;
+}
+
+TEST(CellShares, of_places_an_ulp_apart_are_two_halves) {
+  const Point p{0.5, 0.5};
+  const Point q{std::nextafter(0.5, 1), 0.5};
+  const Areas areas = areas_in({p, q}, {{shapes::rectangle({0, 0}, {1, 1}), {}}});
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas.at(0), 0.5, 1e-15);
+  EXPECT_NEAR(areas.at(0) + areas.at(1), 1, 1e-15);
+}
+
+TEST(CellShares, of_a_basin_with_holes_and_islands) {
+  const MultiPolygon shape{
+      {shapes::rectangle({0, 0}, {8, 8}), {shapes::reversed(shapes::rectangle({2, 2}, {6, 6}))}},
+      {shapes::rectangle({3, 3}, {5, 5}), {}}};
+  // The border x = 3 leaves 3 by 8 less 1 by 4 on its left, and touches the island's side.
+  EXPECT_EQ(areas_in({{1, 4}, {5, 4}}, shape), (Areas{{0, 20}, {1, 32}}));
+}
+
+TEST(CellShares, of_a_basin_whose_edge_runs_along_a_cell_s) {
+  EXPECT_EQ(areas_in({{0, 0}, {2, 0}}, {{shapes::rectangle({1, -1}, {3, 1}), {}}}),
+            (Areas{{1, 4}}));
+  EXPECT_EQ(areas_in({{0, 0}, {2, 0}}, {{shapes::rectangle({-1, -1}, {1, 1}), {}}}),
+            (Areas{{0, 4}}));
+}
+
+TEST(CellShares, of_an_edge_s_bulges_go_to_the_cells_along_it) {
+  Basin basin = shapes::basin({{shapes::rectangle({0, 0}, {4, 2}), {}}});
+  basin.bulges = {{0.8, 0, 0, 0}};  // the lower edge bulges outwards
+  const Areas areas = areas_in({{1, 1}, {3, 1}}, basin, shapes::box_of(basin.shape));
+  EXPECT_NEAR(areas.at(0), 4.4, 1e-14);
+  EXPECT_NEAR(areas.at(1), 4.4, 1e-14);
+  EXPECT_NEAR(area_of(basin, PlaneSurface()), 8.8, 1e-14);
+}
+
+TEST(CellShapes, share_their_edges_vertex_for_vertex) {
+  const std::vector<Point> places{{1, 1}, {3, 1}, {2, 3}};
+  const Basin basin = shapes::basin({{shapes::rectangle({0, 0}, {4, 4}), {}}});
+  const Diagram diagram = plane_diagram(places, shapes::box_of(basin.shape));
+  const PlaneSurface plane;
+  const std::vector<ClippedCell> cells = CellClipper(diagram, plane).cells(basin);
+  ASSERT_EQ(cells.size(), 3u);
+  // They meet in (2, 1.75): as far from (1, 1) as from (2, 3), 1.25.
+  for (const ClippedCell& cell : cells) {
+    ASSERT_EQ(cell.shape.size(), 1u);
+    EXPECT_EQ(std::count(cell.shape[0].outer.begin(), cell.shape[0].outer.end(), (Point{2, 1.75})),
+              1);
+  }
+}
+
+TEST(CellShapes, fall_in_pieces_where_the_basin_does) {
+  // A U whose base belongs to the second place.
+  const Ring u{{0, 0}, {6, 0}, {6, 6}, {4, 6}, {4, 2}, {2, 2}, {2, 6}, {0, 6}};
+  const Diagram diagram =
+      plane_diagram(std::vector<Point>{{3, 6}, {3, 0}}, shapes::box_of({{u, {}}}));
+  const PlaneSurface plane;
+  const std::vector<ClippedCell> cells =
+      CellClipper(diagram, plane).cells(shapes::basin({{u, {}}}));
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_EQ(cells[0].shape.size(), 2u);
+  EXPECT_EQ(cells[0].area, 12);
+  EXPECT_EQ(cells[1].shape.size(), 1u);
+  EXPECT_EQ(cells[1].area, 16);
+}
+
+TEST(CellClipper, gives_the_same_for_a_basin_again_and_after_another) {
+  Seeded seeded;
+  std::vector<Point> places(40);
+  for (Point& p : places) p = {seeded.uniform(0, 1), seeded.uniform(0, 1)};
+  const Diagram diagram = plane_diagram(places, {{0, 0}, {1, 1}});
+  const PlaneSurface plane;
+  CellClipper clipper(diagram, plane);
+  const Basin star = shapes::basin({{shapes::star(seeded, {0.5, 0.5}, 0.5, 30), {}}});
+  const Basin other = shapes::basin({{shapes::star(seeded, {0.4, 0.6}, 0.3, 30), {}}});
+  const std::vector<CellShare> first = clipper.shares(star);
+  clipper.shares(other);
+  clipper.cells(other);
+  const std::vector<CellShare> again = clipper.shares(star);
+  ASSERT_EQ(again.size(), first.size());
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(again[i].area, first[i].area);
+}
+
+}  // namespace
+}  // namespace thiessen
