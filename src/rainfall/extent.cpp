@@ -1,0 +1,60 @@
+#include "rainfall/extent.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "geometry/box.h"
+
+namespace thiessen {
+namespace {
+
+// From the place after the widest gap in longitude, eastward to the one before it.
+Box shorter_way_round(std::span<const Point> places) {
+  std::vector<double> longitudes;
+  Box box;
+  for (const Point p : places) {
+    longitudes.push_back(p.x);
+    box.take_in(p);
+  }
+  std::sort(longitudes.begin(), longitudes.end());
+  double widest = longitudes.front() + 360 - longitudes.back();
+  box.low.x = longitudes.front();
+  box.high.x = longitudes.back();
+  for (std::size_t i = 1; i < longitudes.size(); ++i) {
+    const double gap = longitudes[i] - longitudes[i - 1];
+    if (gap <= widest) continue;
+    widest = gap;
+    box.low.x = longitudes[i];
+    box.high.x = longitudes[i - 1] + 360;
+  }
+  return box;
+}
+
+Box on_earth(Box box) {
+  if (box.width() >= 360) {
+    box.low.x = -180;
+    box.high.x = 180;
+  }
+  box.low.y = std::max(box.low.y, -90.0);
+  box.high.y = std::min(box.high.y, 90.0);
+  return box;
+}
+
+}  // namespace
+
+std::optional<Basin> extent_of(std::span<const Point> places, Metric metric, double margin) {
+  Box box;
+  for (const Point p : places) box.take_in(p);
+  if (metric == Metric::geodesic && !places.empty()) box = shorter_way_round(places);
+  const double larger = std::max(box.width(), box.height());
+  if (metric == Metric::geodesic) {
+    box = larger > 0 ? on_earth(box.grown(larger * margin / 100)) : Box{{-180, -90}, {180, 90}};
+  } else {
+    box = box.grown(larger * margin / 100);
+  }
+  if (!(box.width() > 0 && box.height() > 0)) return {};
+  return Basin{
+      "", {{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {}}}, {}};
+}
+
+}  // namespace thiessen

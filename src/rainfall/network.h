@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "earth/ground.h"
+#include "geometry/point.h"
+#include "tessellation/place.h"
+
+namespace thiessen {
+
+/// A station's position in its file, from 0.
+enum class StationIndex : std::uint32_t {};
+
+constexpr std::size_t index(StationIndex i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// A rain gauge.
+struct Station {
+  std::string id;
+  Point position;  ///< in the study's coordinates: WGS 84 longitude and latitude, or the plane's
+  std::size_t line = 0;  ///< in its file, from 1: the line (CSV) or the feature's number
+};
+
+/// The gauges of a study and the places they stand at: stations of equal coordinates (-0 is 0, -180
+/// degrees of longitude 180, and at a pole all longitudes are one) share a place. Places are
+/// numbered in the order of their first stations. Cost: n log n.
+class Network {
+ public:
+  /// Requires coordinates in the exact range of predicates.h.
+  Network(std::vector<Station> stations, Metric metric);
+
+  const std::vector<Station>& stations() const { return stations_; }
+  const std::vector<Point>& places() const { return places_; }
+  PlaceIndex place_of(StationIndex station) const { return place_of_[index(station)]; }
+  /// In file order.
+  std::span<const StationIndex> stations_at(PlaceIndex place) const;
+
+ private:
+  std::vector<Station> stations_;
+  std::vector<Point> places_;
+  std::vector<PlaceIndex> place_of_;
+  std::vector<std::size_t> first_at_;  // by place: where its stations begin in by_place_
+  std::vector<StationIndex> by_place_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include "basin/basin.h"
+#include "basin/cell_clipper.h"
+#include "earth/ground.h"
+#include "rainfall/network.h"
+
+namespace thiessen {
+
+/// A station's part in a basin.
+struct StationWeight {
+  StationIndex station;
+  double area;    ///< of its cell within the basin; square metres, or the plane's unit squared
+  double weight;  ///< that area's share of the basin, in (0, 1]
+};
+
+/// The weights of one basin, positive ones only, in the order of the stations. They add up to 1
+/// within 1e-13.
+struct BasinWeights {
+  double area = 0;
+  std::vector<StationWeight> stations;
+};
+
+/// A station's cell within a basin.
+struct StationCell {
+  StationIndex station;
+  double area;
+  double weight;
+  MultiPolygon shape;
+};
+
+/// Tessellates a network, or those of its gauges that report, and weighs them in the basins.
+/// The network and the basins must outlive it. Safe for several threads at once.
+class Weighing {
+ public:
+  Weighing(const Network& network, const std::vector<Basin>& basins, const Ground& ground);
+
+  const Network& network() const { return network_; }
+  const std::vector<Basin>& basins() const { return basins_; }
+  const Ground& ground() const { return ground_; }
+  const Box& frame() const { return frame_; }
+  double basin_area(std::size_t basin) const { return areas_[basin]; }
+
+  /// The weights in every basin, by basin. `reports` has one entry a station; a place whose
+  /// stations report in part belongs to those that do. Empty weights where none reports. Cost: the
+  /// tessellation's n log n, and what CellClipper takes for each basin.
+  std::vector<BasinWeights> weights(const std::vector<bool>& reports, unsigned threads) const;
+
+  /// The same with the shapes of the cells, by basin, in the order of the stations; stations at one
+  /// place have each the whole shape and their share of its area.
+  std::vector<std::vector<StationCell>> cells(const std::vector<bool>& reports,
+                                              unsigned threads) const;
+
+ private:
+  class Reporting;
+
+  const Network& network_;
+  const std::vector<Basin>& basins_;
+  Ground ground_;
+  std::unique_ptr<Surface> surface_;
+  Box frame_;
+  std::vector<double> areas_;
+};
+
+}  // namespace thiessen
