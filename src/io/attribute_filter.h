@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "io/attributes.h"
+#include "io/table.h"
+
+namespace thiessen {
+
+/// An OGR attribute filter (`elev > 1500 AND name LIKE 'A%'`) on the fields of a table. An empty
+/// text is NULL. Numbers compare as numbers where the field's type is one, else as text; FID is the
+/// row's line or the feature's number.
+class AttributeFilter {
+ public:
+  /// Throws Error, naming `option`, where the filter is no OGR expression or names no field of
+  /// these.
+  AttributeFilter(const std::string& where, const std::string& option, const std::string& file,
+                  const std::vector<FieldName>& fields);
+  ~AttributeFilter();
+
+  /// Whether the row is to be kept. Throws Error where a text is not of its field's type.
+  bool keeps(const Row& row) const;
+
+ private:
+  struct Query;
+  std::unique_ptr<Query> query_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace thiessen {
+
+/// Where a file's CRS is known from.
+enum class CrsOrigin {
+  none,     ///< not known
+  implied,  ///< GeoJSON without a `crs` member: WGS 84 by RFC 7946
+  columns,  ///< columns named lon and lat, or alike: WGS 84
+  file,     ///< the file names it
+  option    ///< the command line names it
+};
+
+}  // namespace thiessen

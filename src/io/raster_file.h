@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/pixel_grid.h"
+#include "io/cells_file.h"
+#include "io/crs.h"
+
+namespace thiessen {
+
+/// A GeoTIFF of the number (from 1) of each pixel's station, 0 outside, with a raster attribute
+/// table of the ids, which GDAL keeps in a side file (`.aux.xml`): the first of the files is the
+/// GeoTIFF, of the name `path`. `owners` holds the rows from the north, each `columns` long.
+/// Deflated, tiled. Throws Error where GDAL cannot write it. Memory: the file's beside the pixels.
+std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid,
+                                        const std::vector<std::int32_t>& owners,
+                                        const std::vector<std::string>& station_ids,
+                                        const std::optional<Crs>& crs, const std::string& path);
+
+/// A GeoTIFF of the rainfall at each pixel, NaN (declared as "no data") outside.
+std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid, const std::vector<float>& rainfall,
+                                          const std::optional<Crs>& crs, const std::string& path);
+
+}  // namespace thiessen

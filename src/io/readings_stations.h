@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "rainfall/network.h"
+
+namespace thiessen {
+
+/// Which station a text of the rainfall names. Ids compare as text, exactly; where that finds none,
+/// once more without the blanks round the text.
+class ReadingsStations {
+ public:
+  enum class Standing : std::uint8_t {
+    known,
+    passed_over,  ///< of the stations' file, but left out by the user's filter
+    unknown,
+  };
+  struct Found {
+    Standing standing = Standing::unknown;
+    StationIndex station = {};  ///< if known
+  };
+
+  /// The ids must outlive this object.
+  ReadingsStations(std::span<const Station> stations, std::span<const std::string> passed_over);
+
+  Found find(std::string_view text) const;
+  std::span<const Station> all() const { return stations_; }
+  const std::string& id(StationIndex station) const { return stations_[index(station)].id; }
+
+ private:
+  std::span<const Station> stations_;
+  std::unordered_map<std::string_view, Found> by_id_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace thiessen {
+
+/// The different times of a file, numbered from 0 in the order in which they first came. Times
+/// compare as text. About 40 bytes a time beside the text itself; entering one costs a hash, or,
+/// where it is the one entered last or all so far came in their sorting order, a comparison.
+class ReadingsTimes {
+ public:
+  struct Entered {
+    std::uint32_t step;
+    bool fresh;  ///< not seen before
+  };
+  /// Throws Error beyond 4 thousand million times.
+  Entered enter(std::string_view time, std::size_t line);
+
+  std::size_t size() const { return lines_.size(); }
+  std::string_view text(std::size_t step) const;
+  /// Where the time first came.
+  std::size_t line(std::size_t step) const { return lines_[step]; }
+
+ private:
+  /// A place of the hash table: the step + 1, or 0 where free, and a part of its time's hash, so
+  /// that the texts of other times are hardly ever looked at.
+  struct Slot {
+    std::uint32_t number = 0;
+    std::uint32_t tag = 0;
+  };
+
+  Entered append(std::string_view time, std::size_t line);
+  std::size_t slot_of(std::string_view time, std::size_t hash) const;
+  void grow();
+
+  std::string texts_;
+  std::vector<std::size_t> ends_;  ///< of each time's text
+  std::vector<std::size_t> lines_;
+  std::vector<Slot> slots_;  ///< empty as long as each time sorts after the one before
+  std::uint32_t last_ = 0;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,91 @@
+#include "io/readings_wide.h"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/utf8.h"
+
+namespace thiessen {
+
+using Standing = ReadingsStations::Standing;
+
+WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
+    : source_(std::move(source)),
+      time_field_(layout.time),
+      readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()) {
+  match_columns();
+  source_.findings.complaints().throw_if_any();
+}
+
+void WideReadings::match_columns() {
+  const std::vector<std::string>& header = source_.table->header();
+  const std::size_t line = source_.table->header_line();
+  if (header.size() < 2) {
+    throw Error({source_.table->file(), line,
+                 "has the one column " + quoted(header.empty() ? "" : header[0], 80) +
+                     ", and none of readings",
+                 ""});
+  }
+  constexpr std::size_t none = 0;  // a column's number counts from 1
+  std::vector<std::size_t> column_of(readings_.size(), none);
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (i == time_field_) continue;
+    const ReadingsStations::Found found = source_.stations->find(header[i]);
+    if (found.standing == Standing::unknown) note_unknown_column(i);
+    if (found.standing != Standing::known) continue;
+    std::size_t& column = column_of[index(found.station)];
+    if (column != none) {
+      source_.findings.complaints().add({source_.table->file(), line,
+                                         "columns " + std::to_string(column) + " and " +
+                                             std::to_string(i + 1) + " are both of station " +
+                                             quoted(source_.stations->id(found.station)),
+                                         ""});
+    }
+    column = i + 1;
+    columns_.push_back({i, found.station});
+  }
+}
+
+void WideReadings::note_unknown_column(std::size_t field) {
+  const std::string& id = source_.table->header()[field];
+  const std::string text = id.empty() ? "column " + std::to_string(field + 1) + " has no name"
+                                      : "unknown station " + quoted(id);
+  source_.findings.note_unknown(id, source_.table->header_line(), text,
+                                "--ignore-unknown passes over it; a table of one reading a row is "
+                                "told by --station-field and --value-field");
+}
+
+bool WideReadings::next(TimeStep& step) {
+  if (done_) return false;
+  while (source_.next(row_)) {
+    read_row();
+    if (!source_.findings.complaints().empty()) continue;
+    step.time = row_.fields[time_field_];
+    step.readings = readings_;
+    return true;
+  }
+  done_ = true;
+  source_.findings.conclude(times_.size());
+  return false;
+}
+
+void WideReadings::read_row() {
+  const std::string_view time = row_.fields[time_field_];
+  if (trimmed(time).empty()) {
+    source_.findings.note_empty_time(row_.line);
+  } else if (const auto entered = times_.enter(time, row_.line); !entered.fresh) {
+    source_.findings.note_time_twice(time, row_.line, times_.line(entered.step));
+  }
+  const std::vector<std::string>& header = source_.table->header();
+  for (const Column& column : columns_) {
+    const std::string_view field = row_.fields[column.field];
+    const Reading reading = source_.grammar.read(field);
+    readings_[index(column.station)] = reading.amount;
+    if (source_.findings.note(reading, column.station)) continue;
+    source_.findings.note_oddity(reading, {row_.line, header[column.field], column.station}, field,
+                                 source_.grammar);
+  }
+}
+
+}  // namespace thiessen

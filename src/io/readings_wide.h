@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "io/readings_layout.h"
+#include "io/readings_source.h"
+#include "io/readings_times.h"
+#include "rainfall/readings.h"
+
+namespace thiessen {
+
+/// Readings with a row for each time and a column for each station, read a row at a time: see
+/// open_readings. Of the rows only the times are kept, to find one given twice.
+class WideReadings : public Readings {
+ public:
+  /// Throws Error where columns are of unknown stations, two are of one, or none is of any.
+  WideReadings(ReadingsSource source, const ReadingsLayout& layout);
+
+  bool next(TimeStep& step) override;
+
+ private:
+  struct Column {
+    std::size_t field;
+    StationIndex station;
+  };
+
+  void match_columns();
+  void note_unknown_column(std::size_t field);
+  void read_row();
+
+  ReadingsSource source_;
+  std::size_t time_field_;
+  std::vector<Column> columns_;  ///< those of known stations
+  std::vector<double> readings_;
+  ReadingsTimes times_;
+  Row row_;
+  bool done_ = false;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "geometry/polygon.h"
+
+namespace thiessen {
+
+/// The area of a ring in the coordinates' plane, positive where it runs counter-clockwise.
+/// Accuracy: 1e-15 of the sum of its terms, which are taken from the first point.
+double signed_area(const Ring& ring);
+
+/// Outer rings made to run counter-clockwise and holes clockwise; each keeps its first point.
+void turn_rings(MultiPolygon& shape);
+
+}  // namespace thiessen

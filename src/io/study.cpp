@@ -1,0 +1,251 @@
+#include "io/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/number.h"
+#include "base/utf8.h"
+#include "io/basin_mending.h"
+#include "io/coordinate_checks.h"
+#include "io/crs_agreement.h"
+#include "io/edge_tracing.h"
+#include "io/ring_direction.h"
+
+namespace thiessen {
+namespace {
+
+std::string coordinates(Point point) {
+  return shortest_text(point.x) + " " + shortest_text(point.y);
+}
+
+/// Brings two files into one system of coordinates.
+class StudyMaker {
+ public:
+  StudyMaker(const StudyRequest& request, Warnings& warnings)
+      : request_(request),
+        warnings_(warnings),
+        stations_(read_stations(request.stations, warnings)) {
+    if (request.basins) basins_ = read_basins(*request.basins, warnings);
+  }
+
+  Study make() {
+    agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
+    choose_coordinates();
+    mend_basins();
+    bring_stations();
+    if (study_.crs && planar_degrees()) warn_of_degrees();
+    bring_basins();
+    finish();
+    return std::move(study_);
+  }
+
+ private:
+  void choose_coordinates() {
+    if (!request_.plane.empty()) {
+      study_.crs = Crs::from_text(request_.plane, "--plane");
+      require_crs("--plane");
+      return;
+    }
+    study_.metric = request_.metric.value_or(stations_.crs ? Metric::geodesic : Metric::planar);
+    if (study_.metric == Metric::geodesic) {
+      require_crs("--metric geodesic");
+      study_.crs = Crs::wgs84();
+    } else {
+      study_.crs = basins_ && basins_->crs ? basins_->crs : stations_.crs;
+    }
+  }
+
+  void require_crs(const std::string& option) const {
+    const bool known = stations_.crs && (!basins_ || basins_->crs);
+    if (known) return;
+    throw Error(Message{stations_.file, 0, option + " needs to know the CRS of the coordinates",
+                        "name it with --crs (EPSG:4326 for longitude and latitude)"});
+  }
+
+  bool planar_degrees() const {
+    return study_.metric == Metric::planar && study_.crs->geographic();
+  }
+
+  void warn_of_degrees() {
+    Reach reach;
+    for (const Station& station : study_.stations) reach.see(station.position);
+    const double latitude = (reach.south + reach.north) / 2;
+    const double percent = 100 * (1 - std::cos(latitude * std::numbers::pi / 180));
+    warnings_.add({stations_.file, 0,
+                   "distances are planar in degrees: at latitude " + fixed_text(latitude, 1) +
+                       " a degree from west to east is " + fixed_text(percent, 1) +
+                       " % shorter than one from south to north",
+                   "--metric geodesic, or --plane with a projected CRS, measures the Earth"});
+  }
+
+  void mend_basins() {
+    if (!basins_) return;
+    Complaints complaints;
+    const bool wraps = basins_->crs && basins_->crs->geographic() &&
+                       basins_->crs->degrees_per_unit() == 1 && !planar_degrees();
+    for (RawBasin& basin : basins_->basins) {
+      if (wraps && !unwrap_longitudes(basin.polygons)) {
+        complain_of_winding(basin, complaints);
+        continue;
+      }
+      auto mended = mend(basin, basins_->file, warnings_, complaints);
+      if (mended) study_.native_basins.push_back(*std::move(mended));
+      basin.polygons.clear();
+    }
+    complaints.throw_if_any();
+  }
+
+  void complain_of_winding(const RawBasin& basin, Complaints& complaints) const {
+    complaints.add({basins_->file,
+                    basin.line,
+                    basin.place + ": a ring that winds round the Earth is not supported yet",
+                    {}});
+  }
+
+  void bring_stations() {
+    if (study_.crs && stations_.crs && stations_.crs->geographic() && !planar_degrees()) {
+      turn_longitudes(stations_, *stations_.crs, warnings_);
+    }
+    study_.stations = std::move(stations_.stations);
+    if (!study_.crs) return;
+    std::vector<Point> points;
+    points.reserve(study_.stations.size());
+    for (const Station& station : study_.stations) points.push_back(station.position);
+    const std::vector<bool> inside = Transformation(*stations_.crs, *study_.crs).apply(points);
+    Complaints complaints;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!inside[i]) {
+        complain_of_area(study_.stations[i], complaints);
+      } else if (study_.metric == Metric::geodesic && std::abs(points[i].x) > 180) {
+        points[i].x = std::remainder(points[i].x, 360);
+      }
+      study_.stations[i].position = points[i];
+    }
+    complaints.throw_if_any();
+  }
+
+  void complain_of_area(const Station& station, Complaints& complaints) const {
+    const std::string where =
+        stations_.has_lines ? "" : "feature " + std::to_string(station.line) + ": ";
+    complaints.add({stations_.file,
+                    stations_.has_lines ? station.line : 0,
+                    where + "station " + quoted(station.id, 80) + " at " +
+                        coordinates(station.position) + " lies outside the projection's area (" +
+                        projections(*stations_.crs) + ")",
+                    {}});
+  }
+
+  /// `EPSG:32633`, or both where both are projected.
+  std::string projections(const Crs& from) const {
+    if (from.geographic()) return study_.crs->name();
+    return study_.crs->geographic() ? from.name() : from.name() + " to " + study_.crs->name();
+  }
+
+  void bring_basins() {
+    if (!basins_) return;
+    Complaints complaints;
+    for (std::size_t i = 0; i < study_.native_basins.size(); ++i) {
+      Basin basin{basins_->basins[i].id, {}, {}};
+      if (!study_.crs || basins_->crs->same_as(*study_.crs)) {
+        basin.shape = study_.native_basins[i];
+      } else if (study_.metric == Metric::geodesic) {
+        trace(i, basin, complaints);
+      } else {
+        project(i, basin, complaints);
+      }
+      study_.basins.push_back(std::move(basin));
+    }
+    complaints.throw_if_any();
+  }
+
+  void complain_of_area(std::size_t i, Point point, Complaints& complaints) const {
+    const RawBasin& basin = basins_->basins[i];
+    complaints.add({basins_->file,
+                    basin.line,
+                    basin.place + ": the point " + coordinates(point) +
+                        " lies outside the projection's area (" + projections(*basins_->crs) + ")",
+                    {}});
+  }
+
+  /// Every vertex into the plane, vertices only.
+  void project(std::size_t i, Basin& basin, Complaints& complaints) {
+    if (!projection_) projection_.emplace(*basins_->crs, *study_.crs);
+    basin.shape = study_.native_basins[i];
+    const auto ring = [&](Ring& points) {
+      const Ring native = points;
+      const std::vector<bool> inside = projection_->apply(points);
+      const auto out = std::find(inside.begin(), inside.end(), false);
+      if (out == inside.end()) return true;
+      complain_of_area(i, native[static_cast<std::size_t>(out - inside.begin())], complaints);
+      return false;
+    };
+    for (Polygon& polygon : basin.shape) {
+      if (!ring(polygon.outer)) return;
+      if (!std::all_of(polygon.holes.begin(), polygon.holes.end(), ring)) return;
+    }
+    turn_rings(basin.shape);
+  }
+
+  /// Every edge along its true course over the ellipsoid.
+  void trace(std::size_t i, Basin& basin, Complaints& complaints) {
+    if (!tracer_) tracer_.emplace(*basins_->crs, *study_.crs, request_.tolerance / 4, true);
+    const auto ring = [&](const Ring& native, Ring& into, bool counter_clockwise) {
+      auto traced = tracer_->trace(native);
+      if (!traced) return false;
+      if ((signed_area(traced->ring) > 0) != counter_clockwise) reverse(*traced);
+      into = std::move(traced->ring);
+      basin.bulges.push_back(std::move(traced->bulges));
+      return true;
+    };
+    for (const Polygon& native : study_.native_basins[i]) {
+      Polygon polygon;
+      bool inside = ring(native.outer, polygon.outer, true);
+      for (std::size_t h = 0; inside && h < native.holes.size(); ++h) {
+        inside = ring(native.holes[h], polygon.holes.emplace_back(), false);
+      }
+      if (!inside) return complain_of_area(i, tracer_->outside(), complaints);
+      basin.shape.push_back(std::move(polygon));
+    }
+    if (!unwrap_longitudes(basin.shape)) complain_of_winding(basins_->basins[i], complaints);
+  }
+
+  /// The other way round: edge k of the reversed ring is edge n - 1 - k of the first, seen from
+  /// behind.
+  static void reverse(TracedRing& traced) {
+    std::reverse(traced.ring.begin() + 1, traced.ring.end());
+    std::reverse(traced.bulges.begin(), traced.bulges.end());
+    for (double& bulge : traced.bulges) bulge = -bulge;
+  }
+
+  void finish() {
+    study_.stations_file = stations_.file;
+    study_.stations_have_lines = stations_.has_lines;
+    study_.attributes = std::move(stations_.attributes);
+    study_.filtered_ids = std::move(stations_.filtered_ids);
+    study_.stations_crs = stations_.crs;
+    if (basins_) {
+      study_.basins_file = basins_->file;
+      study_.basins_crs = basins_->crs;
+    }
+    if (study_.crs && !study_.crs->geographic())
+      study_.metres_per_unit = study_.crs->metres_per_unit();
+  }
+
+  const StudyRequest& request_;
+  Warnings& warnings_;
+  StationsFile stations_;
+  std::optional<BasinsFile> basins_;
+  Study study_;
+  std::optional<Transformation> projection_;
+  std::optional<EdgeTracer> tracer_;
+};
+
+}  // namespace
+
+Study read_study(const StudyRequest& request, Warnings& warnings) {
+  return StudyMaker(request, warnings).make();
+}
+
+}  // namespace thiessen

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace thiessen {
+
+/// One record of a table: its fields as text, and where it stands.
+struct Row {
+  std::size_t line = 0;  ///< the line on which it begins (CSV), or the feature's number, from 1
+  std::vector<std::string_view> fields;  ///< as many as the header has; valid until the next row
+};
+
+/// A table of text fields, read a row at a time in memory that does not grow with its length:
+/// a CSV file, or a layer of anything that GDAL reads.
+class Table {
+ public:
+  virtual ~Table() = default;
+  /// The file as the user named it, for messages.
+  virtual const std::string& file() const = 0;
+  virtual const std::vector<std::string>& header() const = 0;
+  /// The line on which the header stands, from 1; 0 where there is none.
+  virtual std::size_t header_line() const { return 0; }
+  /// Fills `row`; false at the end. A row with too few or too many fields, or that cannot be read,
+  /// is gathered; all of them are thrown as one Error at the end.
+  virtual bool next(Row& row) = 0;
+};
+
+}  // namespace thiessen

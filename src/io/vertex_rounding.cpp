@@ -1,0 +1,156 @@
+#include "io/vertex_rounding.h"
+
+#include <ogr_geometry.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+#include "base/number.h"
+#include "io/gdal_errors.h"
+#include "io/geometry_conversion.h"
+#include "io/ring_direction.h"
+
+namespace thiessen {
+namespace {
+
+constexpr int decimals_a_level = 3;
+constexpr int all_digits = 3;  // the last level
+
+bool keeps_its_side(const Ring& ring, bool outer) {
+  return ring.size() > 2 && (signed_area(ring) > 0) == outer;
+}
+
+bool valid(const MultiPolygon& shape) {
+  for (const Polygon& polygon : shape) {
+    if (!keeps_its_side(polygon.outer, true)) return false;
+    for (const Ring& hole : polygon.holes) {
+      if (!keeps_its_side(hole, false)) return false;
+    }
+  }
+  const auto geometry = ogr_shape(shape);
+  const GdalErrors errors;
+  return geometry->IsValid() != FALSE;
+}
+
+}  // namespace
+
+std::size_t VertexRounding::Hash::operator()(Point point) const {
+  const std::size_t x = std::hash<double>()(point.x);
+  const std::size_t y = std::hash<double>()(point.y);
+  return x ^ (y * 0x9e3779b97f4a7c15U + (x << 6U) + (x >> 2U));
+}
+
+VertexRounding::VertexRounding(std::span<const MultiPolygon> cells, int decimals)
+    : decimals_(decimals) {
+  std::vector<bool> checked(cells.size(), false);
+  for (int level = 1; level <= all_digits; ++level) {
+    std::vector<std::size_t> bad;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (checked[i]) continue;
+      checked[i] = true;
+      MultiPolygon written = cells[i];
+      for (Polygon& polygon : written) {
+        polygon.outer = rounded(polygon.outer);
+        for (Ring& hole : polygon.holes) hole = rounded(hole);
+      }
+      if (!valid(written)) bad.push_back(i);
+    }
+    if (bad.empty()) return;
+    for (const std::size_t i : bad) refine(cells[i], level);
+    for (std::size_t i = 0; i < cells.size(); ++i) checked[i] = !holds(cells[i]);
+  }
+}
+
+void VertexRounding::refine(const MultiPolygon& cell, int level) {
+  const auto ring = [&](const Ring& points) {
+    for (const Point point : points) levels_[point] = level;
+  };
+  for (const Polygon& polygon : cell) {
+    ring(polygon.outer);
+    for (const Ring& hole : polygon.holes) ring(hole);
+  }
+}
+
+/// Whether a vertex of the cell is written with more decimals than most.
+bool VertexRounding::holds(const MultiPolygon& cell) const {
+  const auto ring = [&](const Ring& points) {
+    return std::any_of(points.begin(), points.end(),
+                       [&](Point point) { return levels_.contains(point); });
+  };
+  return std::any_of(cell.begin(), cell.end(), [&](const Polygon& polygon) {
+    return ring(polygon.outer) || std::any_of(polygon.holes.begin(), polygon.holes.end(), ring);
+  });
+}
+
+int VertexRounding::level_of(Point point) const {
+  if (levels_.empty()) return 0;
+  const auto found = levels_.find(point);
+  return found == levels_.end() ? 0 : found->second;
+}
+
+void VertexRounding::append_number(std::string& out, double value, int level) const {
+  if (level >= all_digits || decimals_ == every_digit) return append_shortest(out, value);
+  const std::size_t begin = out.size();
+  append_fixed(out, value, decimals_ + decimals_a_level * level);
+  if (out.find('.', begin) == std::string::npos) return;
+  while (out.back() == '0') out.pop_back();
+  if (out.back() == '.') out.pop_back();
+}
+
+Point VertexRounding::rounded(Point point) const {
+  const int level = level_of(point);
+  if (level >= all_digits) return point;
+  const auto through_text = [&](double value) {
+    std::string text;
+    append_number(text, value, level);
+    return parse_number(text).value;
+  };
+  return {through_text(point.x), through_text(point.y)};
+}
+
+void VertexRounding::append(std::string& out, const Ring& ring) const {
+  std::string first;
+  std::string before;
+  out += '[';
+  const auto write = [&](const std::string& text) {
+    if (text == before) return;
+    if (!before.empty()) out += ',';
+    out += text;
+    before = text;
+  };
+  for (const Point point : ring) {
+    const int level = level_of(point);
+    std::string text = "[";
+    append_number(text, point.x, level);
+    text += ',';
+    append_number(text, point.y, level);
+    text += ']';
+    if (first.empty()) first = text;
+    write(text);
+  }
+  write(first);
+  out += ']';
+}
+
+Ring VertexRounding::rounded(const Ring& ring) const {
+  Ring result;
+  result.reserve(ring.size());
+  for (const Point point : ring) {
+    const Point written = rounded(point);
+    if (result.empty() || result.back() != written) result.push_back(written);
+  }
+  while (result.size() > 1 && result.front() == result.back()) result.pop_back();
+  return result;
+}
+
+int decimals_for(double tolerance) {
+  int decimals = 0;
+  for (double metres = 1e6; metres > tolerance * 1.0000001 && decimals < 15; metres /= 10)
+    ++decimals;
+  return std::max(decimals, 1);
+}
+
+}  // namespace thiessen
