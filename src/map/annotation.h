@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "map/canvas.h"
+#include "map/labels.h"
+#include "map/page.h"
+#include "map/picture.h"
+#include "map/scanline.h"
+#include "map/study_view.h"
+#include "map/typesetter.h"
+
+namespace thiessen {
+
+/// Draws gauges, basin names and gauge labels into the panel; no two of them overlap but dots.
+class Annotation {
+ public:
+  /// `view` in pixels of the panel.
+  Annotation(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,
+             Typesetter& type);
+
+  /// Silent gauges first, so that none hides one that reports.
+  void draw_gauges();
+  /// A basin's name in its middle, or as near as it fits inside the basin.
+  void draw_basin_names(const OwnerRaster& basins);
+  /// Gauges in sight, those of the largest cells (`pixels`) first, ties by their order.
+  void draw_labels(const std::vector<std::size_t>& pixels);
+
+  /// How many gauges are in sight and how many of these labelled; empty where all are.
+  std::string note() const;
+
+ private:
+  bool in_sight(Point p) const;
+  void put(const SetText& text, const Box& box, Colour colour);
+
+  Canvas& canvas_;
+  const Page& page_;
+  const Picture& picture_;
+  const StudyView& view_;
+  Typesetter& type_;
+  Occupancy taken_;
+  std::size_t seen_ = 0;
+  std::size_t labelled_ = 0;
+  std::size_t to_label_ = 0;
+  double radius_ = 1;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/point.h"
+
+namespace thiessen {
+
+struct Colour {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Colour&, const Colour&) = default;
+};
+
+/// Whole pixels from (x, y), the upper left, `width` to the right and `height` down.
+struct Box {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  int right() const { return x + width; }
+  int bottom() const { return y + height; }
+};
+
+/// How much of each pixel something covers, 0 to 255, row by row.
+struct Coverage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> values;
+
+  Coverage() = default;
+  Coverage(int w, int h);
+  std::uint8_t& at(int x, int y) { return values[offset(x, y)]; }
+  std::uint8_t at(int x, int y) const { return values[offset(x, y)]; }
+
+ private:
+  std::size_t offset(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(x);
+  }
+};
+
+/// The picture's pixels, white at first. Whatever falls outside is left out.
+class Canvas {
+ public:
+  Canvas(int width, int height);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  /// Blue, green, red for each pixel, row by row from the top.
+  std::vector<std::uint8_t>& bytes() { return bytes_; }
+
+  void set(int x, int y, Colour colour);
+  /// Mixes `colour` in with weight `alpha` / 255.
+  void blend(int x, int y, Colour colour, int alpha);
+  /// Mixes `colour` in, weighted by the coverage, whose upper left comes to (x, y), and `alpha`.
+  void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha = 255);
+  void fill(const Box& box, Colour colour);
+  /// A frame of `thickness` pixels, inside the box.
+  void frame(const Box& box, Colour colour, int thickness);
+  /// A disc with a smooth edge; its centre and radius in pixels, pixel centres at .5. Only the
+  /// pixels of `clip` change.
+  void disc(Point centre, double radius, Colour colour, const Box& clip);
+
+ private:
+  std::uint8_t* pixel(int x, int y);
+
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+/// The coverage grown by `radius` pixels on every side: a halo.
+Coverage halo(const Coverage& coverage, int radius);
+
+}  // namespace thiessen

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace thiessen {
+
+/// A face in a font file.
+struct FontFace {
+  std::string file;
+  int face = 0;
+};
+
+/// The outline fonts of this machine in order of preference: DejaVu Sans, then what fontconfig
+/// holds nearest to a sans-serif. The order does not depend on the locale.
+class FontList {
+ public:
+  /// Throws Error where no outline font is installed.
+  explicit FontList(bool bold);
+  ~FontList();
+  FontList(FontList&&) noexcept;
+  FontList& operator=(FontList&&) noexcept;
+
+  std::size_t size() const;
+  const FontFace& face(std::size_t font) const;
+  /// Whether the font has a glyph for each visible character.
+  bool covers(std::size_t font, std::u32string_view text) const;
+  /// The first font that covers all of the text. Cost: the fonts times the text.
+  std::optional<std::size_t> first_to_cover(std::u32string_view text) const;
+
+ private:
+  struct Set;
+  std::unique_ptr<Set> set_;
+};
+
+}  // namespace thiessen

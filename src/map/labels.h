@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "map/canvas.h"
+
+namespace thiessen {
+
+/// Which pixels of the map are taken by dots and labels.
+class Occupancy {
+ public:
+  Occupancy(int width, int height);
+
+  /// Whether the box lies inside the map and no pixel of it is taken. Cost: the box's pixels.
+  bool is_free(const Box& box) const;
+  void occupy(const Box& box);
+
+ private:
+  int width_;
+  int height_;
+  std::vector<std::uint8_t> taken_;
+};
+
+/// A free box of the given size beside a dot: to the right if it can be, else left, above, below,
+/// or at a corner; none where all eight are taken. `gap`: pixels between the dot and the box.
+std::optional<Box> place_beside(const Occupancy& map, Point dot, double radius, int gap, int width,
+                                int height);
+
+}  // namespace thiessen
