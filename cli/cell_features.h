@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/session.h"
+#include "io/cells_file.h"
+#include "rainfall/gauge_readings.h"
+
+namespace thiessen::cli {
+
+/// The cells of the gauges that report (all of them without readings), by basin.
+std::vector<std::vector<StationCell>> cells_of(const Session& session,
+                                               const GaugeReadings* readings, unsigned threads);
+
+/// The same, as they are written.
+CellsOutput cells_output(const Session& session, const std::vector<std::vector<StationCell>>& cells,
+                         const GaugeReadings* readings, const StudyOptions& options);
+
+}  // namespace thiessen::cli

@@ -1,0 +1,119 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/interrupt.h"
+#include "base/number.h"
+#include "basin/containment.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/session.h"
+
+namespace thiessen::cli {
+namespace {
+
+class CheckCommand : public Command {
+ public:
+  const char* name() const override { return "check"; }
+  const char* description() const override {
+    return "says what is wrong or odd in the inputs; exit status 1 where a run would fail";
+  }
+  const char* example() const override {
+    return "thiessen check samples/colorado/stations.csv samples/colorado/counties.geojson "
+           "samples/colorado/rainfall.csv";
+  }
+  void set_up(CLI::App& app) override {
+    study_.add_to(app, Need::optional);
+    rainfall_.add_to(app, Need::optional);
+    common_.add_to(app);
+  }
+
+  void run(Warnings& warnings) override {
+    Session session(study_, 10, warnings);
+    std::string report = describe(session);
+    if (session.has_basins()) report += describe_basins(session, warnings);
+    if (rainfall_.given()) report += describe_readings(session, warnings);
+    OutputFile out = standard_output();
+    out.append(report);
+    out.finish();
+  }
+  bool quiet() const override { return common_.quiet; }
+
+ private:
+  static std::string count(std::size_t n, const std::string& one, const std::string& many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  }
+
+  static std::string describe(const Session& session) {
+    const Study& study = session.study();
+    const Network& network = session.network();
+    std::string text = "stations: " + count(network.stations().size(), "station", "stations") +
+                       " at " + count(network.places().size(), "place", "places") + "\n";
+    const auto name = [](const std::optional<Crs>& crs) {
+      return crs ? printable(crs->name()) : "unknown";
+    };
+    text += "CRS: stations " + name(study.stations_crs);
+    if (session.has_basins()) text += ", basins " + name(study.basins_crs);
+    text += std::string("\nmetric: ") + (study.metric == Metric::geodesic ? "geodesic" : "planar") +
+            "\n";
+    return text;
+  }
+
+  std::string describe_basins(const Session& session, Warnings& warnings) const {
+    std::vector<Point> positions;
+    for (const Station& station : session.network().stations())
+      positions.push_back(station.position);
+    const double period = session.study().metric == Metric::geodesic ? 360 : 0;
+    const auto inside = count_within(session.basins(), positions, period);
+    const auto weights =
+        session.weighing().weights(session.all_report(), static_cast<unsigned>(common_.threads));
+    std::vector<bool> weighs(session.network().stations().size(), false);
+    std::size_t without_gauge = 0;
+    for (std::size_t b = 0; b < weights.size(); ++b) {
+      double sum = 0;
+      for (const StationWeight& s : weights[b].stations) {
+        weighs[index(s.station)] = true;
+        sum += s.weight;
+      }
+      if (inside[b] == 0) ++without_gauge;
+      if (!(std::abs(sum - 1) < 1e-9)) {
+        warnings.add({study_.basins, 0,
+                      "the weights of basin '" + session.basins()[b].id + "' add up to " +
+                          shortest_text(sum) + ", not to 1: a fault of the program itself",
+                      "please report it with the input"});
+      }
+    }
+    const auto idle = static_cast<std::size_t>(std::count(weighs.begin(), weighs.end(), false));
+    return "basins: " + count(weights.size(), "basin", "basins") + ", " +
+           std::to_string(without_gauge) +
+           " without a gauge inside\ngauges that weigh in no basin: " + std::to_string(idle) + "\n";
+  }
+
+  std::string describe_readings(Session& session, Warnings& warnings) const {
+    const auto readings = session.open_readings(study_, rainfall_, warnings);
+    std::size_t steps = 0;
+    std::size_t missing = 0;
+    TimeStep step;
+    while (readings->next(step)) {
+      throw_if_interrupted();
+      ++steps;
+      for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
+    }
+    const double all =
+        static_cast<double>(steps) * static_cast<double>(session.network().stations().size());
+    const std::string share =
+        all > 0 ? fixed_text(100 * static_cast<double>(missing) / all, 1) : "0.0";
+    return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n";
+  }
+
+  StudyOptions study_;
+  RainfallOptions rainfall_;
+  CommonOptions common_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_check_command() {
+  return std::make_unique<CheckCommand>();
+}
+
+}  // namespace thiessen::cli

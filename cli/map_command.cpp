@@ -1,0 +1,91 @@
+#include <string>
+
+#include "base/outputs.h"
+#include "cli/cell_features.h"
+#include "cli/commands.h"
+#include "cli/gauges.h"
+#include "cli/options.h"
+#include "cli/picture_of.h"
+#include "cli/raster_of.h"
+#include "cli/session.h"
+#include "io/raster_file.h"
+
+namespace thiessen::cli {
+namespace {
+
+enum class Kind { png, jpeg, tiff };
+
+Kind kind_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string extension = dot == std::string::npos ? "" : path.substr(dot + 1);
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (extension == "png") return Kind::png;
+  if (extension == "jpg" || extension == "jpeg") return Kind::jpeg;
+  if (extension == "tif" || extension == "tiff") return Kind::tiff;
+  throw UsageError{"a map is a .png, a .jpg or a .tif, not '" + printable(path) + "'", ""};
+}
+
+class MapCommand : public Command {
+ public:
+  const char* name() const override { return "map"; }
+  const char* description() const override {
+    return "a picture (.png, .jpg), or a georeferenced raster (.tif)";
+  }
+  const char* example() const override {
+    return "thiessen map samples/colorado/stations.csv samples/colorado/counties.geojson "
+           "samples/colorado/rainfall.csv -o map.png";
+  }
+  void set_up(CLI::App& app) override {
+    study_.add_to(app, Need::optional);
+    rainfall_.add_to(app, Need::optional);
+    view_.add_time_to(app);
+    view_.add_margin_to(app);
+    view_.add_look_to(app);
+    add_number(app, "--resolution", resolution_, above_zero,
+               "the raster's pixel in units of its CRS; default: the longer side in 2000 pixels");
+    output_.add_to(app, Need::required, "map.png", "where the picture or the raster goes");
+    common_.add_to(app);
+  }
+
+  void run(Warnings& warnings) override {
+    const Kind kind = kind_of(output_.output);
+    if (kind != Kind::tiff) {
+      check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
+    }
+    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    OutputFile& file = outputs.add(output_.output);
+    Session session(study_, view_.margin, warnings);
+    const auto readings = shown_readings(session, study_, rainfall_, view_.time, warnings);
+    const GaugeReadings* shown = readings ? &*readings : nullptr;
+    const unsigned threads = static_cast<unsigned>(common_.threads);
+    if (kind == Kind::tiff) {
+      const auto encoded = raster_of(session, shown, resolution_, output_.output, threads);
+      file.append(encoded.front().bytes);
+      for (std::size_t i = 1; i < encoded.size(); ++i)
+        outputs.add(encoded[i].name).append(encoded[i].bytes);
+    } else {
+      const auto cells = cells_of(session, shown, threads);
+      file.append(encode_picture(picture_of(session, cells, shown, view_),
+                                 kind == Kind::png ? PictureFormat::png : PictureFormat::jpeg,
+                                 warnings));
+    }
+    outputs.commit();
+  }
+  bool quiet() const override { return common_.quiet; }
+
+ private:
+  StudyOptions study_;
+  RainfallOptions rainfall_;
+  ViewOptions view_;
+  double resolution_ = 0;
+  OutputOptions output_;
+  CommonOptions common_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_map_command() {
+  return std::make_unique<MapCommand>();
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,77 @@
+#include "cli/option_values.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/number.h"
+
+namespace thiessen::cli {
+namespace {
+
+[[noreturn]] void refuse(const std::string& option, const std::string& wanted,
+                         const std::string& value) {
+  throw CLI::ValidationError(option, "wants " + wanted + ", not '" + printable(value) + "'");
+}
+
+}  // namespace
+
+CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRange range,
+                        const std::string& help) {
+  const auto read = [name, range, &target](const std::string& text) {
+    const auto number = parse_number(text);
+    if (!number || !(number.value >= range.low && number.value <= range.high))
+      refuse(name, range.text, text);
+    target = number.value;
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("NUMBER");
+}
+
+CLI::Option* add_count(CLI::App& app, const std::string& name, std::size_t& target, std::size_t low,
+                       std::size_t high, const std::string& help) {
+  const auto read = [name, low, high, &target](const std::string& text) {
+    const auto number = parse_size(text);
+    if (!number || number.value < low || number.value > high) {
+      refuse(name, "a whole number from " + std::to_string(low) + " to " + std::to_string(high),
+             text);
+    }
+    target = number.value;
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("N");
+}
+
+CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
+                      const std::string& kind, const std::string& help) {
+  return app.add_option(name, target, help)->type_name(kind);
+}
+
+CLI::Option* add_size(CLI::App& app, PixelSize& target) {
+  const auto read = [&target](const std::string& text) {
+    const std::size_t cross = text.find('x');
+    const auto width = parse_size(text.substr(0, cross));
+    const auto height = cross == std::string::npos ? Parsed<std::size_t>{0, NumberFault::none}
+                                                   : parse_size(text.substr(cross + 1));
+    constexpr std::size_t largest = 1'000'000;
+    const bool fits = width && height && width.value > 0 && width.value <= largest &&
+                      height.value <= largest && (cross == std::string::npos || height.value > 0);
+    if (!fits) refuse("--size", "WIDTH or WIDTHxHEIGHT in pixels", text);
+    target = {width.value, height.value};
+  };
+  return app
+      .add_option_function<std::string>("--size", read, "the picture's pixels; default 1600 wide")
+      ->type_name("WxH");
+}
+
+CLI::Option* add_separator(CLI::App& app, char& target) {
+  const auto read = [&target](const std::string& text) {
+    const bool is_tab = text == "tab" || text == "\\t";
+    const bool is_character = text.size() == 1 && static_cast<unsigned char>(text[0]) < 0x80 &&
+                              std::string("\"\r\n").find(text[0]) == std::string::npos;
+    if (!is_tab && !is_character) refuse("--separator", "one character, such as ';', or tab", text);
+    target = is_tab ? '\t' : text[0];
+  };
+  return app
+      .add_option_function<std::string>("--separator", read, "what parts the fields of CSV files")
+      ->type_name("C");
+}
+
+}  // namespace thiessen::cli

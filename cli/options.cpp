@@ -1,0 +1,182 @@
+#include "cli/options.h"
+
+#include <map>
+
+#include "base/parallel.h"
+#include "cli/command.h"
+
+namespace thiessen::cli {
+namespace {
+
+constexpr const char* files =
+    "CSV, GeoJSON, GeoPackage, Shapefile, FlatGeobuf, KML, spreadsheet, or PG:...";
+
+/// A value out of a list; anything else is a usage error that names the list.
+template <typename Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
+                        const std::map<std::string, Value>& choices, const std::string& kind,
+                        const std::string& help) {
+  const auto read = [name, choices, kind, &target](const std::string& text) {
+    const auto found = choices.find(text);
+    if (found == choices.end()) {
+      throw CLI::ValidationError(name, "wants one of " + kind + ", not '" + printable(text) + "'");
+    }
+    target = found->second;
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name(kind);
+}
+
+}  // namespace
+
+void StudyOptions::add_to(CLI::App& app, Need basins_need) {
+  app_ = &app;
+  app.add_option("STATIONS", stations, std::string("rain gauges: ") + files)
+      ->required()
+      ->type_name("");
+  app.add_option("BASINS", basins, "study areas: the same")
+      ->required(basins_need == Need::required)
+      ->type_name("");
+  add_text(app, "--id", id_, "FIELD", "the station's id; else found by name");
+  add_text(app, "--x", x_, "FIELD", "the station's longitude or easting; else found by name");
+  add_text(app, "--y", y_, "FIELD", "the station's latitude or northing; else found by name");
+  add_text(app, "--basin-id", basin_id_, "FIELD",
+           "the basin's id; features that share one are one basin");
+  add_text(app, "--crs", crs_, "CRS",
+           "of the stations, where their file names none (EPSG:32633, WKT, PROJ)");
+  add_text(app, "--basins-crs", basins_crs_, "CRS", "of the basins, where their file names none");
+  add_text(app, "--stations-layer", stations_layer_, "LAYER", "where the file has several");
+  add_text(app, "--basins-layer", basins_layer_, "LAYER", "where the file has several");
+  add_text(app, "--stations-where", stations_where_, "SQL",
+           "only the stations that meet this OGR attribute filter");
+  add_text(app, "--basins-where", basins_where_, "SQL", "only the basins that meet it");
+  add_separator(app, separator_);
+  app.add_flag("--decimal-comma", decimal_comma_, "numbers of CSV files are written 1,5");
+  add_choice<std::string>(app, "--metric", metric_,
+                          {{"geodesic", "geodesic"}, {"planar", "planar"}}, "geodesic|planar",
+                          "what near means; default geodesic where the CRS is known");
+  add_text(app, "--plane", plane_, "CRS", "planar, with both files brought into this CRS first");
+  add_number(app, "--tolerance", tolerance_, {1e-3, 1e6, "metres from 0.001 to 1e6"},
+             "how far, in metres, a published cell edge may lie from the true one; default 0.1");
+}
+
+void StudyOptions::add_attributes_to(CLI::App& app) {
+  app.add_flag("--attributes", attributes, "carry every field of the station onto its cells");
+}
+
+StudyRequest StudyOptions::request() const {
+  if (app_->count("--plane") > 0 && metric_ == "geodesic") {
+    throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
+  }
+  StudyRequest request;
+  Source& s = request.stations.source;
+  s.file = stations;
+  s.layer = stations_layer_;
+  s.where = stations_where_;
+  s.crs = crs_;
+  s.separator = separator_;
+  s.decimal_comma = decimal_comma_;
+  request.stations.id = id_;
+  request.stations.x = x_;
+  request.stations.y = y_;
+  request.stations.attributes = attributes;
+  if (!basins.empty() || app_->count("BASINS") > 0) {
+    BasinsRequest& b = request.basins.emplace();
+    b.source = {basins,           basins_layer_,  basins_where_, basins_crs_,   "--basins-layer",
+                "--basins-where", "--basins-crs", separator_,    decimal_comma_};
+    b.id = basin_id_;
+  }
+  check_texts();
+  if (!metric_.empty()) request.metric = metric_ == "planar" ? Metric::planar : Metric::geodesic;
+  request.plane = plane_;
+  request.tolerance = tolerance_;
+  return request;
+}
+
+void StudyOptions::check_texts() const {
+  for (const char* option : {"--crs", "--basins-crs", "--plane"}) {
+    if (app_->count(option) > 0 && app_->get_option(option)->as<std::string>().empty()) {
+      throw Error({"", 0, std::string(option) + " is empty", "give a CRS such as EPSG:32633"});
+    }
+  }
+}
+
+void RainfallOptions::add_to(CLI::App& app, Need need) {
+  app.add_option("RAINFALL", rainfall,
+                 "readings, wide or long: CSV or any of these as a table; - reads standard input")
+      ->required(need == Need::required)
+      ->type_name("");
+  app.add_option("--missing", readings_.missing,
+                 "a further text or number that means no reading; may be repeated")
+      ->type_name("V")
+      ->allow_extra_args(false);
+  app.add_option("--trace", readings_.trace,
+                 "a further text or number that means 0; may be repeated")
+      ->type_name("V")
+      ->allow_extra_args(false);
+  add_text(app, "--time-field", readings_.time_field, "FIELD", "the time's column");
+  add_text(app, "--station-field", readings_.station_field, "FIELD",
+           "the station's column in a long table");
+  add_text(app, "--value-field", readings_.value_field, "FIELD",
+           "the reading's column in a long table");
+  app.add_flag("--ignore-unknown", readings_.ignore_unknown,
+               "pass over readings of stations that STATIONS lacks, with a warning");
+}
+
+ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
+  ReadingsOptions options = readings_;
+  options.decimal_comma = decimal_comma;
+  return options;
+}
+
+void GapOptions::add_to(CLI::App& app) {
+  add_choice<Gaps>(
+      app, "--gaps", gaps,
+      {{"retessellate", Gaps::retessellate},
+       {"renormalise", Gaps::renormalise},
+       {"strict", Gaps::strict}},
+      "retessellate|renormalise|strict",
+      "what a step with silent gauges gets: the cells of the gauges that report (default), the "
+      "full network's weights scaled to them, or no value");
+  add_count(app, "--min-gauges", min_gauges, 1, 1'000'000'000,
+            "leave a value empty where fewer gauges weigh; default 1");
+}
+
+void RainFormatOptions::add_to(CLI::App& app) {
+  app.add_flag("--long", long_,
+               "rows time,basin,rainfall,gauges,coverage instead of a column a basin");
+  add_count(app, "--decimals", decimals_, 0, 15, "decimals of rainfall; default 3");
+}
+
+void ViewOptions::add_time_to(CLI::App& app) {
+  add_text(app, "--time", time, "TIME",
+           "show this step; default each gauge's mean over the steps it reports");
+}
+
+void ViewOptions::add_margin_to(CLI::App& app) {
+  add_number(app, "--margin", margin, {0, 1000, "percent from 0 to 1000"},
+             "without BASINS: how far the study area reaches beyond the stations, in percent of "
+             "their extent's "
+             "larger side; default 10");
+}
+
+void ViewOptions::add_look_to(CLI::App& app) {
+  add_text(app, "--units", units, "U", "what the readings are in; default mm");
+  add_text(app, "--title", title, "T", "what stands over the picture");
+  add_size(app, size);
+}
+
+void OutputOptions::add_to(CLI::App& app, Need need, const std::string& kind,
+                           const std::string& help) {
+  app.add_option("-o,--output", output, help)->required(need == Need::required)->type_name(kind);
+  app.add_flag("--overwrite", overwrite_, "replace an output that exists; else that is an error");
+}
+
+CommonOptions::CommonOptions() : threads(available_threads()) {}
+
+void CommonOptions::add_to(CLI::App& app) {
+  add_count(app, "--threads", threads, 1, 1024,
+            "default: all cores; the output does not depend on it");
+  app.add_flag("-q,--quiet", quiet, "no warnings");
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "base/destination.h"
+#include "cli/option_values.h"
+#include "io/rain_file.h"
+#include "io/readings_reader.h"
+#include "io/study.h"
+#include "rainfall/areal_rainfall.h"
+
+namespace thiessen::cli {
+
+enum class Need { required, optional };
+
+/// STATIONS, BASINS and what says how to read them.
+struct StudyOptions {
+  std::string stations;
+  std::string basins;
+  bool attributes = false;
+
+  void add_to(CLI::App& app, Need basins_need);
+  void add_attributes_to(CLI::App& app);
+  /// Throws UsageError for options that contradict each other.
+  StudyRequest request() const;
+  char separator() const { return separator_; }
+  bool decimal_comma() const { return decimal_comma_; }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  std::string id_, x_, y_, basin_id_;
+  std::string crs_, basins_crs_, plane_, metric_;
+  std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
+  bool crs_given_ = false, basins_crs_given_ = false, plane_given_ = false;
+  double tolerance_ = 0.1;
+  char separator_ = '\0';
+  bool decimal_comma_ = false;
+
+  void check_texts() const;
+  CLI::App* app_ = nullptr;
+};
+
+/// RAINFALL and what says how to read it.
+struct RainfallOptions {
+  std::string rainfall;
+
+  void add_to(CLI::App& app, Need need);
+  /// `decimal_comma` is an option of the study.
+  ReadingsOptions readings(bool decimal_comma) const;
+  bool given() const { return !rainfall.empty(); }
+
+ private:
+  ReadingsOptions readings_;
+};
+
+/// How steps with silent gauges are treated.
+struct GapOptions {
+  Gaps gaps = Gaps::retessellate;
+  std::size_t min_gauges = 1;
+
+  void add_to(CLI::App& app);
+};
+
+/// How rain.csv looks.
+struct RainFormatOptions {
+  void add_to(CLI::App& app);
+  RainFormat format() const { return {long_, static_cast<int>(decimals_)}; }
+
+ private:
+  bool long_ = false;
+  std::size_t decimals_ = 3;
+};
+
+/// Which step a picture or the cells show, and how a picture looks.
+struct ViewOptions {
+  std::string time;
+  double margin = 10;
+  std::string units = "mm";
+  std::string title;
+  PixelSize size;
+
+  void add_time_to(CLI::App& app);
+  void add_margin_to(CLI::App& app);
+  void add_look_to(CLI::App& app);
+};
+
+/// Where results go.
+struct OutputOptions {
+  std::string output = "-";
+
+  void add_to(CLI::App& app, Need need, const std::string& kind, const std::string& help);
+  /// `inputs` are files that may not be written.
+  OutputRules rules(std::vector<std::string> inputs) const {
+    return {overwrite_, std::move(inputs)};
+  }
+
+ private:
+  bool overwrite_ = false;
+};
+
+/// Options of every command.
+struct CommonOptions {
+  std::size_t threads;
+  bool quiet = false;
+
+  CommonOptions();
+  void add_to(CLI::App& app);
+};
+
+}  // namespace thiessen::cli

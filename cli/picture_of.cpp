@@ -1,0 +1,40 @@
+#include "cli/picture_of.h"
+
+#include <cmath>
+#include <limits>
+
+namespace thiessen::cli {
+
+Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
+                   const GaugeReadings* readings, const ViewOptions& view) {
+  const Study& study = session.study();
+  Picture picture;
+  picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
+  picture.metres_per_unit =
+      study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
+  picture.by_rainfall = readings != nullptr;
+  picture.title = !view.title.empty()   ? view.title
+                  : readings != nullptr ? "Rainfall by Thiessen cells"
+                                        : "Thiessen cells";
+  picture.subtitle = readings != nullptr ? readings->label : "";
+  picture.units = view.units;
+  picture.width = static_cast<int>(view.size.width);
+  picture.height = static_cast<int>(view.size.height);
+  const std::vector<Station>& stations = session.network().stations();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
+    picture.gauges.push_back({stations[i].position, stations[i].id, reports});
+  }
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    for (const StationCell& cell : cells[b]) {
+      const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                                  : readings->readings[index(cell.station)];
+      picture.cells.push_back({cell.shape, index(cell.station), rainfall});
+    }
+    const std::string name = session.has_basins() ? session.basins()[b].id : "";
+    picture.basins.push_back({name, session.basins()[b].shape});
+  }
+  return picture;
+}
+
+}  // namespace thiessen::cli

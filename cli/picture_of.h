@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/session.h"
+#include "map/picture.h"
+#include "rainfall/gauge_readings.h"
+
+namespace thiessen::cli {
+
+/// The picture of the cells: by rainfall where there are readings, else by station.
+Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
+                   const GaugeReadings* readings, const ViewOptions& view);
+
+}  // namespace thiessen::cli

@@ -1,0 +1,91 @@
+#include "base/outputs.h"
+#include "cli/cell_features.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/picture_of.h"
+#include "cli/progress.h"
+#include "cli/session.h"
+#include "cli/summary.h"
+#include "io/rain_file.h"
+#include "io/weights_file.h"
+#include "rainfall/gauge_readings.h"
+
+namespace thiessen::cli {
+namespace {
+
+class RunCommand : public Command {
+ public:
+  const char* name() const override { return "run"; }
+  const char* description() const override {
+    return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png and a summary";
+  }
+  const char* example() const override {
+    return "thiessen run samples/colorado/stations.csv samples/colorado/counties.geojson "
+           "samples/colorado/rainfall.csv --basin-id name -o results";
+  }
+  void set_up(CLI::App& app) override {
+    study_.add_to(app, Need::required);
+    study_.add_attributes_to(app);
+    rainfall_.add_to(app, Need::required);
+    gaps_.add_to(app);
+    format_.add_to(app);
+    view_.add_look_to(app);
+    output_.add_to(app, Need::required, "DIR", "the folder; it is made if it is not there");
+    common_.add_to(app);
+  }
+
+  void run(Warnings& warnings) override {
+    const unsigned threads = static_cast<unsigned>(common_.threads);
+    if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
+    check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
+    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    outputs.make_folder(output_.output);
+    OutputFile& cells_file = outputs.add(output_.output + "/cells.geojson");
+    OutputFile& weights_file = outputs.add(output_.output + "/weights.csv");
+    OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
+    OutputFile& map_file = outputs.add(output_.output + "/map.png");
+
+    Session session(study_, 0, warnings);
+    const auto readings = session.open_readings(study_, rainfall_, warnings);
+    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges);
+    write_weights(weights_file, session.weighing(), rainfall.full_weights(), session.area_unit());
+
+    RainFile series(rain_file, session.basins(), format_.format());
+    MeanReadings means(session.network().stations().size());
+    Summary summary(session, rainfall.full_weights());
+    {
+      Progress progress("time steps", common_.quiet);
+      for_each_step(*readings, rainfall, threads, [&](const RainStep& step) {
+        series.add(step);
+        means.add(step.readings);
+        summary.add(step);
+        progress.advance();
+      });
+    }
+    const GaugeReadings mean = means.result();
+    const auto cells = cells_of(session, &mean, threads);
+    cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
+    map_file.append(
+        encode_picture(picture_of(session, cells, &mean, view_), PictureFormat::png, warnings));
+    if (!common_.quiet) outputs.add("-").append(summary.text(view_.units));
+    outputs.commit();
+  }
+  bool quiet() const override { return common_.quiet; }
+
+ private:
+  StudyOptions study_;
+  RainfallOptions rainfall_;
+  GapOptions gaps_;
+  RainFormatOptions format_;
+  ViewOptions view_;
+  OutputOptions output_;
+  CommonOptions common_;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_run_command() {
+  return std::make_unique<RunCommand>();
+}
+
+}  // namespace thiessen::cli

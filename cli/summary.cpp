@@ -1,0 +1,58 @@
+#include "cli/summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "basin/containment.h"
+#include "cli/text_table.h"
+
+namespace thiessen::cli {
+
+Summary::Summary(const Session& session, const std::vector<BasinWeights>& weights)
+    : session_(session), weights_(weights), lines_(weights.size()) {
+  std::vector<Point> positions;
+  for (const Station& station : session.network().stations()) positions.push_back(station.position);
+  const double period = session.study().metric == Metric::geodesic ? 360 : 0;
+  const auto inside = count_within(session.basins(), positions, period);
+  for (std::size_t b = 0; b < lines_.size(); ++b) lines_[b].inside = inside[b];
+}
+
+void Summary::add(const RainStep& step) {
+  for (std::size_t b = 0; b < lines_.size(); ++b) {
+    const double value = step.basins[b].rainfall;
+    Line& line = lines_[b];
+    if (std::isnan(value)) {
+      ++line.empty;
+      continue;
+    }
+    line.largest = line.values == 0 ? value : std::max(line.largest, value);
+    line.sum += value;
+    ++line.values;
+  }
+}
+
+std::string Summary::text(const std::string& units) const {
+  const std::string unit = units.empty() ? "" : " " + printable(units);
+  const bool known = session_.area_unit().km2 != 1;
+  std::vector<std::vector<std::string>> rows;
+  rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
+                  "largest weight", "mean" + unit, "largest" + unit, "empty steps"});
+  for (std::size_t b = 0; b < lines_.size(); ++b) {
+    const Line& line = lines_[b];
+    double largest_weight = 0;
+    for (const StationWeight& s : weights_[b].stations)
+      largest_weight = std::max(largest_weight, s.weight);
+    const bool has_values = line.values > 0;
+    rows.push_back({printable(session_.basins()[b].id),
+                    fixed_text(weights_[b].area * session_.area_unit().km2, 2),
+                    std::to_string(line.inside), std::to_string(weights_[b].stations.size()),
+                    fixed_text(largest_weight, 3),
+                    has_values ? fixed_text(line.sum / static_cast<double>(line.values), 2) : "-",
+                    has_values ? fixed_text(line.largest, 2) : "-", std::to_string(line.empty)});
+  }
+  return aligned(rows);
+}
+
+}  // namespace thiessen::cli
