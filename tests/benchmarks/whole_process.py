@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Times whole runs of the program and prints what they took; asserts nothing.
+
+    tests/benchmarks/whole_process.py [PROGRAM]
+
+`weights` of 10,000 gauges and 1,000 basins of 50 corners that tile their area (goal: 1 s, 200 MB), in longitude and
+latitude and in the plane; the same with twice and four times as many of both, which shows how it grows; `run` on the
+Colorado sample (goal: 1 s).
+"""
+
+import os
+import pathlib
+import random
+import sys
+import tempfile
+import time
+
+CLONE = pathlib.Path(__file__).resolve().parents[2]
+REPEATS = 5
+SEED = 20_240_101
+
+
+def write_gauges(path, count, box):
+    rng = random.Random(SEED)
+    west, south, east, north = box
+    rows = (f"{i},{rng.uniform(west, east):.6f},{rng.uniform(south, north):.6f}\n" for i in range(count))
+    path.write_text("id,x,y\n" + "".join(rows), encoding="utf-8")
+
+
+def wavy(rng, start, end, points):
+    """Points from start (kept) to end (left out), off the straight line, but within 22 degrees of it at both ends."""
+    (x0, y0), (x1, y1) = start, end
+    line = [start]
+    for i in range(1, points):
+        t = i / points
+        off = 0.4 * min(t, 1 - t) * rng.uniform(-1, 1)
+        line.append((x0 + t * (x1 - x0) + off * (y1 - y0), y0 + t * (y1 - y0) - off * (x1 - x0)))
+    return line
+
+
+def tiles(columns, rows, box):
+    """Rings of 50 corners that tile the box with wavy sides; neighbours share their side corner for corner."""
+    rng = random.Random(SEED)
+    west, south, east, north = box
+    at = {(i, j): (west + (east - west) * i / columns, south + (north - south) * j / rows)
+          for i in range(columns + 1) for j in range(rows + 1)}
+    across = {(i, j): wavy(rng, at[i, j], at[i + 1, j], 13) for i in range(columns) for j in range(rows + 1)}
+    up = {(i, j): wavy(rng, at[i, j], at[i, j + 1], 12) for i in range(columns + 1) for j in range(rows)}
+    for i in range(columns):
+        for j in range(rows):
+            back = [at[i + 1, j + 1]] + across[i, j + 1][:0:-1]
+            down = [at[i, j + 1]] + up[i, j][:0:-1]
+            yield across[i, j] + up[i + 1, j] + back + down
+
+
+def write_basins(path, columns, rows, box):
+    lines = ["id,WKT"]
+    for number, ring in enumerate(tiles(columns, rows, box)):
+        text = ", ".join(f"{x:.7f} {y:.7f}" for x, y in [*ring, ring[0]])
+        lines.append(f'b{number},"POLYGON (({text}))"')
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def measure(arguments):
+    """Seconds and megabytes of one run, child processes included."""
+    begun = time.perf_counter()
+    child = os.posix_spawn(arguments[0], arguments, os.environ,
+                           file_actions=[(os.POSIX_SPAWN_OPEN, 1, "/dev/null", os.O_WRONLY, 0)])
+    _, status, usage = os.wait4(child, 0)
+    if status != 0:
+        sys.exit(f"{' '.join(arguments)} failed")
+    return time.perf_counter() - begun, usage.ru_maxrss / 1024, usage.ru_utime + usage.ru_stime
+
+
+def report(what, arguments):
+    runs = [measure([str(a) for a in arguments]) for _ in range(REPEATS)]
+    seconds = sorted(run[0] for run in runs)
+    print(f"{what:<58} {seconds[0]:7.3f} s best {seconds[len(seconds) // 2]:7.3f} s median "
+          f"{max(run[1] for run in runs):6.0f} MB {min(run[2] for run in runs):7.3f} s CPU", flush=True)
+
+
+def main():
+    program = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else CLONE / "build/cli/thiessen").resolve()
+    sample = CLONE / "samples" / "colorado"
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        report("starting up (--version)", [program, "--version"])
+        inputs = [sample / name for name in ("stations.csv", "counties.geojson", "rainfall.csv")]
+        report("Colorado, run", [program, "run", *inputs, "--basin-id", "name", "-q", "--overwrite", "-o",
+                                 folder / "out"])
+        for crs, box in (("EPSG:4326", (8, 46, 14, 50)), (None, (0, 0, 500_000, 400_000))):
+            for times, columns, rows in ((1, 40, 25), (2, 50, 40), (4, 80, 50)):
+                gauges, basins = folder / "gauges.csv", folder / "basins.csv"
+                write_gauges(gauges, 10_000 * times, box)
+                write_basins(basins, columns, rows, box)
+                options = ["--crs", crs, "--basins-crs", crs] if crs else []
+                report(f"weights, {10_000 * times:,} gauges, {columns * rows:,} basins, {crs or 'a plane'}",
+                       [program, "weights", gauges, basins, "-q", *options])
+
+
+if __name__ == "__main__":
+    main()

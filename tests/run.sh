@@ -1,0 +1,94 @@
+#!/bin/bash
+# Installs what is missing, builds thiessen with its tests in <clone>/build-tests, and runs them all:
+# layout, lint, the core under sanitizers, every test in a strange locale, every test.
+# It may be run again at once, and from any folder. Exit status 0 only where everything passed.
+set -euo pipefail
+
+clone=$(cd "$(dirname "$0")/.." && pwd)
+build=$clone/build-tests
+core=$build/core
+started=$SECONDS
+failures=()
+
+say() { printf '%s\n' "$*"; }
+
+# check SENTENCE COMMAND...: runs the command, shows its output where it fails, and goes on.
+check() {
+  local sentence=$1 log
+  shift
+  log=$(mktemp)
+  say "$sentence ..."
+  if "$@" >"$log" 2>&1; then
+    grep -E 'tests passed' "$log" || true
+  else
+    cat "$log"
+    failures+=("$sentence")
+  fi
+  rm -f "$log"
+}
+
+files() { git -C "$clone" ls-files -z --cached --others --exclude-standard -- "$@"; }
+
+layout() {
+  cd "$clone"
+  local wrong
+  wrong=$(files '*.cpp' '*.h' | xargs -0 -r clang-format --dry-run -Werror 2>&1 |
+    sed -n 's/^\([^ :]*\):[0-9]*:[0-9]*: error.*/\1/p' | sort | uniq -c)
+  [ -z "$wrong" ] && return
+  printf 'places to mend with clang-format -i, file by file:\n%s\n' "$wrong"
+  return 1
+}
+
+scripts() {
+  cd "$clone"
+  files '*.sh' .ci/run | xargs -0 -r shellcheck
+}
+
+run_ctest() {
+  local folder=$1
+  shift
+  ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 \
+    --parallel "$(nproc)" "$@"
+}
+
+sanitized() {
+  TARGETS=core_tests "$clone/samples/build.sh" "$core" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
+    -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 \
+    -DCMAKE_CXX_COMPILER=clang++
+  run_ctest "$core" -L core
+}
+
+# Turkish has a decimal comma and a letter i of its own; the Chatham Islands are 12:45 from Greenwich.
+strange_locale() {
+  local locales=$build/locales
+  if [ ! -d "$locales/tr_TR.UTF-8" ]; then
+    mkdir -p "$locales"
+    localedef -i tr_TR -f UTF-8 "$locales/tr_TR.UTF-8"
+  fi
+  LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham \
+    run_ctest "$build" -LE oracles
+}
+
+"$clone/samples/packages.sh" build tests
+
+check 'Checking the layout of the C++ files (clang-format)' layout
+check 'Checking the scripts (shellcheck)' scripts
+
+say "Building thiessen and its tests in $build (some minutes the first time) ..."
+"$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
+  -DCMAKE_BUILD_TYPE=Release
+
+check 'Linting (clang-tidy)' "$clone/tests/lint.sh" "$build"
+check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
+check 'Testing in a Turkish locale' strange_locale
+
+say 'Testing:'
+run_ctest "$build" || failures+=('Testing')
+
+say
+if [ ${#failures[@]} -gt 0 ]; then
+  say "FAILED after $((SECONDS - started)) s:"
+  printf '  %s\n' "${failures[@]}"
+  exit 1
+fi
+say "All is well, after $((SECONDS - started)) s."
