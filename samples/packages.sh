@@ -8,7 +8,7 @@ set -eu
 build='g++ cmake make libgdal-dev libgeographiclib-dev libopencv-dev libcli11-dev libfontconfig-dev
   fonts-dejavu-core fonts-unifont'
 tests='libgtest-dev libbenchmark-dev libcgal-dev libgeos-dev clang libclang-rt-dev clang-format
-  clang-tidy shellcheck python3 locales git'
+  clang-tidy shellcheck gdal-bin python3 locales git'
 
 say() { printf '%s\n' "$*"; }
 fail() {

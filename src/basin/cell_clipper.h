@@ -31,8 +31,10 @@ class CellClipper {
   CellClipper(const Diagram& diagram, const Surface& surface);
 
   /// The cells that have a share in the basin, by place. The areas add up to the basin's to 1e-13
-  /// of it. A share below 1e-14 of the basin is rounding, not ground, and is left out. Requires a
-  /// valid basin inside the diagram's frame. Cost: as Overlay::cut.
+  /// of it, plus 2^-52 of its largest coordinate times its perimeter, which is how far the rounding
+  /// of crossings to doubles may move the cells' edges. A share below 1e-14 of the basin is
+  /// rounding, not ground, and is left out. Requires a valid basin inside the diagram's frame.
+  /// Cost: as Overlay::cut.
   std::vector<CellShare> shares(const Basin& basin);
 
   /// The same with shapes. Cells side by side share their edge vertex for vertex.

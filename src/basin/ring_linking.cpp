@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/box.h"
+#include "geometry/box_tree.h"
 #include "geometry/predicates.h"
 #include "geometry/ring_location.h"
 
@@ -135,16 +136,23 @@ bool holds(const Polygon& part, const Ring& hole) {
   return false;
 }
 
-// Into the smallest part around it.
-void place_hole(MultiPolygon& parts, const std::vector<Shell>& shells, Ring hole) {
-  const Box box = box_of(hole);
-  std::size_t best = parts.size();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (!shells[i].box.contains(box.low) || !shells[i].box.contains(box.high)) continue;
-    if (best != parts.size() && shells[i].area >= shells[best].area) continue;
-    if (parts.size() == 1 || holds(parts[i], hole)) best = i;
+// Each into the smallest part around it.
+void place_holes(MultiPolygon& parts, const std::vector<Shell>& shells, std::vector<Ring>& holes) {
+  if (holes.empty()) return;
+  std::vector<Box> boxes;
+  boxes.reserve(shells.size());
+  for (const Shell& shell : shells) boxes.push_back(shell.box);
+  const BoxTree tree(boxes);
+  for (Ring& hole : holes) {
+    const Box box = box_of(hole);
+    std::size_t best = parts.size();
+    tree.search(box, [&](std::uint32_t i) {
+      if (!boxes[i].contains(box.low) || !boxes[i].contains(box.high)) return;
+      if (best != parts.size() && shells[i].area >= shells[best].area) return;
+      if (parts.size() == 1 || holds(parts[i], hole)) best = i;
+    });
+    if (best != parts.size()) parts[best].holes.push_back(std::move(hole));
   }
-  if (best != parts.size()) parts[best].holes.push_back(std::move(hole));
 }
 
 }  // namespace
@@ -162,7 +170,7 @@ MultiPolygon link_rings(std::vector<DirectedEdge> edges) {
       holes.push_back(std::move(ring));
     }
   }
-  for (Ring& hole : holes) place_hole(parts, shells, std::move(hole));
+  place_holes(parts, shells, holes);
   return parts;
 }
 

@@ -2,8 +2,8 @@
 
 namespace thiessen {
 
-BisectorArc::BisectorArc(Direction first, Direction second) {
-  const Direction forward = unit(second - first);
+BisectorArc::BisectorArc(Direction first, Direction second, Direction chord) {
+  const Direction forward = unit(chord);
   const Direction sum = first + second;
   if (length(sum) > 1e-9) {
     middle_ = unit(sum);

@@ -8,9 +8,9 @@ namespace thiessen {
 /// to the left of the way from the first to the second; the first's side is on its left.
 class BisectorArc {
  public:
-  /// Requires different points; where they are antipodes any point of the circle stands for the
-  /// middle.
-  BisectorArc(Direction first, Direction second);
+  /// `chord`: from the first to the second. Requires different points; where they are antipodes any
+  /// point of the circle stands for the middle.
+  BisectorArc(Direction first, Direction second, Direction chord);
 
   Direction at(double angle) const;
   /// In [-pi, pi].

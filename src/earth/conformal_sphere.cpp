@@ -19,31 +19,30 @@ double eccentricity() {
   return e;
 }
 
-/// The series of the latitude in multiples of the conformal latitude, to the sixth power of the
-/// third flattening; what follows is below 1e-18.
+double third_flattening() {
+  const double f = GeographicLib::Constants::WGS84_f();
+  return f / (2 - f);
+}
+
+/// The latitude in multiples of the conformal latitude, or the other way round, to the sixth power
+/// of the third flattening; what follows is below 1e-18.
 class LatitudeSeries {
  public:
-  LatitudeSeries() {
-    const double f = GeographicLib::Constants::WGS84_f();
-    const double n = f / (2 - f);
-    const auto polynomial = [n](int power, std::initializer_list<double> terms) {
-      double sum = 0;
-      double factor = std::pow(n, power);
-      for (const double term : terms) {
-        sum += term * factor;
+  /// terms[k] are the coefficients of n^(k+1), n^(k+2) ... before sin(2(k+1) x).
+  explicit LatitudeSeries(std::initializer_list<std::initializer_list<double>> terms) {
+    const double n = third_flattening();
+    std::size_t k = 0;
+    for (const auto& polynomial : terms) {
+      double factor = std::pow(n, static_cast<double>(k + 1));
+      for (const double coefficient : polynomial) {
+        terms_[k] += coefficient * factor;
         factor *= n;
       }
-      return sum;
-    };
-    terms_ = {polynomial(1, {2, -2. / 3, -2, 116. / 45, 26. / 45, -2854. / 675}),
-              polynomial(2, {7. / 3, -8. / 5, -227. / 45, 2704. / 315, 2323. / 945}),
-              polynomial(3, {56. / 15, -136. / 35, -1262. / 105, 73814. / 2835}),
-              polynomial(4, {4279. / 630, -332. / 35, -399572. / 14175}),
-              polynomial(5, {4174. / 315, -144838. / 6237}),
-              polynomial(6, {601676. / 22275})};
+      ++k;
+    }
   }
-  /// What to add to the conformal latitude, in radians, by Clenshaw's summation.
-  double correction(double sine, double cosine) const {
+  /// The sum at x, by Clenshaw's method.
+  double at(double sine, double cosine) const {
     const double sine_of_double = 2 * sine * cosine;
     const double twice_cosine_of_double = 2 * (cosine - sine) * (cosine + sine);
     double before = 0;
@@ -55,10 +54,39 @@ class LatitudeSeries {
     }
     return sine_of_double * sum;
   }
+  /// The sum at middle + step / 2 less that at middle - step / 2.
+  double difference(double middle, double step) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const double multiple = 2 * static_cast<double>(i + 1);
+      sum += 2 * terms_[i] * std::cos(multiple * middle) * std::sin(multiple * step / 2);
+    }
+    return sum;
+  }
 
  private:
-  std::array<double, 6> terms_;
+  std::array<double, 6> terms_{};
 };
+
+const LatitudeSeries& latitude_series() {
+  static const LatitudeSeries series{{2, -2. / 3, -2, 116. / 45, 26. / 45, -2854. / 675},
+                                     {7. / 3, -8. / 5, -227. / 45, 2704. / 315, 2323. / 945},
+                                     {56. / 15, -136. / 35, -1262. / 105, 73814. / 2835},
+                                     {4279. / 630, -332. / 35, -399572. / 14175},
+                                     {4174. / 315, -144838. / 6237},
+                                     {601676. / 22275}};
+  return series;
+}
+
+const LatitudeSeries& conformal_series() {
+  static const LatitudeSeries series{{-2, 2. / 3, 4. / 3, -82. / 45, 32. / 45, 4642. / 4725},
+                                     {5. / 3, -16. / 15, -13. / 9, 904. / 315, -1522. / 945},
+                                     {-26. / 15, 34. / 21, 8. / 5, -12686. / 2835},
+                                     {1237. / 630, -12. / 5, -24832. / 14175},
+                                     {-734. / 315, 109598. / 31185},
+                                     {444337. / 155925}};
+  return series;
+}
 
 }  // namespace
 
@@ -72,15 +100,38 @@ Direction on_sphere(Point position) {
   return {radius * cosine, radius * sine, radius * tangent};
 }
 
+Direction chord_on_sphere(Point a, Point b) {
+  constexpr double degree = std::numbers::pi / 180;
+  constexpr double near = 0.05;  // degrees, above which plain differences are right to 1e-13
+  const double east = std::remainder(b.x - a.x, 360);
+  if (std::abs(b.y - a.y) > near || std::abs(east) > near) return on_sphere(b) - on_sphere(a);
+  const double middle = (a.y + (b.y - a.y) / 2) * degree;
+  const double rise = (b.y - a.y) * degree;
+  // Half the rise, and the middle, of the conformal latitudes.
+  const double half = (rise + conformal_series().difference(middle, rise)) / 2;
+  const Direction at_a = on_sphere(a);
+  const double low = std::atan2(at_a.z, std::sqrt(at_a.x * at_a.x + at_a.y * at_a.y));
+  const double sine = std::sin(low + half);
+  const double cosine = std::cos(low + half);
+  // Along the meridian halfway between the two, to the east of it, and up.
+  const double turn = east * degree / 2;
+  const double outward = -2 * sine * std::sin(half) * std::cos(turn);
+  const double eastward = 2 * cosine * std::cos(half) * std::sin(turn);
+  double meridian_sine = 0;
+  double meridian_cosine = 0;
+  Math::sincosd(a.x + east / 2, meridian_sine, meridian_cosine);
+  return {meridian_cosine * outward - meridian_sine * eastward,
+          meridian_sine * outward + meridian_cosine * eastward, 2 * cosine * std::sin(half)};
+}
+
 Point from_sphere(Direction direction) {
-  static const LatitudeSeries series;
   constexpr double degrees = 180 / std::numbers::pi;
   const double square = direction.x * direction.x + direction.y * direction.y;
   if (square == 0) return {0, direction.z > 0 ? 90.0 : -90.0};
   const double radius = std::sqrt(square);
   const double size = std::sqrt(square + direction.z * direction.z);
   const double latitude =
-      std::atan2(direction.z, radius) + series.correction(direction.z / size, radius / size);
+      std::atan2(direction.z, radius) + latitude_series().at(direction.z / size, radius / size);
   return {Math::atan2d(direction.y, direction.x), latitude * degrees};
 }
 

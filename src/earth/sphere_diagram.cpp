@@ -53,10 +53,21 @@ class SphereDiagramBuilder {
   Direction direction(PointId p) const { return sphere_->direction(place(p)); }
   Point position(PointId p) const { return diagram_.places[index(place(p))]; }
 
+  // From a to b: the difference of nearby directions would be rounded away.
+  Direction chord(PointId a, PointId b) const {
+    const Direction difference = direction(b) - direction(a);
+    constexpr double near = 1e-4;
+    return dot(difference, difference) > near * near ? difference
+                                                     : chord_on_sphere(position(a), position(b));
+  }
+  BisectorArc bisector(PointId a, PointId b) const {
+    return {direction(a), direction(b), chord(a, b)};
+  }
+
   // One other place: the edge closes on itself.
   void add_great_circle() {
     const PointId other = tessellation().along_line().front();
-    const BisectorArc arc(direction(infinite_point), direction(other));
+    const BisectorArc arc = bisector(infinite_point, other);
     const Point start = drawing_->position_of(arc.at(pi));
     const std::uint32_t node = drawing_->new_node(start);
     drawing_->draw(arc, {-pi, node, start}, {pi, node, start}, place(infinite_point), place(other));
@@ -69,8 +80,7 @@ class SphereDiagramBuilder {
     ring.push_back(infinite_point);
     if (position(ring[ring.size() - 2]) < position(ring[0]))
       std::reverse(ring.begin(), ring.end() - 1);
-    const Direction centre = unit(cross(direction(ring[1]) - direction(ring[0]),
-                                        direction(ring.back()) - direction(ring[0])));
+    const Direction centre = unit(cross(chord(ring[0], ring[1]), chord(ring[0], ring.back())));
     const Vertex left = vertex_at(centre);
     const Vertex right = vertex_at(-1.0 * centre);
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -103,8 +113,7 @@ class SphereDiagramBuilder {
       return position(a) < position(b);
     });
     std::rotate(forming.begin(), first, forming.end());
-    const Direction a = direction(forming[0]);
-    return unit(cross(direction(forming[1]) - a, direction(forming[2]) - a));
+    return unit(cross(chord(forming[0], forming[1]), chord(forming[0], forming[2])));
   }
 
   struct Vertex {
@@ -122,7 +131,7 @@ class SphereDiagramBuilder {
       add_edge(b, a, end, start);
       return;
     }
-    const BisectorArc arc(direction(a), direction(b));
+    const BisectorArc arc = bisector(a, b);
     const double from = arc.angle_of(start.direction);
     // No edge is longer than half a circle, so a turn far backward is one forward; a little
     // backward is rounding.

@@ -227,7 +227,7 @@ TEST_P(CellsOnTheEarth, have_weights_right_to_5e_4) {
   EXPECT_NEAR(sum, whole, 1e-12 * whole);
   // A dense grid, each point with the area of its own strip of latitude.
   const Box box = shapes::box_of(basin.shape);
-  constexpr int rows = 400;
+  constexpr int rows = 250;
   std::map<std::size_t, double> expected;
   double all = 0;
   for (int row = 0; row < rows; ++row) {
@@ -279,7 +279,7 @@ void expect_shares(const std::vector<Point>& places, const Ring& ring, double al
   for (const CellShare& share : shares) ours[index(share.place)] += share.area / whole;
   std::map<std::size_t, double> expected;
   double all = 0;
-  constexpr int rows = 300;
+  constexpr int rows = 200;
   const double step = box.height() / rows;
   for (int row = 0; row < rows; ++row) {
     const double y = box.low.y + (row + 0.5) * step;

@@ -1,0 +1,19 @@
+#!/bin/bash
+# Runs the randomised tests for long, one seed after another, until one fails:
+#   tests/oracles/long_run.sh BUILD-FOLDER [SEEDS] [ROUNDS] [GTEST-FILTER]
+# A failure prints its seed; the line to run it again is in the test's output.
+set -euo pipefail
+
+build=$1
+seeds=${2:-10}
+rounds=${3:-20}
+filter=${4:-*}
+first=$(date +%s)
+for ((seed = first; seed < first + seeds; ++seed)); do
+  for test in geometry tessellation earth basin rainfall oracles; do
+    program=$(find "$build" -name "${test}_test" -type f -perm -u+x | head -n 1)
+    printf '%s: seed %d, %d rounds\n' "$test" "$seed" "$rounds"
+    THIESSEN_SEED=$seed THIESSEN_ROUNDS=$rounds "$program" --gtest_brief=1 \
+      --gtest_filter="$filter"
+  done
+done
