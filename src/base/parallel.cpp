@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -20,21 +21,29 @@ void in_parallel(std::size_t count, unsigned threads,
   const std::size_t workers = std::min<std::size_t>(std::max(1u, threads), count);
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
+  std::size_t failed_at = count;
   std::mutex failure_mutex;
   const auto run = [&](std::size_t worker) {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
         throw_if_interrupted();
         work(worker, i);
+      } catch (...) {
+        const std::lock_guard lock(failure_mutex);
+        if (i < failed_at) {
+          failure = std::current_exception();
+          failed_at = i;
+        }
+        next = count;
       }
-    } catch (...) {
-      const std::lock_guard lock(failure_mutex);
-      failure = std::current_exception();
-      next = count;
     }
   };
   std::vector<std::thread> others;
-  for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+  others.reserve(workers);
+  try {
+    for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+  } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+  }
   if (workers > 0) run(0);
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);

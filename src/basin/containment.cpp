@@ -1,44 +1,85 @@
 #include "basin/containment.h"
 
 #include <cmath>
+#include <optional>
 
-#include "geometry/box_tree.h"
+#include "base/interrupt.h"
+#include "geometry/predicates.h"
 #include "geometry/ring_location.h"
 
 namespace thiessen {
+namespace {
 
-bool contains(const Basin& basin, Point p) {
-  bool inside = false;
-  const auto visit = [&](const Ring& ring) {
-    const Where where = locate(ring, p);
-    if (where == Where::inside) inside = !inside;
-    return where == Where::boundary;
+Box box_of(const Basin& basin) {
+  Box box;
+  for (const Polygon& part : basin.shape) box.take_in(box_of(part.outer));
+  return box;
+}
+
+template <typename Edge>
+std::vector<Edge> edges_of(const Basin& basin) {
+  std::vector<Edge> edges;
+  const auto add = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
   };
   for (const Polygon& part : basin.shape) {
-    if (visit(part.outer)) return true;
-    for (const Ring& hole : part.holes) {
-      if (visit(hole)) return true;
-    }
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
   }
-  return inside;
+  return edges;
+}
+
+template <typename Edge>
+std::vector<Box> boxes_of(const std::vector<Edge>& edges) {
+  std::vector<Box> boxes;
+  boxes.reserve(edges.size());
+  for (const Edge& edge : edges) boxes.push_back(box_of(edge.from, edge.to));
+  return boxes;
+}
+
+}  // namespace
+
+Containment::Containment(const Basin& basin)
+    : edges_(edges_of<Edge>(basin)), tree_(boxes_of(edges_)), west_(box_of(basin).low.x) {}
+
+bool Containment::contains(Point p) const {
+  bool inside = false;
+  bool on_edge = false;
+  tree_.search({{west_, p.y}, p}, [&](std::uint32_t i) {
+    const auto& [from, to] = edges_[i];
+    const int side = orientation(from, to, p);
+    if (side == 0 && box_of(from, to).contains(p)) on_edge = true;
+    // The edge passes west of p where p is to the right of it, going up.
+    const bool upward = from.y < p.y;
+    if (upward != (to.y < p.y) && (side < 0) == upward) inside = !inside;
+  });
+  return inside || on_edge;
 }
 
 std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
                                       std::span<const Point> points, double period) {
-  std::vector<Box> boxes(basins.size());
-  Box all;
-  for (std::size_t b = 0; b < basins.size(); ++b) {
-    for (const Polygon& part : basins[b].shape) boxes[b].take_in(box_of(part.outer));
-    all.take_in(boxes[b]);
-  }
+  std::vector<Box> boxes;
+  boxes.reserve(basins.size());
+  for (const Basin& basin : basins) boxes.push_back(box_of(basin));
   const BoxTree tree(boxes);
+  std::vector<std::optional<Containment>> containments(basins.size());
   std::vector<std::size_t> counts(basins.size(), 0);
-  for (Point p : points) {
-    const auto count_here = [&](std::uint32_t b) {
-      if (contains(basins[b], p)) ++counts[b];
-    };
-    if (period > 0) p.x -= period * std::floor((p.x - all.low.x) / period);
-    tree.search({p, p}, count_here);
+  std::vector<std::size_t> counted(basins.size(),
+                                   points.size());  // the point last counted in a basin
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point p = points[i];
+    throw_if_interrupted();
+    for (const int turn : {0, -1, 1}) {
+      if (turn != 0 && !(period > 0)) break;
+      const Point q{p.x + turn * period, p.y};
+      tree.search({q, q}, [&](std::uint32_t b) {
+        if (!containments[b]) containments[b].emplace(basins[b]);
+        if (counted[b] == i || !containments[b]->contains(q)) return;
+        counted[b] = i;
+        ++counts[b];
+      });
+    }
   }
   return counts;
 }

@@ -260,13 +260,18 @@ void Overlay::emit_crossed_chords(const Basin& basin) {
   if (is_within(basin, diagram_.nodes[node])) nodes_within_.push_back(node);
 }
 
-// Whether the chord begins within the basin follows from its crossings: of the two possibilities
-// the one that is in the basin never more than once, nor less than not at all.
+// Whether the chord begins within the basin follows from its crossings. If they lead in or out on
+// the whole, it begins on the other side; else, of the two possibilities, it is the one that is in
+// the basin never more than once, nor less than not at all, but for stretches that rounding made.
 bool Overlay::begins_within(const Basin& basin, std::size_t first, std::size_t end) const {
+  int depth = 0;
+  for (std::size_t i = first; i < end; ++i) depth += chord_events_[i].step;
+  if (depth == 1 || depth == -1) return depth < 0;
+
   double wrong_if_outside = 0;
   double wrong_if_within = 0;
   double before = 0;
-  int depth = 0;
+  depth = 0;
   for (std::size_t i = first; i <= end; ++i) {
     const double along = i == end ? 1 : chord_events_[i].along;
     if (depth < 0 || depth > 1) wrong_if_outside += along - before;

@@ -11,6 +11,7 @@ class BisectorArc {
   /// `chord`: from the first to the second. Requires different points; where they are antipodes any
   /// point of the circle stands for the middle.
   BisectorArc(Direction first, Direction second, Direction chord);
+  BisectorArc(Direction first, Direction second) : BisectorArc(first, second, second - first) {}
 
   Direction at(double angle) const;
   /// In [-pi, pi].

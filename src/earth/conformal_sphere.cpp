@@ -102,7 +102,7 @@ Direction on_sphere(Point position) {
 
 Direction chord_on_sphere(Point a, Point b) {
   constexpr double degree = std::numbers::pi / 180;
-  constexpr double near = 0.05;  // degrees, above which plain differences are right to 1e-13
+  constexpr double near = 5;  // degrees, above which plain differences are right to 1e-15
   const double east = std::remainder(b.x - a.x, 360);
   if (std::abs(b.y - a.y) > near || std::abs(east) > near) return on_sphere(b) - on_sphere(a);
   const double middle = (a.y + (b.y - a.y) / 2) * degree;

@@ -1,9 +1,11 @@
 #include "earth/sphere_diagram.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -17,6 +19,8 @@ namespace thiessen {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+// Centres of triangles are right to some 1e-15 radians, thin triangles' to more: 0.6 micrometres.
+constexpr double indistinct = 1e-13;
 
 class SphereDiagramBuilder {
  public:
@@ -53,15 +57,20 @@ class SphereDiagramBuilder {
   Direction direction(PointId p) const { return sphere_->direction(place(p)); }
   Point position(PointId p) const { return diagram_.places[index(place(p))]; }
 
-  // From a to b: the difference of nearby directions would be rounded away.
-  Direction chord(PointId a, PointId b) const {
+  // From a to b. The difference of directions has their rounding, which turns a chord of length s
+  // by 1e-16 / s: it is taken only where that is below `turned_at_most`.
+  Direction chord(PointId a, PointId b, double turned_at_most) const {
     const Direction difference = direction(b) - direction(a);
-    constexpr double near = 1e-4;
-    return dot(difference, difference) > near * near ? difference
-                                                     : chord_on_sphere(position(a), position(b));
+    const double shortest = 1e-16 / turned_at_most;
+    return dot(difference, difference) > shortest * shortest
+               ? difference
+               : chord_on_sphere(position(a), position(b));
   }
   BisectorArc bisector(PointId a, PointId b) const {
-    return {direction(a), direction(b), chord(a, b)};
+    return {direction(a), direction(b), chord(a, b, 1e-12)};
+  }
+  Direction centre(PointId a, PointId b, PointId c) const {
+    return unit(cross(chord(a, b, 1e-15), chord(a, c, 1e-15)));
   }
 
   // One other place: the edge closes on itself.
@@ -74,15 +83,15 @@ class SphereDiagramBuilder {
   }
 
   // All on one circle with the pole: the edges meet in the circle's two centres. Going round the
-  // circle counter-clockwise as seen from `centre`, that is the left one.
+  // circle counter-clockwise as seen from `middle`, that is the left one.
   void add_half_circles() {
     std::vector<PointId> ring = tessellation().along_line();
     ring.push_back(infinite_point);
     if (position(ring[ring.size() - 2]) < position(ring[0]))
       std::reverse(ring.begin(), ring.end() - 1);
-    const Direction centre = unit(cross(chord(ring[0], ring[1]), chord(ring[0], ring.back())));
-    const Vertex left = vertex_at(centre);
-    const Vertex right = vertex_at(-1.0 * centre);
+    const Direction middle = centre(ring[0], ring[1], ring.back());
+    const Vertex left = vertex_at(middle);
+    const Vertex right = vertex_at(-1.0 * middle);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       add_edge(ring[i], ring[(i + 1) % ring.size()], right, left);
     }
@@ -90,19 +99,60 @@ class SphereDiagramBuilder {
 
   void add_edges() {
     const Topology<2>& topology = tessellation().topology();
-    std::vector<Vertex> vertices;
-    vertices.reserve(topology.size());
-    for (std::uint32_t i = 0; i < topology.size(); ++i)
-      vertices.push_back(vertex_at(centre_of(VertexId{i})));
+    find_centres();
     for (std::uint32_t i = 0; i < topology.size(); ++i) {
       const VertexId v{i};
+      if (topology.is_free(v)) continue;
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId w = topology.neighbour(v, side);
-        if (index(w) < i) continue;
+        if (index(w) < i || centre_at(w).node == centre_at(v).node) continue;
         const auto& forming = topology.forming(v);
-        add_edge(forming[(side + 1) % 3], forming[(side + 2) % 3], vertices[index(w)], vertices[i]);
+        add_edge(forming[(side + 1) % 3], forming[(side + 2) % 3], centre_at(w), centre_at(v));
       }
     }
+  }
+
+  // Neighbouring vertices that rounding cannot tell apart, as those of four gauges on a grid, are
+  // one: the first of them by its forming points' coordinates.
+  void find_centres() {
+    const Topology<2>& topology = tessellation().topology();
+    centres_.resize(topology.size());
+    same_as_.resize(topology.size());
+    std::iota(same_as_.begin(), same_as_.end(), 0u);
+    for (std::uint32_t i = 0; i < topology.size(); ++i) {
+      if (!topology.is_free(VertexId{i})) centres_[i] = {centre_of(VertexId{i}), {}, no_node};
+    }
+    for (std::uint32_t i = 0; i < topology.size(); ++i) {
+      if (topology.is_free(VertexId{i})) continue;
+      for (std::size_t side = 0; side < 3; ++side) {
+        const std::size_t j = index(topology.neighbour(VertexId{i}, side));
+        const Direction apart = centres_[i].direction - centres_[j].direction;
+        if (j > i && dot(apart, apart) <= indistinct * indistinct) unite(i, j);
+      }
+    }
+    for (std::uint32_t i = 0; i < topology.size(); ++i) {
+      if (!topology.is_free(VertexId{i}) && find(i) == i)
+        centres_[i] = vertex_at(centres_[i].direction);
+    }
+  }
+
+  void unite(std::size_t i, std::size_t j) {
+    const std::uint32_t a = find(i);
+    const std::uint32_t b = find(j);
+    if (a == b) return;
+    const bool keeps_a = corners_of(VertexId{a}) < corners_of(VertexId{b});
+    same_as_[keeps_a ? b : a] = keeps_a ? a : b;
+  }
+  std::uint32_t find(std::size_t i) {
+    auto v = static_cast<std::uint32_t>(i);
+    while (same_as_[v] != v) v = same_as_[v] = same_as_[same_as_[v]];
+    return v;
+  }
+  std::array<Point, 3> corners_of(VertexId v) const {
+    const auto& f = tessellation().topology().forming(v);
+    std::array<Point, 3> corners{position(f[0]), position(f[1]), position(f[2])};
+    std::sort(corners.begin(), corners.end());
+    return corners;
   }
 
   // From the first forming point by coordinates on, so that rounding is the same for any order of
@@ -113,7 +163,7 @@ class SphereDiagramBuilder {
       return position(a) < position(b);
     });
     std::rotate(forming.begin(), first, forming.end());
-    return unit(cross(chord(forming[0], forming[1]), chord(forming[0], forming[2])));
+    return centre(forming[0], forming[1], forming[2]);
   }
 
   struct Vertex {
@@ -121,6 +171,7 @@ class SphereDiagramBuilder {
     Point position;
     std::uint32_t node;
   };
+  const Vertex& centre_at(VertexId v) { return centres_[find(index(v))]; }
   Vertex vertex_at(Direction d) {
     const Point position = drawing_->position_of(d);
     return {d, position, drawing_->new_node(position)};
@@ -145,6 +196,8 @@ class SphereDiagramBuilder {
   std::shared_ptr<const SphereTessellation> sphere_;
   Diagram diagram_;
   std::optional<ArcDrawing> drawing_;
+  std::vector<Vertex> centres_;  // by vertex, as what follows
+  std::vector<std::uint32_t> same_as_;
 };
 
 }  // namespace

@@ -20,14 +20,27 @@ PlaceIndex first_of(std::span<const Point> places) {
 }  // namespace
 
 SphereTessellation::SphereTessellation(std::span<const Point> places)
-    : directions_(directions_of(places)),
+    : positions_(places.begin(), places.end()),
+      directions_(directions_of(places)),
       pole_(first_of(places)),
       chart_(directions_[index(pole_)]) {
+  for (std::uint32_t i = 0; i < places.size(); ++i) cell_of_.push_back(PlaceIndex{i});
+  tessellate();
+  if (merge_indistinct()) tessellate();
+  connect();
+}
+
+// Of the places that have a cell of their own.
+void SphereTessellation::tessellate() {
+  tessellation_ = {};
+  place_of_.clear();
   std::vector<Point> projected;
   for (std::uint32_t i = 0; i < directions_.size(); ++i) {
-    const bool is_pole = chart_.is_pole(directions_[i]);
-    cell_of_.push_back(is_pole ? pole_ : PlaceIndex{i});
-    if (is_pole) continue;
+    if (index(cell_of_[i]) != i) continue;
+    if (chart_.is_pole(directions_[i])) {
+      cell_of_[i] = pole_;
+      continue;
+    }
     projected.push_back(chart_.project(directions_[i]));
     place_of_.push_back(PlaceIndex{i});
   }
@@ -35,7 +48,29 @@ SphereTessellation::SphereTessellation(std::span<const Point> places)
   for (std::size_t i = 0; i < inserted.size(); ++i) {
     cell_of_[index(place_of_[i])] = place_of_[index(inserted[i])];
   }
-  connect();
+}
+
+// The nearest place is a neighbour, so places that are too near find each other along Delaunay
+// edges.
+bool SphereTessellation::merge_indistinct() {
+  constexpr double indistinct = 1e-13;
+  bool merged = false;
+  const auto cell = [&](PlaceIndex p) {
+    while (cell_of_[index(p)] != p) p = cell_of_[index(p)];
+    return p;
+  };
+  for_each_edge([&](PlaceIndex a, PlaceIndex b) {
+    const Direction chord = directions_[index(b)] - directions_[index(a)];
+    if (dot(chord, chord) > indistinct * indistinct) return;
+    const PlaceIndex first = cell(a);
+    const PlaceIndex second = cell(b);
+    if (first == second) return;
+    const bool keeps_first = positions_[index(first)] < positions_[index(second)];
+    cell_of_[index(keeps_first ? second : first)] = keeps_first ? first : second;
+    merged = true;
+  });
+  for (PlaceIndex& p : cell_of_) p = cell(p);
+  return merged;
 }
 
 void SphereTessellation::connect() {
@@ -44,22 +79,7 @@ void SphereTessellation::connect() {
     neighbours_[index(a)].push_back(b);
     neighbours_[index(b)].push_back(a);
   };
-  if (tessellation_.span() != Span::plane) {
-    std::vector<PointId> ring = tessellation_.along_line();
-    ring.push_back(infinite_point);
-    for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
-      join(place(ring[i]), place(ring[(i + 1) % ring.size()]));
-    }
-  } else {
-    const Topology<2>& topology = tessellation_.topology();
-    for (std::uint32_t i = 0; i < topology.size(); ++i) {
-      for (std::size_t side = 0; side < 3; ++side) {
-        if (index(topology.neighbour(VertexId{i}, side)) < i) continue;
-        const auto& forming = topology.forming(VertexId{i});
-        join(place(forming[(side + 1) % 3]), place(forming[(side + 2) % 3]));
-      }
-    }
-  }
+  for_each_edge(join);
   for (std::uint32_t i = 0; i < cell_of_.size(); ++i) {
     if (index(cell_of_[i]) != i) join(cell_of_[i], PlaceIndex{i});
   }

@@ -22,7 +22,9 @@ class SphereTessellation {
   PlaceIndex pole() const { return pole_; }
   PlaceIndex place(PointId p) const { return p == infinite_point ? pole_ : place_of_[index(p)]; }
   Direction direction(PlaceIndex p) const { return directions_[index(p)]; }
-  /// For each place itself, or the place from which rounding does not tell it.
+  /// For each place itself, or the first by coordinates of those within 1e-13 radians (0.6
+  /// micrometres), hand to hand: nearer than that, rounding does not tell which side of another a
+  /// place is on.
   const std::vector<PlaceIndex>& cell_of() const { return cell_of_; }
   /// The places whose cells have an edge in common with the place's, and those that rounding does
   /// not tell from it. One may stand twice.
@@ -36,8 +38,13 @@ class SphereTessellation {
   PlaceIndex nearest(Direction p) const;
 
  private:
+  template <typename Visit>
+  void for_each_edge(Visit&& visit) const;
+  void tessellate();
+  bool merge_indistinct();
   void connect();
 
+  std::vector<Point> positions_;
   std::vector<Direction> directions_;
   PlaceIndex pole_;
   StereographicChart chart_;
@@ -46,5 +53,26 @@ class SphereTessellation {
   std::vector<PlaceIndex> cell_of_;
   std::vector<std::vector<PlaceIndex>> neighbours_;
 };
+
+template <typename Visit>
+void SphereTessellation::for_each_edge(Visit&& visit) const {
+  if (tessellation_.span() != Span::plane) {
+    std::vector<PointId> ring = tessellation_.along_line();
+    ring.push_back(infinite_point);
+    for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
+      visit(place(ring[i]), place(ring[(i + 1) % ring.size()]));
+    }
+    return;
+  }
+  const Topology<2>& topology = tessellation_.topology();
+  for (std::uint32_t i = 0; i < topology.size(); ++i) {
+    if (topology.is_free(VertexId{i})) continue;
+    for (std::size_t side = 0; side < 3; ++side) {
+      if (index(topology.neighbour(VertexId{i}, side)) < i) continue;
+      const auto& forming = topology.forming(VertexId{i});
+      visit(place(forming[(side + 1) % 3]), place(forming[(side + 2) % 3]));
+    }
+  }
+}
 
 }  // namespace thiessen

@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "io/basin_mending.h"
+#include "io/common_turn.h"
 #include "io/coordinate_checks.h"
 #include "io/crs_agreement.h"
 #include "io/edge_tracing.h"
@@ -35,8 +36,12 @@ class StudyMaker {
     choose_coordinates();
     mend_basins();
     bring_stations();
-    if (study_.crs && planar_degrees()) warn_of_degrees();
     bring_basins();
+    bring_basins_together();
+    if (study_.crs && planar_degrees()) {
+      require_one_turn();
+      warn_of_degrees();
+    }
     finish();
     return std::move(study_);
   }
@@ -78,6 +83,24 @@ class StudyMaker {
                        " a degree from west to east is " + fixed_text(percent, 1) +
                        " % shorter than one from south to north",
                    "--metric geodesic, or --plane with a projected CRS, measures the Earth"});
+  }
+
+  void require_one_turn() const {
+    const double unit = study_.crs->degrees_per_unit();
+    LongitudeRange range;
+    for (const Station& station : study_.stations) {
+      range.see(station.position.x * unit, "station " + quoted(station.id, 80), stations_.file,
+                stations_.has_lines ? station.line : 0);
+    }
+    for (std::size_t i = 0; i < study_.basins.size(); ++i) {
+      const RawBasin& basin = basins_->basins[i];
+      for (const Polygon& polygon : study_.basins[i].shape) {
+        const auto [west, east] = std::minmax_element(polygon.outer.begin(), polygon.outer.end());
+        range.see(west->x * unit, basin.place, basins_->file, basin.line);
+        range.see(east->x * unit, basin.place, basins_->file, basin.line);
+      }
+    }
+    range.require_one_turn();
   }
 
   void mend_basins() {
@@ -217,6 +240,27 @@ class StudyMaker {
     std::reverse(traced.ring.begin() + 1, traced.ring.end());
     std::reverse(traced.bulges.begin(), traced.bulges.end());
     for (double& bulge : traced.bulges) bulge = -bulge;
+  }
+
+  // On both sides of the antimeridian basins would be far apart.
+  void bring_basins_together() {
+    std::vector<MultiPolygon*> shapes;
+    bool straight = true;
+    for (Basin& basin : study_.basins) {
+      shapes.push_back(&basin.shape);
+      straight = straight && basin.bulges.empty();
+    }
+    if (study_.metric == Metric::geodesic && !bring_to_common_turn(shapes, straight)) {
+      throw Error(
+          {basins_->file, 0,
+           "the basins reach all round the Earth, and over the antimeridian: in a projected "
+           "CRS that is not supported yet",
+           "give them in longitude and latitude"});
+    }
+    if (!basins_ || !basins_->crs || basins_->crs->degrees_per_unit() != 1) return;
+    std::vector<MultiPolygon*> native;
+    for (MultiPolygon& shape : study_.native_basins) native.push_back(&shape);
+    bring_to_common_turn(native, true);
   }
 
   void finish() {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "base/parallel.h"
+#include "geometry/long_sum.h"
 
 namespace thiessen {
 namespace {
@@ -18,28 +18,28 @@ std::size_t bytes_of(const std::vector<BasinWeights>& weights) {
 }
 
 double coverage(const BasinWeights& full, std::span<const double> readings) {
-  double sum = 0;
+  LongSum sum;
   bool whole = true;
   for (const StationWeight& s : full.stations) {
     if (std::isnan(readings[index(s.station)])) {
       whole = false;
     } else {
-      sum += s.weight;
+      sum.add(s.weight);
     }
   }
-  return whole && !full.stations.empty() ? 1 : sum;
+  return whole && !full.stations.empty() ? 1 : sum.value();
 }
 
 }  // namespace
 
 ArealRainfall::ArealRainfall(const Weighing& weighing, Gaps gaps, std::size_t min_gauges,
-                             std::size_t remembered_bytes)
+                             std::size_t remembered_bytes, unsigned threads)
     : weighing_(weighing),
       gaps_(gaps),
       min_gauges_(min_gauges),
       remembered_bytes_(remembered_bytes),
       full_(weighing.weights(std::vector<bool>(weighing.network().stations().size(), true),
-                             available_threads())) {}
+                             threads)) {}
 
 ArealRainfall::Weights ArealRainfall::weights_of(const std::vector<bool>& reports) const {
   {
@@ -58,8 +58,9 @@ ArealRainfall::Weights ArealRainfall::weights_of(const std::vector<bool>& report
 BasinRainfall ArealRainfall::retessellated(const BasinWeights& weights,
                                            std::span<const double> readings) const {
   BasinRainfall result{0, weights.stations.size(), 0};
-  for (const StationWeight& s : weights.stations)
-    result.rainfall += s.weight * readings[index(s.station)];
+  LongSum sum;
+  for (const StationWeight& s : weights.stations) sum.add(s.weight * readings[index(s.station)]);
+  result.rainfall = sum.value();
   if (result.gauges == 0 || result.gauges < min_gauges_) result.rainfall = no_value;
   return result;
 }
@@ -67,16 +68,17 @@ BasinRainfall ArealRainfall::retessellated(const BasinWeights& weights,
 BasinRainfall ArealRainfall::from_full_network(const BasinWeights& weights,
                                                std::span<const double> readings) const {
   BasinRainfall result{0, 0, 0};
-  double reporting = 0;
+  LongSum reporting;
+  LongSum sum;
   for (const StationWeight& s : weights.stations) {
     const double reading = readings[index(s.station)];
     if (std::isnan(reading)) continue;
     ++result.gauges;
-    reporting += s.weight;
-    result.rainfall += s.weight * reading;
+    reporting.add(s.weight);
+    sum.add(s.weight * reading);
   }
   const bool complete = result.gauges == weights.stations.size();
-  if (!complete) result.rainfall /= reporting;
+  result.rainfall = complete ? sum.value() : sum.value() / reporting.value();
   const bool refused = gaps_ == Gaps::strict && !complete;
   if (result.gauges == 0 || result.gauges < min_gauges_ || refused) result.rainfall = no_value;
   return result;

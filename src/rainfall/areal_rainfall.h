@@ -31,8 +31,10 @@ struct BasinRainfall {
 /// Weighing::weights.
 class ArealRainfall {
  public:
+  static constexpr std::size_t usual_memory = std::size_t{256} << 20;
+
   ArealRainfall(const Weighing& weighing, Gaps gaps, std::size_t min_gauges,
-                std::size_t remembered_bytes = std::size_t{256} << 20);
+                std::size_t remembered_bytes = usual_memory, unsigned threads = 1);
 
   /// The full network's weights.
   const std::vector<BasinWeights>& full_weights() const { return full_; }

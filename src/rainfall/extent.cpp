@@ -1,6 +1,7 @@
 #include "rainfall/extent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "geometry/box.h"
@@ -40,6 +41,19 @@ Box on_earth(Box box) {
   return box;
 }
 
+/// The box's outline. On the Earth no edge is longer than a quarter of a turn: a longer one would
+/// be taken to go the other way round.
+Ring outline(const Box& box, double longest) {
+  const int pieces = std::max(1, static_cast<int>(std::ceil(box.width() / longest)));
+  const auto x = [&](int i) {
+    return i == pieces ? box.high.x : box.low.x + box.width() * i / pieces;
+  };
+  Ring ring;
+  for (int i = 0; i <= pieces; ++i) ring.push_back({x(i), box.low.y});
+  for (int i = pieces; i >= 0; --i) ring.push_back({x(i), box.high.y});
+  return ring;
+}
+
 }  // namespace
 
 std::optional<Basin> extent_of(std::span<const Point> places, Metric metric, double margin) {
@@ -53,8 +67,8 @@ std::optional<Basin> extent_of(std::span<const Point> places, Metric metric, dou
     box = box.grown(larger * margin / 100);
   }
   if (!(box.width() > 0 && box.height() > 0)) return {};
-  return Basin{
-      "", {{{box.low, {box.high.x, box.low.y}, box.high, {box.low.x, box.high.y}}, {}}}, {}};
+  const double longest = metric == Metric::geodesic ? 90 : box.width();
+  return Basin{"", {{outline(box, longest), {}}}, {}};
 }
 
 }  // namespace thiessen

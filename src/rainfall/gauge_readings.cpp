@@ -17,7 +17,7 @@ void MeanReadings::add(std::span<const double> readings) {
   ++steps_;
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isnan(readings[i])) continue;
-    sum_[i] += readings[i];
+    sum_[i].add(readings[i]);
     ++count_[i];
   }
 }
@@ -27,7 +27,7 @@ GaugeReadings MeanReadings::result() const {
   result.label = "mean of " + std::to_string(steps_) + (steps_ == 1 ? " time step" : " time steps");
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     result.readings.push_back(count_[i] == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                             : sum_[i] / static_cast<double>(count_[i]));
+                                             : sum_[i].value() / static_cast<double>(count_[i]));
   }
   return result;
 }

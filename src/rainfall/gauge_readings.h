@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/long_sum.h"
 #include "rainfall/readings.h"
 
 namespace thiessen {
@@ -20,13 +21,13 @@ struct GaugeReadings {
 /// Gathers the means, a step after the other. Cost of a step: its gauges.
 class MeanReadings {
  public:
-  explicit MeanReadings(std::size_t stations) : sum_(stations, 0), count_(stations, 0) {}
+  explicit MeanReadings(std::size_t stations) : sum_(stations), count_(stations, 0) {}
 
   void add(std::span<const double> readings);
   GaugeReadings result() const;
 
  private:
-  std::vector<double> sum_;
+  std::vector<LongSum> sum_;  // so that the order of the steps does not show
   std::vector<std::size_t> count_;
   std::size_t steps_ = 0;
 };

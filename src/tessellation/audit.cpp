@@ -171,7 +171,7 @@ std::vector<Finding> audit_links(const Topology<2>& topology, std::span<const Po
     }
     for (std::size_t side = 0; side < 3; ++side) {
       const VertexId w = topology.neighbour(v, side);
-      sound = sound && index(w) < topology.size();
+      sound = sound && index(w) < topology.size() && !topology.is_free(w);
       inspect_link(inspection, v, side);
     }
   });

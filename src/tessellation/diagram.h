@@ -32,7 +32,7 @@ struct Diagram {
   std::function<PlaceIndex(Point)> near;
   std::vector<Point> places;
   /// For each place the place whose cell it has: itself, but where rounding cannot tell it from
-  /// another, nanometres away, with which it shares one cell.
+  /// another, less than a micrometre away, with which it shares one cell.
   std::vector<PlaceIndex> cell_of;
 };
 
