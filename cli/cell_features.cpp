@@ -34,4 +34,10 @@ CellsOutput cells_output(const Session& session, const std::vector<std::vector<S
   return output;
 }
 
+void warn_of_own_coordinates(const Session& session, const std::string& file, Warnings& warnings) {
+  if (session.study().crs) return;
+  warnings.add({file == "-" ? "standard output" : file, 0,
+                "the cells are in the plane's own coordinates: no CRS is known", ""});
+}
+
 }  // namespace thiessen::cli

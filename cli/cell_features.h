@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/session.h"
@@ -15,5 +16,9 @@ std::vector<std::vector<StationCell>> cells_of(const Session& session,
 /// The same, as they are written.
 CellsOutput cells_output(const Session& session, const std::vector<std::vector<StationCell>>& cells,
                          const GaugeReadings* readings, const StudyOptions& options);
+
+/// Says so where the cells are not in longitude and latitude, because no CRS is known. `file`:
+/// where they go.
+void warn_of_own_coordinates(const Session& session, const std::string& file, Warnings& warnings);
 
 }  // namespace thiessen::cli

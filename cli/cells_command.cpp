@@ -15,15 +15,15 @@ class CellsCommand : public Command {
     return "Thiessen cells clipped to the basins: GeoJSON, or any vector format by extension";
   }
   const char* example() const override {
-    return "thiessen cells samples/colorado/stations.csv samples/colorado/counties.geojson -o "
+    return "samples/colorado/stations.csv samples/colorado/counties.geojson -o "
            "cells.geojson";
   }
   void set_up(CLI::App& app) override {
     study_.add_to(app, Need::optional);
-    study_.add_attributes_to(app);
     rainfall_.add_to(app, Need::optional);
     view_.add_time_to(app);
     view_.add_margin_to(app);
+    study_.add_attributes_to(app);
     output_.add_to(
         app, Need::optional, "cells.geojson",
         "where the cells go; the extension tells the format; default GeoJSON on standard output");
@@ -48,10 +48,7 @@ class CellsCommand : public Command {
       for (std::size_t i = 1; i < encoded.size(); ++i)
         outputs.add(encoded[i].name).append(encoded[i].bytes);
     }
-    if (!session.study().crs) {
-      warnings.add(
-          {output_.output, 0, "the cells are in the plane's own coordinates: no CRS is known", ""});
-    }
+    warn_of_own_coordinates(session, output_.output, warnings);
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

@@ -18,7 +18,7 @@ class CheckCommand : public Command {
     return "says what is wrong or odd in the inputs; exit status 1 where a run would fail";
   }
   const char* example() const override {
-    return "thiessen check samples/colorado/stations.csv samples/colorado/counties.geojson "
+    return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv";
   }
   void set_up(CLI::App& app) override {

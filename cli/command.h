@@ -19,7 +19,7 @@ class Command {
   virtual ~Command() = default;
   virtual const char* name() const = 0;
   virtual const char* description() const = 0;
-  /// A command that runs in the project's folder, for the help.
+  /// What follows the command's name in a line that runs in the project's folder, for the help.
   virtual const char* example() const = 0;
   /// Declares files and options. Opens nothing.
   virtual void set_up(CLI::App& app) = 0;

@@ -1,5 +1,6 @@
 #include "cli/help.h"
 
+#include <algorithm>
 #include <string_view>
 
 namespace thiessen::cli {
@@ -56,24 +57,39 @@ std::string value_of(const CLI::Option& option) {
 
 HelpFormatter::HelpFormatter() {
   label("Positionals", "Files");
-  label("Subcommands", "Commands");
+}
+
+std::string HelpFormatter::make_description(const CLI::App* app) const {
+  std::string text = app->get_description();
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') {
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  }
+  return text + "\n";
 }
 
 std::string HelpFormatter::make_usage(const CLI::App* app, std::string name) const {
   std::string text = "\nUsage: " + name;
-  if (!app->get_subcommands({}).empty()) return text + " COMMAND FILES [options]\n";
+  if (!app->get_subcommands({}).empty()) return text + " COMMAND FILES [options]\n\n";
   for (const CLI::Option* option : app->get_options()) {
     if (!is_shown(*option)) continue;
     std::string word = short_name(*option);
     if (!option->get_positional()) word += " " + option->get_type_name();
     text += option->get_required() ? " " + word : " [" + word + "]";
   }
-  return text + " [options]\n";
+  return text + " [options]\n\n";
+}
+
+std::string HelpFormatter::make_group(std::string group, bool is_positional,
+                                      std::vector<const CLI::Option*> options) const {
+  std::string text = group + ":\n";
+  for (const CLI::Option* option : options) text += make_option(option, is_positional);
+  return is_positional ? text + "\n" : text;
 }
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
   std::string term = is_positional ? option->get_name(true, false) : option->get_name(false, true);
-  if (const std::size_t comma = term.find(','); comma != std::string::npos) term.insert(comma + 1, " ");
+  if (const std::size_t comma = term.find(','); comma != std::string::npos)
+    term.insert(comma + 1, " ");
   const std::string value = option->get_type_name();
   if (!is_positional && !value.empty()) term += " " + value;
   return entry(term, option->get_description());

@@ -32,7 +32,7 @@ class MapCommand : public Command {
     return "a picture (.png, .jpg), or a georeferenced raster (.tif)";
   }
   const char* example() const override {
-    return "thiessen map samples/colorado/stations.csv samples/colorado/counties.geojson "
+    return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv -o map.png";
   }
   void set_up(CLI::App& app) override {

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/number.h"
+#include "map/picture.h"
 
 namespace thiessen::cli {
 namespace {
@@ -41,7 +42,11 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::size_t& targ
 
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& kind, const std::string& help) {
-  return app.add_option(name, target, help)->type_name(kind);
+  const auto read = [name, &target](const std::string& text) {
+    if (text.empty()) throw CLI::ValidationError(name, "is empty");
+    target = text;
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name(kind);
 }
 
 CLI::Option* add_size(CLI::App& app, PixelSize& target) {
@@ -50,10 +55,19 @@ CLI::Option* add_size(CLI::App& app, PixelSize& target) {
     const auto width = parse_size(text.substr(0, cross));
     const auto height = cross == std::string::npos ? Parsed<std::size_t>{0, NumberFault::none}
                                                    : parse_size(text.substr(cross + 1));
-    constexpr std::size_t largest = 1'000'000;
-    const bool fits = width && height && width.value > 0 && width.value <= largest &&
-                      height.value <= largest && (cross == std::string::npos || height.value > 0);
-    if (!fits) refuse("--size", "WIDTH or WIDTHxHEIGHT in pixels", text);
+    const auto fits = [](std::size_t side) {
+      return side >= min_picture_side && side <= max_picture_side;
+    };
+    const bool good = width && height && fits(width.value) &&
+                      (cross == std::string::npos || fits(height.value)) &&
+                      width.value * height.value <= max_picture_pixels;
+    if (!good) {
+      refuse("--size",
+             "WIDTH or WIDTHxHEIGHT in pixels, " + std::to_string(min_picture_side) + " to " +
+                 std::to_string(max_picture_side) + " a side and at most " +
+                 std::to_string(max_picture_pixels) + " in all",
+             text);
+    }
     target = {width.value, height.value};
   };
   return app

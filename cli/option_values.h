@@ -22,6 +22,7 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, 
                         const std::string& help);
 CLI::Option* add_count(CLI::App& app, const std::string& name, std::size_t& target, std::size_t low,
                        std::size_t high, const std::string& help);
+/// A text that may not be empty.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& kind, const std::string& help);
 

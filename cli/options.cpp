@@ -4,6 +4,7 @@
 
 #include "base/parallel.h"
 #include "cli/command.h"
+#include "cli/help.h"
 
 namespace thiessen::cli {
 namespace {
@@ -16,10 +17,11 @@ template <typename Value>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
                         const std::map<std::string, Value>& choices, const std::string& kind,
                         const std::string& help) {
-  const auto read = [name, choices, kind, &target](const std::string& text) {
+  const auto read = [&app, name, choices, &target](const std::string& text) {
     const auto found = choices.find(text);
     if (found == choices.end()) {
-      throw CLI::ValidationError(name, "wants one of " + kind + ", not '" + printable(text) + "'");
+      const std::string wanted = value_of(*app.get_option(name));
+      throw CLI::ValidationError(name, "wants " + wanted + ", not '" + printable(text) + "'");
     }
     target = found->second;
   };
@@ -30,10 +32,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& target,
 
 void StudyOptions::add_to(CLI::App& app, Need basins_need) {
   app_ = &app;
+  app.option_defaults()->group("Stations and basins");
   app.add_option("STATIONS", stations, std::string("rain gauges: ") + files)
       ->required()
       ->type_name("");
-  app.add_option("BASINS", basins, "study areas: the same")
+  app.add_option("BASINS", basins, "study areas: polygons in any of these")
       ->required(basins_need == Need::required)
       ->type_name("");
   add_text(app, "--id", id_, "FIELD", "the station's id; else found by name");
@@ -41,25 +44,33 @@ void StudyOptions::add_to(CLI::App& app, Need basins_need) {
   add_text(app, "--y", y_, "FIELD", "the station's latitude or northing; else found by name");
   add_text(app, "--basin-id", basin_id_, "FIELD",
            "the basin's id; features that share one are one basin");
-  add_text(app, "--crs", crs_, "CRS",
-           "of the stations, where their file names none (EPSG:32633, WKT, PROJ)");
-  add_text(app, "--basins-crs", basins_crs_, "CRS", "of the basins, where their file names none");
-  add_text(app, "--stations-layer", stations_layer_, "LAYER", "where the file has several");
-  add_text(app, "--basins-layer", basins_layer_, "LAYER", "where the file has several");
+  app.add_option("--crs", crs_,
+                 "of the stations, where their file names none (EPSG:32633, WKT, PROJ)")
+      ->type_name("CRS");
+  app.add_option("--basins-crs", basins_crs_, "of the basins, where their file names none")
+      ->type_name("CRS");
+  add_text(app, "--stations-layer", stations_layer_, "LAYER",
+           "which layer of STATIONS, where the file has several");
+  add_text(app, "--basins-layer", basins_layer_, "LAYER",
+           "which layer of BASINS, where the file has several");
   add_text(app, "--stations-where", stations_where_, "SQL",
            "only the stations that meet this OGR attribute filter");
   add_text(app, "--basins-where", basins_where_, "SQL", "only the basins that meet it");
   add_separator(app, separator_);
   app.add_flag("--decimal-comma", decimal_comma_, "numbers of CSV files are written 1,5");
-  add_choice<std::string>(app, "--metric", metric_,
-                          {{"geodesic", "geodesic"}, {"planar", "planar"}}, "geodesic|planar",
-                          "what near means; default geodesic where the CRS is known");
-  add_text(app, "--plane", plane_, "CRS", "planar, with both files brought into this CRS first");
+  app.option_defaults()->group("Method");
+  add_choice<std::string>(
+      app, "--metric", metric_, {{"geodesic", "geodesic"}, {"planar", "planar"}}, "geodesic|planar",
+      "what near means: the shortest path on the Earth (default where the CRS is known), or "
+      "straight distance in the coordinates");
+  app.add_option("--plane", plane_, "planar, with both files brought into this CRS first")
+      ->type_name("CRS");
   add_number(app, "--tolerance", tolerance_, {1e-3, 1e6, "metres from 0.001 to 1e6"},
              "how far, in metres, a published cell edge may lie from the true one; default 0.1");
 }
 
 void StudyOptions::add_attributes_to(CLI::App& app) {
+  app.option_defaults()->group("Output");
   app.add_flag("--attributes", attributes, "carry every field of the station onto its cells");
 }
 
@@ -101,6 +112,7 @@ void StudyOptions::check_texts() const {
 }
 
 void RainfallOptions::add_to(CLI::App& app, Need need) {
+  app.option_defaults()->group("Readings");
   app.add_option("RAINFALL", rainfall,
                  "readings, wide or long: CSV or any of these as a table; - reads standard input")
       ->required(need == Need::required)
@@ -129,6 +141,7 @@ ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
 }
 
 void GapOptions::add_to(CLI::App& app) {
+  app.option_defaults()->group("Method");
   add_choice<Gaps>(
       app, "--gaps", gaps,
       {{"retessellate", Gaps::retessellate},
@@ -142,17 +155,20 @@ void GapOptions::add_to(CLI::App& app) {
 }
 
 void RainFormatOptions::add_to(CLI::App& app) {
+  app.option_defaults()->group("Output");
   app.add_flag("--long", long_,
                "rows time,basin,rainfall,gauges,coverage instead of a column a basin");
   add_count(app, "--decimals", decimals_, 0, 15, "decimals of rainfall; default 3");
 }
 
 void ViewOptions::add_time_to(CLI::App& app) {
+  app.option_defaults()->group("Readings");
   add_text(app, "--time", time, "TIME",
            "show this step; default each gauge's mean over the steps it reports");
 }
 
 void ViewOptions::add_margin_to(CLI::App& app) {
+  app.option_defaults()->group("Method");
   add_number(app, "--margin", margin, {0, 1000, "percent from 0 to 1000"},
              "without BASINS: how far the study area reaches beyond the stations, in percent of "
              "their extent's "
@@ -160,13 +176,15 @@ void ViewOptions::add_margin_to(CLI::App& app) {
 }
 
 void ViewOptions::add_look_to(CLI::App& app) {
-  add_text(app, "--units", units, "U", "what the readings are in; default mm");
-  add_text(app, "--title", title, "T", "what stands over the picture");
+  app.option_defaults()->group("Picture");
+  app.add_option("--units", units, "what the readings are in; default mm")->type_name("U");
+  app.add_option("--title", title, "what stands over the picture")->type_name("T");
   add_size(app, size);
 }
 
 void OutputOptions::add_to(CLI::App& app, Need need, const std::string& kind,
                            const std::string& help) {
+  app.option_defaults()->group("Output");
   app.add_option("-o,--output", output, help)->required(need == Need::required)->type_name(kind);
   app.add_flag("--overwrite", overwrite_, "replace an output that exists; else that is an error");
 }
@@ -174,9 +192,10 @@ void OutputOptions::add_to(CLI::App& app, Need need, const std::string& kind,
 CommonOptions::CommonOptions() : threads(available_threads()) {}
 
 void CommonOptions::add_to(CLI::App& app) {
+  app.option_defaults()->group("General");
   add_count(app, "--threads", threads, 1, 1024,
-            "default: all cores; the output does not depend on it");
-  app.add_flag("-q,--quiet", quiet, "no warnings");
+            "on how many cores; default all; the output does not depend on it");
+  app.add_flag("-q,--quiet", quiet, "no warnings, no summary");
 }
 
 }  // namespace thiessen::cli

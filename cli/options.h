@@ -33,7 +33,6 @@ struct StudyOptions {
   std::string id_, x_, y_, basin_id_;
   std::string crs_, basins_crs_, plane_, metric_;
   std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
-  bool crs_given_ = false, basins_crs_given_ = false, plane_given_ = false;
   double tolerance_ = 0.1;
   char separator_ = '\0';
   bool decimal_comma_ = false;

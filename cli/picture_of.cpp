@@ -3,7 +3,28 @@
 #include <cmath>
 #include <limits>
 
+#include "io/crs.h"
+
 namespace thiessen::cli {
+namespace {
+
+// Within 5 degrees, at the study area's centre, where its CRS tells.
+bool is_north_up(const Session& session) {
+  const Study& study = session.study();
+  if (!study.crs || study.crs->geographic()) return true;
+  const Point centre = session.weighing().frame().centre();
+  const auto there = Transformation(*study.crs, Crs::wgs84())(centre);
+  if (!there) return true;
+  const double step = there->y < 89 ? 0.01 : -0.01;
+  const auto north = Transformation(Crs::wgs84(), *study.crs)({there->x, there->y + step});
+  if (!north) return false;
+  const double east_shift = (north->x - centre.x) / step;
+  const double north_shift = (north->y - centre.y) / step;
+  constexpr double tangent_of_five_degrees = 0.0875;
+  return north_shift > 0 && std::abs(east_shift) < tangent_of_five_degrees * north_shift;
+}
+
+}  // namespace
 
 Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view) {
@@ -12,6 +33,7 @@ Picture picture_of(const Session& session, const std::vector<std::vector<Station
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
   picture.metres_per_unit =
       study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
+  picture.north_is_up = picture.geographic || is_north_up(session);
   picture.by_rainfall = readings != nullptr;
   picture.title = !view.title.empty()   ? view.title
                   : readings != nullptr ? "Rainfall by Thiessen cells"

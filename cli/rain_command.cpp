@@ -13,7 +13,7 @@ class RainCommand : public Command {
   const char* name() const override { return "rain"; }
   const char* description() const override { return "areal rainfall, one row a time step"; }
   const char* example() const override {
-    return "thiessen rain samples/textbook/stations.csv samples/textbook/basin.csv "
+    return "samples/textbook/stations.csv samples/textbook/basin.csv "
            "samples/textbook/rainfall.csv";
   }
   void set_up(CLI::App& app) override {
@@ -31,7 +31,9 @@ class RainCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     Session session(study_, 0, warnings);
     const auto readings = session.open_readings(study_, rainfall_, warnings);
-    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges);
+    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges,
+                                 ArealRainfall::usual_memory,
+                                 static_cast<unsigned>(common_.threads));
     RainFile series(file, session.basins(), format_.format());
     Progress progress("time steps", common_.quiet);
     for_each_step(*readings, rainfall, static_cast<unsigned>(common_.threads),

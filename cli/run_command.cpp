@@ -20,16 +20,16 @@ class RunCommand : public Command {
     return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png and a summary";
   }
   const char* example() const override {
-    return "thiessen run samples/colorado/stations.csv samples/colorado/counties.geojson "
+    return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv --basin-id name -o results";
   }
   void set_up(CLI::App& app) override {
     study_.add_to(app, Need::required);
-    study_.add_attributes_to(app);
     rainfall_.add_to(app, Need::required);
     gaps_.add_to(app);
     format_.add_to(app);
     view_.add_look_to(app);
+    study_.add_attributes_to(app);
     output_.add_to(app, Need::required, "DIR", "the folder; it is made if it is not there");
     common_.add_to(app);
   }
@@ -47,7 +47,9 @@ class RunCommand : public Command {
 
     Session session(study_, 0, warnings);
     const auto readings = session.open_readings(study_, rainfall_, warnings);
-    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges);
+    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges,
+                                 ArealRainfall::usual_memory,
+                                 static_cast<unsigned>(common_.threads));
     write_weights(weights_file, session.weighing(), rainfall.full_weights(), session.area_unit());
 
     RainFile series(rain_file, session.basins(), format_.format());
@@ -65,6 +67,7 @@ class RunCommand : public Command {
     const GaugeReadings mean = means.result();
     const auto cells = cells_of(session, &mean, threads);
     cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
+    warn_of_own_coordinates(session, cells_file.name(), warnings);
     map_file.append(
         encode_picture(picture_of(session, cells, &mean, view_), PictureFormat::png, warnings));
     if (!common_.quiet) outputs.add("-").append(summary.text(view_.units));

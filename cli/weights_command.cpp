@@ -14,7 +14,7 @@ class WeightsCommand : public Command {
     return "the weights table: each station's share of each basin";
   }
   const char* example() const override {
-    return "thiessen weights samples/textbook/stations.csv samples/textbook/basin.csv";
+    return "samples/textbook/stations.csv samples/textbook/basin.csv";
   }
   void set_up(CLI::App& app) override {
     study_.add_to(app, Need::required);

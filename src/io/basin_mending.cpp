@@ -134,9 +134,7 @@ std::string fault_of(const MultiPolygon& shape) {
   const GdalErrors errors;
   if (geometry->IsValid() != FALSE) return {};
   std::string reason = errors.text();
-  if (!reason.empty() && reason[0] >= 'A' && reason[0] <= 'Z') {
-    reason[0] = static_cast<char>(reason[0] - 'A' + 'a');
-  }
+  for (char& c : reason) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return reason;
 }
 
@@ -186,7 +184,7 @@ bool winds_once(const MultiPolygon& shape, double tolerance) {
 std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file, Warnings& warnings,
                                  Complaints& complaints) {
   const auto refuse = [&](const std::string& text) {
-    complaints.add({file, basin.line, basin.place + ": " + text, {}});
+    complaints.add({file, basin.line, basin.place + " " + text, {}});
     return std::nullopt;
   };
   Mended mended;

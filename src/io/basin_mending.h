@@ -23,8 +23,8 @@ std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file,
                                  Complaints& complaints);
 
 /// Longitudes (degrees) made to run on over the antimeridian: an edge that spans more than 180
-/// degrees goes the short way. Each polygon is moved by whole turns so that its least longitude
-/// lies in
+/// degrees goes the short way, but one along a pole from -180 to 180 goes all round. Each polygon
+/// is moved by whole turns so that its least longitude lies in
 /// [-180, 180), and its holes with it. False where a ring winds round the Earth.
 bool unwrap_longitudes(MultiPolygon& shape);
 

@@ -63,6 +63,9 @@ bool writes(GDALDriver& driver, const std::string& extension) {
   const auto is_set = [&](const char* key) { return driver.GetMetadataItem(key) != nullptr; };
   if (!is_set(GDAL_DCAP_VECTOR) || !is_set(GDAL_DCAP_CREATE) || !is_set(GDAL_DCAP_VIRTUALIO))
     return false;
+  // Spreadsheets hold no geometry.
+  const std::string_view name = driver.GetDescription();
+  if (name == "XLSX" || name == "ODS") return false;
   const char* known = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
   const CPLStringList extensions(CSLTokenizeString2(known == nullptr ? "" : known, " ", 0));
   return extensions.FindString(extension.c_str()) >= 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
@@ -30,9 +31,10 @@ struct Reach {
 Reach reach_of(const StationsFile& stations);
 Reach reach_of(const BasinsFile& basins);
 
-/// Coordinates that do not fit the CRS as a whole: metres under degrees, or degrees under a
+/// Coordinates that do not fit the file's CRS as a whole: metres under degrees, or degrees under a
 /// projection. Throws Error, naming the CRS and the range.
-void require_fit(const Reach& reach, const Crs& crs, const std::string& file);
+void require_fit(const StationsFile& stations);
+void require_fit(const BasinsFile& basins);
 
 /// Each station's latitude lies in [-90, 90] and its longitude in [-540, 540]. For a geographic
 /// CRS. Throws Error with every station that is not so, with a hint where the two look swapped.
@@ -42,5 +44,25 @@ void require_degrees(const BasinsFile& basins, const Crs& crs);
 
 /// Takes longitudes beyond 180 degrees round the Earth, with one warning. For a geographic CRS.
 void turn_longitudes(StationsFile& stations, const Crs& crs, Warnings& warnings);
+
+/// The longitudes of a plane of degrees, where distances do not go round the Earth: those that run
+/// from -180 to 180 must not stand beside others from 0 to 360.
+class LongitudeRange {
+ public:
+  /// `whose` is `station 'X'` or the like.
+  void see(double longitude, const std::string& whose, const std::string& file, std::size_t line);
+  /// Throws Error where both kinds were seen, naming the two that are farthest apart.
+  void require_one_turn() const;
+
+ private:
+  struct Extreme {
+    double longitude = std::numeric_limits<double>::quiet_NaN();
+    std::string whose;
+    std::string file;
+    std::size_t line = 0;
+  };
+  Extreme west_;
+  Extreme east_;
+};
 
 }  // namespace thiessen

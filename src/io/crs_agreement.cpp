@@ -45,9 +45,9 @@ void agree(StationsFile& stations, BasinsFile& basins, Warnings& warnings) {
 }
 
 template <typename File>
-void require_fit(const File& file) {
+void check_fit(const File& file) {
   if (!file.crs) return;
-  require_fit(reach_of(file), *file.crs, file.file);
+  require_fit(file);
   if (file.crs->geographic()) require_degrees(file, *file.crs);
 }
 
@@ -58,9 +58,9 @@ void agree_on_crs(StationsFile& stations, BasinsFile* basins, Warnings& warnings
   if (basins != nullptr) {
     forget_implied_unless_degrees(*basins);
     agree(stations, *basins, warnings);
-    require_fit(*basins);
+    check_fit(*basins);
   }
-  require_fit(stations);
+  check_fit(stations);
 }
 
 }  // namespace thiessen

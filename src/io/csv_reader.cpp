@@ -40,9 +40,7 @@ char* halve_quotes(char* begin, const char* end) {
 /// The separator that a header of one name seems to be written with, or none.
 std::string_view likely_separator(std::string_view name, char used) {
   for (const std::string_view candidate : {";", "\t", "|", ","}) {
-    if (candidate[0] != used && name.find(candidate) != std::string_view::npos) {
-      return candidate == "\t" ? "tab" : candidate;
-    }
+    if (candidate[0] != used && name.find(candidate) != std::string_view::npos) return candidate;
   }
   return {};
 }
@@ -102,7 +100,8 @@ void CsvReader::check_header() const {
     const std::string_view other = likely_separator(header_[0], options_.separator);
     if (!other.empty()) {
       throw Error({file(), header_line_, "the header is one field, " + quoted(header_[0], 80),
-                   "--separator '" + std::string(other) + "' reads such a file"});
+                   "--separator " + (other == "\t" ? "tab" : "'" + std::string(other) + "'") +
+                       " reads such a file"});
     }
   }
   Complaints twice;
@@ -304,7 +303,8 @@ void CsvReader::refuse_bytes(CsvText::Arrival arrival) {
   const std::size_t fault = text_.fault();
   const std::size_t line = line_ + count_line_ends(text_.between(field_, fault));
   const std::string place = " at byte " + std::to_string(fault);
-  if (arrival == CsvText::Arrival::nul) fail(line, "NUL" + place, "is this a text file in UTF-8?");
+  if (arrival == CsvText::Arrival::nul)
+    fail(line, "not text: NUL" + place, "is this a text file in UTF-8?");
   const std::string_view found = text_.between(fault, text_.end()).substr(0, 2);
   const bool utf16 = fault == 0 && (found == "\xFF\xFE" || found == "\xFE\xFF");
   fail(line, "not UTF-8" + place + (utf16 ? ": the file is UTF-16" : ""), "save the file as UTF-8");

@@ -67,6 +67,7 @@ void set_options() {
     CPLSetConfigOption(("OGR_" + std::string(sheet) + "_HEADERS").c_str(), "FORCE");
     CPLSetConfigOption(("OGR_" + std::string(sheet) + "_FIELD_TYPES").c_str(), "STRING");
   }
+  CPLSetConfigOption("OGR_ARC_STEPSIZE", "0.1");  // degrees: a circle's area to 5e-7
   CPLSetConfigOption("GDAL_CONFIG_FILE", "/dev/null");
   CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "YES");
   CPLSetConfigOption("OGR_SQLITE_LIST_VIRTUAL_OGR", "NO");

@@ -61,7 +61,7 @@ class Audit {
     std::string type;
     int depth = 0;  ///< of the numbers; 0: none seen
     bool given = false;
-    bool even = true;
+    bool uneven = false;  ///< and said so
   };
 
   static Part part_of(Part outer, const std::string& key) {
@@ -206,10 +206,17 @@ class Audit {
     const std::size_t length = steps_.back().index;
     steps_.pop_back();
     if (!position) return;
-    if (list) shape.even = false;
-    if (!list && length < 2) complain("a position has two numbers, not one");
-    if (shape.depth != 0 && shape.depth != depth + 1) shape.even = false;
+    if (list) return complain_of_nesting(shape, "a list stands beside numbers");
+    if (length < 2) complain("a position has two numbers, not one");
+    if (shape.depth != 0 && shape.depth != depth + 1) {
+      complain_of_nesting(shape, "lies in more or fewer brackets than the positions before");
+    }
     shape.depth = depth + 1;
+  }
+
+  void complain_of_nesting(Shape& shape, const std::string& text) {
+    if (!shape.uneven) complain(text);
+    shape.uneven = true;
   }
 
   void number() {
@@ -225,7 +232,8 @@ class Audit {
     if (kind == Kind::literal) {
       complain("'" + printable(scanner_.literal()) + "' is no number");
     } else {
-      complain(kind == Kind::string ? "a text stands where a number should" : "no number");
+      complain(std::string(kind == Kind::string ? "a text" : "an object") +
+               " stands where a number should");
       value(Part::other);
     }
   }
@@ -253,7 +261,7 @@ class Audit {
     const int wanted = nesting(shape.type);
     if (wanted == 0) return complain("'" + printable(shape.type) + "' is no type of geometry");
     if (!shape.given) return complain("a " + shape.type + " without coordinates");
-    if (!shape.even || (shape.depth != 0 && shape.depth != wanted)) {
+    if (!shape.uneven && shape.depth != 0 && shape.depth != wanted) {
       complain("coordinates are not nested as those of a " + shape.type);
     }
   }

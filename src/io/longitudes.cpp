@@ -11,18 +11,25 @@ void shift(Ring& ring, double degrees) {
   for (Point& point : ring) point.x += degrees;
 }
 
+/// An edge along a pole once round: it has no length, and is there so that the ring may run along
+/// the whole antimeridian on either side of it.
+bool goes_round_pole(Point a, Point b) {
+  return std::abs(b.x - a.x) == 360 && std::abs(a.y) == 90 && a.y == b.y;
+}
+
 /// False where the ring winds round the Earth.
 bool unwrap(Ring& ring) {
   double turned = 0;
-  double before = ring.empty() ? 0 : ring[0].x;
-  const double first = before;
-  const auto step = [&](double longitude) {
-    const double span = longitude - before;
-    if (std::abs(span) > 180) turned -= 360 * std::round(span / 360);
-    before = longitude;
+  Point before = ring.empty() ? Point{} : ring[0];
+  const Point first = before;
+  const auto step = [&](Point next) {
+    const double span = next.x - before.x;
+    if (std::abs(span) > 180 && !goes_round_pole(before, next))
+      turned -= 360 * std::round(span / 360);
+    before = next;
   };
   for (Point& point : ring) {
-    step(point.x);
+    step(point);
     if (turned != 0) point.x += turned;
   }
   step(first);

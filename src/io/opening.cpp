@@ -67,6 +67,7 @@ void require_readable(const std::string& file) {
       refuse(file, std::string(std::strerror(reason)) +
                        "; only local files, archives of them and PG: connections are read");
     }
+    if (file == "-") refuse(file, "standard input gives the readings, and no other file");
     refuse(file, file.empty() ? "the file's name is empty" : std::strerror(reason));
   }
   if (S_ISDIR(status.st_mode)) refuse(file, std::strerror(EISDIR));

@@ -46,11 +46,9 @@ void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
     message.text = "negative reading " + shown + " of station " + quoted(id);
     message.hint = "--missing=" + std::string(trimmed(field)) + " takes it for a gap";
   } else {
-    message.text =
-        shown + " in column " + quoted(place.column) +
-        (reading.kind == ReadingKind::out_of_range ? " is too large or too small a number"
-                                                   : " is not a number");
-    if (place.column != id) message.text += " (station " + quoted(id) + ")";
+    message.text = "reading " + shown + " of station " + quoted(id) +
+                   (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
+                                                              : " is no number");
     if (grammar.wants_decimal_comma(field)) message.hint = "--decimal-comma reads 1,5 as 1.5";
   }
   complaints_.add(std::move(message));
@@ -73,8 +71,8 @@ void ReadingsFindings::note_empty_time(std::size_t line) {
 void ReadingsFindings::note_time_twice(std::string_view time, std::size_t line,
                                        std::size_t first_line) {
   complaints_.add({file_, line,
-                   "time " + quoted(time, longest_field_shown) + " stands on line " +
-                       std::to_string(first_line) + " already",
+                   "time " + quoted(time, longest_field_shown) + " is already in line " +
+                       std::to_string(first_line),
                    ""});
 }
 

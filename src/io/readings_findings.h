@@ -22,7 +22,6 @@ class ReadingsFindings {
   /// Where a field stands, for messages.
   struct Place {
     std::size_t line = 0;
-    std::string_view column;
     StationIndex station = {};
   };
 

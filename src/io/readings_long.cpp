@@ -48,9 +48,7 @@ void LongReadings::read_row(const Row& row) {
   const std::string_view field = row.fields[layout_.value];
   const Reading reading = source_.grammar.read(field);
   if (!source_.findings.note(reading, found.station)) {
-    const std::string& column = source_.table->header()[layout_.value];
-    source_.findings.note_oddity(reading, {row.line, column, found.station}, field,
-                                 source_.grammar);
+    source_.findings.note_oddity(reading, {row.line, found.station}, field, source_.grammar);
   }
   if (step != no_step) keep(step, found.station, reading.amount, row.line);
 }
@@ -113,9 +111,9 @@ void LongReadings::complain(std::vector<Twice> twice) {
   for (const Twice& one : twice) {
     const std::string& id = source_.stations->id(entries_[one.entry].station);
     complaints.add({source_.table->file(), line_of(one.entry),
-                    "station " + quoted(id) + " has a reading at " +
-                        quoted(times_.text(one.step), 80) + " on line " +
-                        std::to_string(line_of(one.before)) + " already",
+                    "the reading of station " + quoted(id) + " at " +
+                        quoted(times_.text(one.step), 80) + " is already in line " +
+                        std::to_string(line_of(one.before)),
                     ""});
   }
   source_.findings.complaints().add(complaints);

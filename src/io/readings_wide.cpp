@@ -77,14 +77,12 @@ void WideReadings::read_row() {
   } else if (const auto entered = times_.enter(time, row_.line); !entered.fresh) {
     source_.findings.note_time_twice(time, row_.line, times_.line(entered.step));
   }
-  const std::vector<std::string>& header = source_.table->header();
   for (const Column& column : columns_) {
     const std::string_view field = row_.fields[column.field];
     const Reading reading = source_.grammar.read(field);
     readings_[index(column.station)] = reading.amount;
     if (source_.findings.note(reading, column.station)) continue;
-    source_.findings.note_oddity(reading, {row_.line, header[column.field], column.station}, field,
-                                 source_.grammar);
+    source_.findings.note_oddity(reading, {row_.line, column.station}, field, source_.grammar);
   }
 }
 

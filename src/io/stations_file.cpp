@@ -30,16 +30,25 @@ std::string names_of(std::span<const std::string_view> names) {
   return text;
 }
 
-std::size_t coordinate_field(const Features& features, const std::string& named,
-                             std::string_view option, std::span<const std::string_view> names) {
-  if (!named.empty()) {
-    return require_field(features.header(), named, option, features.file(), features.header_line());
-  }
-  if (const auto found = find_field(features.header(), names)) return *found;
-  throw Error(Message{
-      features.file(), features.header_line(),
-      "no coordinate field: wanted " + names_of(names) + "; found " + listed(features.header()),
-      "name it with " + std::string(option)});
+/// The field that `named` names (option `--x` or `--y`), else the first that has one of the names.
+std::optional<std::size_t> coordinate_field(const Features& features, const std::string& named,
+                                            std::string_view option,
+                                            std::span<const std::string_view> names) {
+  if (named.empty()) return find_field(features.header(), names);
+  return require_field(features.header(), named, option, features.file(), features.header_line());
+}
+
+[[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
+  std::string wanted;
+  if (!x) wanted = names_of(x_names);
+  if (!y) wanted += (x ? "" : ", and ") + names_of(y_names);
+  throw Error(
+      Message{features.file(), features.header_line(),
+              "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
+              std::string("name ") + (x || y ? "it with " : "them with ") +
+                  (x   ? "--y"
+                   : y ? "--x"
+                       : "--x and --y")});
 }
 
 bool holds_degrees(const std::string& name) {
@@ -84,8 +93,11 @@ class StationsReader {
                                               features_.header_line());
     by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
     if (by_geometry_) return;
-    x_ = coordinate_field(features_, request_.x, "--x", x_names);
-    y_ = coordinate_field(features_, request_.y, "--y", y_names);
+    const auto x = coordinate_field(features_, request_.x, "--x", x_names);
+    const auto y = coordinate_field(features_, request_.y, "--y", y_names);
+    if (!x || !y) fail_without_coordinates(features_, x.has_value(), y.has_value());
+    x_ = *x;
+    y_ = *y;
   }
 
   void name_crs() {

@@ -101,13 +101,13 @@ ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longes
 }
 
 void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
-                 const std::string& labels_note, Typesetter& type) {
+                 bool north_is_up, const std::string& labels_note, Typesetter& type) {
   const PageStyle& style = page.style;
   if (page.footer.height == 0) return;
   int left = draw_scale_bar(canvas, page, view, pixels_per_unit, type) + style.ems(1.5);
   constexpr double nearly_pole = 89;
   const bool has_north = std::abs(view.projection.centre().y) < nearly_pole ||
-                         view.projection.kind() == MapProjection::Kind::plane;
+                         (north_is_up && view.projection.kind() == MapProjection::Kind::plane);
   if (has_north) left = draw_north_arrow(canvas, page, left, type) + style.ems(1.5);
   const int right = page.footer.x + page.footer.width;
   int baseline = page.footer.y + style.ems(1.3);

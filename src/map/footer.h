@@ -23,6 +23,6 @@ ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longes
 /// Draws scale bar, north arrow and notes below the map, side by side; a note that finds no room
 /// is left out.
 void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
-                 const std::string& labels_note, Typesetter& type);
+                 bool north_is_up, const std::string& labels_note, Typesetter& type);
 
 }  // namespace thiessen

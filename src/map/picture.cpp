@@ -54,7 +54,7 @@ void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyVie
     if (!names_first) annotation.draw_basin_names(basins);
   }
   canvas.frame(page.panel, ink::frame, page.style.hairline);
-  draw_footer(canvas, page, view, transform.scale(), annotation.note(), type);
+  draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, annotation.note(), type);
 }
 
 void warn_of_missing(const Typesetter& type, Warnings& warnings) {

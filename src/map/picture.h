@@ -41,6 +41,8 @@ struct Picture {
   bool geographic = false;
   /// Of a plane's coordinates; NaN: unknown, the scale bar then counts plain units.
   double metres_per_unit = std::numeric_limits<double>::quiet_NaN();
+  /// Of a plane: whether north is up, so that an arrow may say so.
+  bool north_is_up = true;
   /// Cells filled by rainfall, with a colour bar; else by station.
   bool by_rainfall = false;
   std::string title;

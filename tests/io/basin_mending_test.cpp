@@ -102,7 +102,7 @@ TEST_P(Refused, with_its_place) {
   const Outcome outcome = mend_wkt(GetParam().wkt);
   EXPECT_FALSE(outcome.shape);
   ASSERT_EQ(outcome.complaints.size(), 1U);
-  EXPECT_TRUE(outcome.complaints[0].starts_with("b.gpkg: basin 'A': ")) << outcome.complaints[0];
+  EXPECT_TRUE(outcome.complaints[0].starts_with("b.gpkg: basin 'A' ")) << outcome.complaints[0];
   EXPECT_TRUE(contains(outcome.complaints[0], GetParam().says)) << outcome.complaints[0];
 }
 
@@ -148,6 +148,17 @@ TEST(Longitudes, begin_in_the_first_turn) {
   ASSERT_TRUE(unwrap_longitudes(shape));
   EXPECT_EQ(shape[0].outer, (Ring{{-5, 0}, {5, 0}, {5, 10}}));
   EXPECT_EQ(shape[1].outer, (Ring{{181, 0}, {175, 0}, {175, 5}}));
+}
+
+TEST(Longitudes, go_all_round_along_a_pole) {
+  const Ring earth = {{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
+  const Ring cap = {{-180, 60}, {0, 60}, {180, 60}, {180, 90}, {-180, 90}};
+  MultiPolygon shape = {
+      {earth, {}}, {cap, {}}, {{{170, 60}, {-170, 60}, {-170, 90}, {170, 90}}, {}}};
+  ASSERT_TRUE(unwrap_longitudes(shape));
+  EXPECT_EQ(shape[0].outer, earth);
+  EXPECT_EQ(shape[1].outer, cap);
+  EXPECT_EQ(shape[2].outer, (Ring{{170, 60}, {190, 60}, {190, 90}, {170, 90}}));
 }
 
 TEST(Longitudes, that_wind_round_the_Earth_are_told) {

@@ -150,8 +150,8 @@ TEST(CsvReader, reports_earlier_bad_rows_beside_what_ends_the_reading) {
 }
 
 TEST(CsvReader, names_the_byte_of_a_nul) {
-  expect_error("a,b\n1,2\n3\0,4\n"s, "f.csv:3: NUL at byte 9");
-  expect_error("a\0"s, "f.csv:1: NUL at byte 1");
+  expect_error("a,b\n1,2\n3\0,4\n"s, "f.csv:3: not text: NUL at byte 9");
+  expect_error("a\0"s, "f.csv:1: not text: NUL at byte 1");
 }
 
 TEST(CsvReader, names_the_byte_that_is_not_utf8) {
@@ -177,7 +177,7 @@ TEST(CsvReader, takes_another_separator_only_when_told) {
   const Outcome semicolons = read("time;A;B\n1;2,5;3\n");
   EXPECT_EQ(semicolons.sentences, Fields{"f.csv:1: the header is one field, 'time;A;B'"});
   EXPECT_EQ(semicolons.hints, Fields{"--separator ';' reads such a file"});
-  EXPECT_EQ(read("time\tA\n1\t2\n").hints, Fields{"--separator 'tab' reads such a file"});
+  EXPECT_EQ(read("time\tA\n1\t2\n").hints, Fields{"--separator tab reads such a file"});
   EXPECT_EQ(read("time,A\n", {';', {}}).hints, Fields{"--separator ',' reads such a file"});
   EXPECT_EQ(read("time;A;B\n1;2,5;3\n", {';', {}}).rows, (std::vector<Fields>{{"1", "2,5", "3"}}));
   EXPECT_EQ(read("time\tA\n\t\n1\t2\n", {'\t', {}}).rows,

@@ -85,7 +85,10 @@ TEST(GeoJsonAudit, counts_the_brackets_of_each_type) {
       contains(complaint(collection(polygon("[[0,0],[1,0],[1,1]]"))), "features[0].geometry: "));
   EXPECT_TRUE(contains(complaint(collection(polygon("[[[0],[1,0]]]"))), "two numbers"));
   EXPECT_TRUE(contains(complaint(collection(polygon("[[[[0,0]]]]"))), "nested"));
-  EXPECT_TRUE(contains(complaint(collection(polygon("[[[0,[1,2]]]]"))), "nested"));
+  const std::string corner = "features[0].geometry.coordinates[0][1]";
+  EXPECT_TRUE(contains(complaint(collection(polygon("[[[0,0],[0,[1,2]],[1,1]]]"))),
+                       corner + "[1]: lies in more or fewer brackets"));
+  EXPECT_TRUE(contains(complaint(collection(polygon("[[[0,[1,2]]]]"))), "a list stands beside"));
   EXPECT_TRUE(contains(complaint(collection(polygon("{}"))), "list"));
   EXPECT_TRUE(
       contains(complaint(collection(feature(R"({"type":"Polygon"})"))), "without coordinates"));

@@ -124,20 +124,20 @@ TEST(WideReadings, report_every_bad_field_with_line_station_and_text) {
       Reader().read("time,A,B,C\n1,1,-2,3\n2,1,x,1e400\n3,0x1,inf,１\n4,1,2,3\n");
   EXPECT_EQ(outcome.sentences,
             (Texts{"r.csv:2: negative reading '-2' of station 'B'",
-                   "r.csv:3: 'x' in column 'B' is not a number",
-                   "r.csv:3: '1e400' in column 'C' is too large or too small a number",
-                   "r.csv:4: '0x1' in column 'A' is not a number",
-                   "r.csv:4: 'inf' in column 'B' is not a number",
-                   "r.csv:4: '１' in column 'C' is not a number"}));
+                   "r.csv:3: reading 'x' of station 'B' is no number",
+                   "r.csv:3: reading '1e400' of station 'C' is outside the range of numbers",
+                   "r.csv:4: reading '0x1' of station 'A' is no number",
+                   "r.csv:4: reading 'inf' of station 'B' is no number",
+                   "r.csv:4: reading '１' of station 'C' is no number"}));
   EXPECT_EQ(outcome.hints[0], "--missing=-2 takes it for a gap");
   EXPECT_EQ(outcome.times, Texts{}) << "no step follows a bad row";
 }
 
 TEST(WideReadings, report_bad_rows_and_bad_fields_together_in_their_order) {
   const Outcome outcome = Reader().read("time,A,B,C\n1,x,2,3\n2,1\n3,1,y,3\n");
-  EXPECT_EQ(outcome.sentences, (Texts{"r.csv:2: 'x' in column 'A' is not a number",
+  EXPECT_EQ(outcome.sentences, (Texts{"r.csv:2: reading 'x' of station 'A' is no number",
                                       "r.csv:3: row has 2 fields, the header has 4",
-                                      "r.csv:4: 'y' in column 'B' is not a number"}));
+                                      "r.csv:4: reading 'y' of station 'B' is no number"}));
 }
 
 TEST(WideReadings, report_a_million_bad_fields_in_twenty_lines) {
@@ -151,19 +151,19 @@ TEST(WideReadings, report_a_million_bad_fields_in_twenty_lines) {
 TEST(WideReadings, may_have_a_decimal_comma_only_when_told) {
   Reader reader({"A"});
   const Outcome refused = reader.read("time,A\n1,\"1,5\"\n");
-  EXPECT_EQ(refused.sentences, Texts{"r.csv:2: '1,5' in column 'A' is not a number"});
+  EXPECT_EQ(refused.sentences, Texts{"r.csv:2: reading '1,5' of station 'A' is no number"});
   EXPECT_EQ(refused.hints, Texts{"--decimal-comma reads 1,5 as 1.5"});
   reader.options.decimal_comma = true;
   expect_readings(reader.read("time,A\n1,\"1,5\"\n2,\"-99,9\"\n3,2\n"), {"1", "2", "3"},
                   {{1.5}, {silent}, {2}});
   EXPECT_EQ(reader.read("time,A\n1,1.5\n").sentences,
-            Texts{"r.csv:2: '1.5' in column 'A' is not a number"});
+            Texts{"r.csv:2: reading '1.5' of station 'A' is no number"});
 }
 
 TEST(WideReadings, refuse_a_time_given_twice_or_not_at_all) {
   const Outcome outcome = Reader().read("time,A,B,C\nx,1,2,3\ny,1,2,3\n ,1,2,3\nx,1,2,3\n");
   EXPECT_EQ(outcome.sentences,
-            (Texts{"r.csv:4: the time is empty", "r.csv:5: time 'x' stands on line 2 already"}));
+            (Texts{"r.csv:4: the time is empty", "r.csv:5: time 'x' is already in line 2"}));
 }
 
 TEST(WideReadings, refuse_unknown_stations_each_by_name) {
@@ -288,9 +288,9 @@ TEST(LongReadings, say_of_both_lines_that_one_time_is_given_twice) {
       "station,date,prcp\nA,x,1\nB,x,1\nD,x,1\n\nA,y,1\nA,x,NA\nB,y,1\nB,x,1\nA,x,2\n");
   EXPECT_EQ(outcome.sentences,
             (Texts{"r.csv:4: unknown station 'D'",
-                   "r.csv:7: station 'A' has a reading at 'x' on line 2 already",
-                   "r.csv:9: station 'B' has a reading at 'x' on line 3 already",
-                   "r.csv:10: station 'A' has a reading at 'x' on line 7 already"}));
+                   "r.csv:7: the reading of station 'A' at 'x' is already in line 2",
+                   "r.csv:9: the reading of station 'B' at 'x' is already in line 3",
+                   "r.csv:10: the reading of station 'A' at 'x' is already in line 7"}));
 }
 
 TEST(LongReadings, report_every_bad_row_before_the_first_step) {
@@ -301,7 +301,7 @@ TEST(LongReadings, report_every_bad_row_before_the_first_step) {
             (Texts{"r.csv:3: negative reading '-1' of station 'B'", "r.csv:4: the time is empty",
                    "r.csv:5: unknown station 'X'", "r.csv:6: unknown station 'Y'",
                    "r.csv:8: row has 1 field, the header has 3",
-                   "r.csv:9: 'z' in column 'prcp' is not a number (station 'C')"}));
+                   "r.csv:9: reading 'z' of station 'C' is no number"}));
 }
 
 TEST(LongReadings, pass_over_unknown_and_filtered_stations) {

@@ -76,10 +76,13 @@ TEST(StationsFile, takes_the_fields_that_options_name) {
 }
 
 TEST(StationsFile, lists_wanted_and_found_names) {
+  EXPECT_EQ(complaints("id,a\n1,2\n").at(0),
+            "s.csv:1: no field of coordinates: wanted lon, long, longitude, x, easting, and lat, "
+            "latitude, y, northing; found 'id', 'a' | name them with --x and --y");
   EXPECT_EQ(
-      complaints("id,a\n1,2\n").at(0),
-      "s.csv:1: no coordinate field: wanted lon, long, longitude, x, easting; found 'id', 'a' | "
-      "name it with --x");
+      complaints("id,X\n1,2\n").at(0),
+      "s.csv:1: no field of coordinates: wanted lat, latitude, y, northing; found 'id', 'X' | "
+      "name it with --y");
 }
 
 TEST(StationsFile, reports_every_bad_row) {

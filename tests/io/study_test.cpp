@@ -189,15 +189,30 @@ TEST(Study, geodesic_needs_a_crs) {
 
 TEST(Study, latitudes_beyond_the_poles_look_swapped) {
   Given given;
-  given.stations = "id,lon,lat\na,35,132.5\nb,15,50\nc,100,95\nd,600,0\n";
-  const auto found = complaints_of([&] { given.study(); });
-  ASSERT_EQ(found.size(), 3U);
+  given.stations = "id,lon,lat\na,35,132.5\nb,15,50\nc,36,-133\n";
+  auto found = complaints_of([&] { given.study(); });
+  ASSERT_EQ(found.size(), 2U);
   EXPECT_TRUE(contains(
       found[0],
       "s.csv:2: latitude 132.5 of station 'a' is outside [-90, 90] | columns look swapped"));
-  EXPECT_TRUE(contains(found[1], "s.csv:4: latitude 95 of station 'c' is outside [-90, 90]"));
-  EXPECT_FALSE(contains(found[1], "swapped"));
-  EXPECT_TRUE(contains(found[2], "s.csv:5: longitude 600 of station 'd' is outside [-540, 540]"));
+  EXPECT_TRUE(found[1].ends_with("s.csv:4: latitude -133 of station 'c' is outside [-90, 90]"));
+
+  given.stations = "id,lon,lat\na,35,132.5\nb,15,50\nc,100,95\nd,600,0\n";
+  found = complaints_of([&] { given.study(); });
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_TRUE(found[0].ends_with("s.csv:2: latitude 132.5 of station 'a' is outside [-90, 90]"));
+  EXPECT_TRUE(found[1].ends_with("s.csv:4: latitude 95 of station 'c' is outside [-90, 90]"));
+  EXPECT_TRUE(found[2].ends_with("s.csv:5: longitude 600 of station 'd' is outside [-540, 540]"));
+}
+
+TEST(Study, a_basin_looks_swapped_where_no_corner_of_it_is_well) {
+  Given given;
+  given.basins = geojson("[[50,100],[51,100],[51,101],[50,100]]");
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
+                       "latitude 100 of basin '1' (features[0].geometry) is outside [-90, 90] | "
+                       "latitude and longitude look swapped"));
+  given.basins = geojson("[[15,50],[16,50],[16,95],[15,50]]");
+  EXPECT_FALSE(contains(complaint_of([&] { given.study(); }), "swapped"));
 }
 
 TEST(Study, longitudes_beyond_180_are_taken_round_with_one_warning) {
@@ -211,21 +226,43 @@ TEST(Study, longitudes_beyond_180_are_taken_round_with_one_warning) {
   EXPECT_EQ(study.stations[0].position.x, -175);
   EXPECT_EQ(study.stations[1].position.x, 170);
   ASSERT_EQ(given.warnings.messages().size(), 1U);
-  EXPECT_TRUE(contains(given.warning(0), "5 longitudes beyond 180 degrees"));
+  EXPECT_TRUE(given.warning(0).ends_with(
+      "s.csv:2: longitude 185 of station 'a' is taken for -175, and 4 others likewise"));
 }
 
 TEST(Study, coordinates_that_do_not_fit_their_crs_are_named_with_it) {
   Given given;
   given.stations = "id,lon,lat\na,350000,5500000\nb,360000,5600000\n";
   const std::string metres = complaint_of([&] { given.study(); });
-  EXPECT_TRUE(
-      contains(metres, "EPSG:4326 has them: x from 350000 to 360000 and y from 5500000 to 5600000"))
+  EXPECT_TRUE(contains(metres,
+                       "coordinates are not degrees, but the names of its columns say EPSG:4326: "
+                       "x from 350000 to 360000 and y from 5500000 to 5600000"))
       << metres;
   given.stations = "id,x,y\na,15,50\nb,16,51\n";
   given.request.stations.source.crs = "EPSG:32633";
   const std::string degrees = complaint_of([&] { given.study(); });
-  EXPECT_TRUE(contains(degrees, "EPSG:32633 is projected: x from 15 to 16 and y from 50 to 51"))
+  EXPECT_TRUE(contains(degrees,
+                       "coordinates look like degrees, but --crs says EPSG:32633, which "
+                       "is projected: x from 15 to 16 and y from 50 to 51"))
       << degrees;
+}
+
+TEST(Study, planar_degrees_do_not_go_round_the_earth) {
+  Given given;
+  given.with_basins = false;
+  given.request.metric = Metric::planar;
+  given.stations = "id,lon,lat\na,170,1\nb,185,2\nc,-175,3\n";
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
+                       "s.csv:3: longitude 185 of station 'b' beside -175 of station 'c': planar"));
+  given.stations = "id,lon,lat\na,-190,1\nb,10,2\n";
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
+                       "s.csv:2: longitude -190 of station 'a' beside 10 of station 'b'"));
+  given.stations = "id,lon,lat\na,170,1\nb,185,2\n";
+  EXPECT_EQ(given.study().stations.at(1).position, (Point{185, 2}));
+  given.with_basins = true;
+  given.basins = geojson("[[-180,0],[-170,0],[-170,10],[-180,0]]");
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
+                       "s.csv:3: longitude 185 of station 'b' beside -180 of basin '1'"));
 }
 
 TEST(Study, a_station_far_from_its_zone_is_named) {
