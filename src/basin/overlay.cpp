@@ -10,11 +10,30 @@
 namespace thiessen {
 namespace {
 
-std::vector<Box> boxes_of(const Diagram& diagram) {
-  std::vector<Box> boxes;
-  boxes.reserve(diagram.chords.size());
-  for (const Chord& chord : diagram.chords) {
-    boxes.push_back(box_of(diagram.nodes[chord.from], diagram.nodes[chord.to]));
+Box box_of(const Diagram& diagram, const Chord& chord) {
+  return box_of(diagram.nodes[chord.from], diagram.nodes[chord.to]);
+}
+
+/// Where runs of chords begin, each the next one's continuation, and the number of chords at the
+/// end: a tree of runs is a quarter of the size of one of chords.
+std::vector<std::uint32_t> runs_of(const Diagram& diagram) {
+  constexpr std::uint32_t longest = 4;
+  std::vector<std::uint32_t> first;
+  const auto count = static_cast<std::uint32_t>(diagram.chords.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool goes_on = i > 0 && diagram.chords[i].from == diagram.chords[i - 1].to;
+    if (!goes_on || i - first.back() == longest) first.push_back(i);
+  }
+  first.push_back(count);
+  return first;
+}
+
+std::vector<Box> boxes_of(const Diagram& diagram, const std::vector<std::uint32_t>& first_of_run) {
+  std::vector<Box> boxes(first_of_run.size() - 1);
+  for (std::size_t run = 0; run < boxes.size(); ++run) {
+    for (std::uint32_t i = first_of_run[run]; i < first_of_run[run + 1]; ++i) {
+      boxes[run].take_in(box_of(diagram, diagram.chords[i]));
+    }
   }
   return boxes;
 }
@@ -68,7 +87,10 @@ bool is_within(const Basin& basin, Point p) {
 }  // namespace
 
 Overlay::Overlay(const Diagram& diagram)
-    : diagram_(diagram), tree_(boxes_of(diagram)), stamp_(diagram.chords.size(), 0) {
+    : diagram_(diagram),
+      first_of_run_(runs_of(diagram)),
+      tree_(boxes_of(diagram, first_of_run_)),
+      stamp_(diagram.chords.size(), 0) {
   first_chord_at_.assign(diagram.nodes.size() + 1, 0);
   for (const Chord& chord : diagram.chords) {
     ++first_chord_at_[chord.from + 1];
@@ -82,6 +104,15 @@ Overlay::Overlay(const Diagram& diagram)
     chord_at_[next[diagram.chords[i].from]++] = i;
     chord_at_[next[diagram.chords[i].to]++] = i;
   }
+}
+
+template <typename Found>
+void Overlay::for_each_chord_near(const Box& box, Found&& found) const {
+  tree_.search(box, [&](std::uint32_t run) {
+    for (std::uint32_t i = first_of_run_[run]; i < first_of_run_[run + 1]; ++i) {
+      if (box_of(diagram_, diagram_.chords[i]).meets(box)) found(i);
+    }
+  });
 }
 
 const CutBasin& Overlay::cut(const Basin& basin) {
@@ -155,8 +186,8 @@ Overlay::Presence Overlay::presence_at_start() const {
 }
 
 void Overlay::find_events(std::uint32_t edge_number, const Edge& edge) {
-  tree_.search(box_of(edge.from, edge.to),
-               [&](std::uint32_t chord) { add_events(edge_number, edge, chord); });
+  for_each_chord_near(box_of(edge.from, edge.to),
+                      [&](std::uint32_t chord) { add_events(edge_number, edge, chord); });
 }
 
 void Overlay::add_events(std::uint32_t edge_number, const Edge& edge, std::uint32_t chord_number) {
@@ -355,7 +386,7 @@ PlaceIndex Overlay::locate(Point p) const {
   if (goal == p) return guess;
   std::vector<Step> steps;
   double first = 2;
-  tree_.search(box_of(p, goal), [&](std::uint32_t number) {
+  for_each_chord_near(box_of(p, goal), [&](std::uint32_t number) {
     const Chord& chord = diagram_.chords[number];
     const Meeting meeting = meet(p, goal, diagram_.nodes[chord.from], diagram_.nodes[chord.to]);
     if (!meeting.crossing) return;

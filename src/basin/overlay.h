@@ -76,9 +76,12 @@ class Overlay {
   void emit_whole_chord(std::uint32_t number);
   void emit_chord_piece(const Chord& chord, Point from, Point to, int count);
   PlaceIndex locate(Point p) const;
+  template <typename Found>
+  void for_each_chord_near(const Box& box, Found&& found) const;
 
   const Diagram& diagram_;
-  BoxTree tree_;
+  std::vector<std::uint32_t> first_of_run_;  // chords, a few that follow each other at a time
+  BoxTree tree_;                             // of the runs
   std::vector<std::uint32_t>
       first_chord_at_;  // chords by node: chord_at_[first_chord_at_[node]] ...
   std::vector<std::uint32_t> chord_at_;
