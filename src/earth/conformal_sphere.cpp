@@ -29,7 +29,7 @@ double third_flattening() {
 class LatitudeSeries {
  public:
   /// terms[k] are the coefficients of n^(k+1), n^(k+2) ... before sin(2(k+1) x).
-  explicit LatitudeSeries(std::initializer_list<std::initializer_list<double>> terms) {
+  LatitudeSeries(std::initializer_list<std::initializer_list<double>> terms) {
     const double n = third_flattening();
     std::size_t k = 0;
     for (const auto& polynomial : terms) {

@@ -58,6 +58,7 @@ MemoryFolder::~MemoryFolder() {
 std::vector<EncodedFile> MemoryFolder::take() const {
   const CPLStringList entries(VSIReadDirRecursive(folder_.c_str()));
   std::vector<std::string> names;
+  names.reserve(static_cast<std::size_t>(entries.Count()));
   for (int i = 0; i < entries.Count(); ++i) names.emplace_back(entries[i]);
   const std::string main = file_.substr(folder_.size() + 1);
   std::sort(names.begin(), names.end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct PageStyle {
   int hairline = 1;   ///< frames and ticks
   bool bare = false;  ///< too small for any text: the map alone
 
-  int ems(double count) const { return static_cast<int>(em * count + 0.5); }
+  int ems(double count) const { return static_cast<int>(std::lround(em * count)); }
 };
 
 /// Where things stand on the page. No two boxes overlap.
