@@ -80,43 +80,50 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, con
   for (const Basin& basin : basins) areas_.push_back(area_of(basin, *surface_));
 }
 
-std::vector<BasinWeights> Weighing::weights(const std::vector<bool>& reports,
-                                            unsigned threads) const {
-  std::vector<BasinWeights> all(basins_.size());
-  for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
+// Calls take(b, clipper, reporting) for every basin, with one clipper a worker.
+template <typename Take>
+void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads,
+                              const Take& take) const {
   const Reporting reporting(*this, reports);
-  if (!reporting.any()) return all;
+  if (!reporting.any()) return;
   std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
     auto& clipper = clippers[worker];
     if (!clipper) clipper = std::make_unique<CellClipper>(reporting.diagram(), *surface_);
-    for (const CellShare& share : clipper->shares(basins_[b])) {
-      const auto& stations = reporting.stations_of(share.place);
-      const double area = share.area / static_cast<double>(stations.size());
-      for (const StationIndex s : stations) all[b].stations.push_back({s, area, area / areas_[b]});
-    }
-    sort_by_station(all[b].stations);
+    take(b, *clipper, reporting);
   });
+}
+
+std::vector<BasinWeights> Weighing::weights(const std::vector<bool>& reports,
+                                            unsigned threads) const {
+  std::vector<BasinWeights> all(basins_.size());
+  for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
+  for_each_basin(reports, threads,
+                 [&](std::size_t b, CellClipper& clipper, const Reporting& reporting) {
+                   for (const CellShare& share : clipper.shares(basins_[b])) {
+                     const auto& stations = reporting.stations_of(share.place);
+                     const double area = share.area / static_cast<double>(stations.size());
+                     for (const StationIndex s : stations)
+                       all[b].stations.push_back({s, area, area / areas_[b]});
+                   }
+                   sort_by_station(all[b].stations);
+                 });
   return all;
 }
 
 std::vector<std::vector<StationCell>> Weighing::cells(const std::vector<bool>& reports,
                                                       unsigned threads) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
-  const Reporting reporting(*this, reports);
-  if (!reporting.any()) return all;
-  std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
-  in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
-    auto& clipper = clippers[worker];
-    if (!clipper) clipper = std::make_unique<CellClipper>(reporting.diagram(), *surface_);
-    for (ClippedCell& cell : clipper->cells(basins_[b])) {
-      const auto& stations = reporting.stations_of(cell.place);
-      const double area = cell.area / static_cast<double>(stations.size());
-      for (const StationIndex s : stations)
-        all[b].push_back({s, area, area / areas_[b], cell.shape});
-    }
-    sort_by_station(all[b]);
-  });
+  for_each_basin(reports, threads,
+                 [&](std::size_t b, CellClipper& clipper, const Reporting& reporting) {
+                   for (const ClippedCell& cell : clipper.cells(basins_[b])) {
+                     const auto& stations = reporting.stations_of(cell.place);
+                     const double area = cell.area / static_cast<double>(stations.size());
+                     for (const StationIndex s : stations)
+                       all[b].push_back({s, area, area / areas_[b], cell.shape});
+                   }
+                   sort_by_station(all[b]);
+                 });
   return all;
 }
 

@@ -56,6 +56,9 @@ class Weighing {
  private:
   class Reporting;
 
+  template <typename Take>
+  void for_each_basin(const std::vector<bool>& reports, unsigned threads, const Take& take) const;
+
   const Network& network_;
   const std::vector<Basin>& basins_;
   Ground ground_;
