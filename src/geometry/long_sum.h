@@ -1,7 +1,5 @@
 #pragma once
 
-#include "geometry/expansion.h"
-
 namespace thiessen {
 
 /// A sum of doubles carried in two of them, to 2^-100 of its largest partial sum, so that the order
@@ -10,10 +8,11 @@ namespace thiessen {
 class LongSum {
  public:
   void add(double term) {
-    const exact::Pair sum = exact::two_sum(high_, term);
-    const exact::Pair carried = exact::fast_two_sum(sum.rounded, sum.error + low_);
-    high_ = carried.rounded;
-    low_ = carried.error;
+    const double sum = high_ + term;
+    const double term_part = sum - high_;
+    const double error = (high_ - (sum - term_part)) + (term - term_part) + low_;
+    high_ = sum + error;
+    low_ = error - (high_ - sum);
   }
   double value() const { return high_ + low_; }
 

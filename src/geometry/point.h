@@ -14,4 +14,31 @@ struct Point {
   friend auto operator<=>(const Point&, const Point&) = default;
 };
 
+/// A position in space. The default order is lexicographic, x before y before z.
+struct SpacePoint {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+
+  friend bool operator==(const SpacePoint&, const SpacePoint&) = default;
+  friend auto operator<=>(const SpacePoint&, const SpacePoint&) = default;
+};
+
+namespace of_dimension {
+template <int Dimension>
+struct Position;
+template <>
+struct Position<2> {
+  using Type = Point;
+};
+template <>
+struct Position<3> {
+  using Type = SpacePoint;
+};
+}  // namespace of_dimension
+
+/// Point in the plane, SpacePoint in space.
+template <int Dimension>
+using PositionIn = typename of_dimension::Position<Dimension>::Type;
+
 }  // namespace thiessen
