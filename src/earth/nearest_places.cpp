@@ -11,18 +11,22 @@ namespace {
 
 class NearestInPlane : public NearestPlaces {
  public:
-  explicit NearestInPlane(std::span<const Point> places) { tessellation_.add_all(places); }
+  explicit NearestInPlane(std::span<const Point> places)
+      : points_(tessellation_.add_all(places)), place_of_(tessellation_.topology().point_limit()) {
+    for (std::uint32_t i = 0; i < points_.size(); ++i) place_of_[index(points_[i])] = PlaceIndex{i};
+  }
 
   void find(Point p, PlaceIndex hint, std::vector<PlaceIndex>& nearest) const override {
     std::vector<PointId> points;
-    tessellation_.find_nearest(p, PointId{static_cast<std::uint32_t>(hint)}, points);
+    tessellation_.find_nearest(p, points_[index(hint)], points);
     nearest.clear();
-    for (const PointId point : points)
-      nearest.push_back(PlaceIndex{static_cast<std::uint32_t>(point)});
+    for (const PointId point : points) nearest.push_back(place_of_[index(point)]);
   }
 
  private:
-  Tessellation tessellation_;
+  Tessellation<2> tessellation_;
+  std::vector<PointId> points_;       // by place
+  std::vector<PlaceIndex> place_of_;  // by point
 };
 
 class NearestOnEarth : public NearestPlaces {

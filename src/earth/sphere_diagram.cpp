@@ -45,6 +45,7 @@ class SphereDiagramBuilder {
         add_half_circles();
         break;
       case Span::plane:
+      case Span::space:
         add_edges();
         break;
     }
@@ -52,7 +53,7 @@ class SphereDiagramBuilder {
   }
 
  private:
-  const Tessellation& tessellation() const { return sphere_->tessellation(); }
+  const Tessellation<2>& tessellation() const { return sphere_->tessellation(); }
   PlaceIndex place(PointId p) const { return sphere_->place(p); }
   Direction direction(PointId p) const { return sphere_->direction(place(p)); }
   Point position(PointId p) const { return diagram_.places[index(place(p))]; }
@@ -100,16 +101,14 @@ class SphereDiagramBuilder {
   void add_edges() {
     const Topology<2>& topology = tessellation().topology();
     find_centres();
-    for (std::uint32_t i = 0; i < topology.size(); ++i) {
-      const VertexId v{i};
-      if (topology.is_free(v)) continue;
+    topology.for_each_vertex([&](VertexId v) {
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId w = topology.neighbour(v, side);
-        if (index(w) < i || centre_at(w).node == centre_at(v).node) continue;
+        if (w < v || centre_at(w).node == centre_at(v).node) continue;
         const auto& forming = topology.forming(v);
         add_edge(forming[(side + 1) % 3], forming[(side + 2) % 3], centre_at(w), centre_at(v));
       }
-    }
+    });
   }
 
   // Neighbouring vertices that rounding cannot tell apart, as those of four gauges on a grid, are
@@ -119,21 +118,17 @@ class SphereDiagramBuilder {
     centres_.resize(topology.size());
     same_as_.resize(topology.size());
     std::iota(same_as_.begin(), same_as_.end(), 0u);
-    for (std::uint32_t i = 0; i < topology.size(); ++i) {
-      if (!topology.is_free(VertexId{i})) centres_[i] = {centre_of(VertexId{i}), {}, no_node};
-    }
-    for (std::uint32_t i = 0; i < topology.size(); ++i) {
-      if (topology.is_free(VertexId{i})) continue;
+    topology.for_each_vertex([&](VertexId v) { centres_[index(v)] = {centre_of(v), {}, no_node}; });
+    topology.for_each_vertex([&](VertexId v) {
       for (std::size_t side = 0; side < 3; ++side) {
-        const std::size_t j = index(topology.neighbour(VertexId{i}, side));
-        const Direction apart = centres_[i].direction - centres_[j].direction;
-        if (j > i && dot(apart, apart) <= indistinct * indistinct) unite(i, j);
+        const VertexId w = topology.neighbour(v, side);
+        const Direction apart = centres_[index(v)].direction - centres_[index(w)].direction;
+        if (w > v && dot(apart, apart) <= indistinct * indistinct) unite(index(v), index(w));
       }
-    }
-    for (std::uint32_t i = 0; i < topology.size(); ++i) {
-      if (!topology.is_free(VertexId{i}) && find(i) == i)
-        centres_[i] = vertex_at(centres_[i].direction);
-    }
+    });
+    topology.for_each_vertex([&](VertexId v) {
+      if (find(index(v)) == index(v)) centres_[index(v)] = vertex_at(centres_[index(v)].direction);
+    });
   }
 
   void unite(std::size_t i, std::size_t j) {

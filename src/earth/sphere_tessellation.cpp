@@ -32,9 +32,8 @@ SphereTessellation::SphereTessellation(std::span<const Point> places)
 
 // Of the places that have a cell of their own.
 void SphereTessellation::tessellate() {
-  tessellation_ = {};
-  place_of_.clear();
   std::vector<Point> projected;
+  std::vector<PlaceIndex> places;
   for (std::uint32_t i = 0; i < directions_.size(); ++i) {
     if (index(cell_of_[i]) != i) continue;
     if (chart_.is_pole(directions_[i])) {
@@ -42,11 +41,15 @@ void SphereTessellation::tessellate() {
       continue;
     }
     projected.push_back(chart_.project(directions_[i]));
-    place_of_.push_back(PlaceIndex{i});
+    places.push_back(PlaceIndex{i});
   }
-  const std::vector<PointId> inserted = tessellation_.add_all(projected);
-  for (std::size_t i = 0; i < inserted.size(); ++i) {
-    cell_of_[index(place_of_[i])] = place_of_[index(inserted[i])];
+  tessellation_ = {};
+  const std::vector<PointId> points = tessellation_.add_all(projected);
+  place_of_.assign(tessellation_.topology().point_limit(), pole_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PlaceIndex& place = place_of_[index(points[i])];
+    if (place == pole_) place = places[i];
+    cell_of_[index(places[i])] = place;
   }
 }
 

@@ -18,9 +18,9 @@ class SphereTessellation {
   explicit SphereTessellation(std::span<const Point> places);
 
   /// Of all places but the pole, in the chart.
-  const Tessellation& tessellation() const { return tessellation_; }
+  const Tessellation<2>& tessellation() const { return tessellation_; }
   PlaceIndex pole() const { return pole_; }
-  PlaceIndex place(PointId p) const { return p == infinite_point ? pole_ : place_of_[index(p)]; }
+  PlaceIndex place(PointId p) const { return place_of_[index(p)]; }
   Direction direction(PlaceIndex p) const { return directions_[index(p)]; }
   /// For each place itself, or the first by coordinates of those within 1e-13 radians (0.6
   /// micrometres), hand to hand: nearer than that, rounding does not tell which side of another a
@@ -48,8 +48,8 @@ class SphereTessellation {
   std::vector<Direction> directions_;
   PlaceIndex pole_;
   StereographicChart chart_;
-  Tessellation tessellation_;
-  std::vector<PlaceIndex> place_of_;  // by the tessellation's numbers
+  Tessellation<2> tessellation_;
+  std::vector<PlaceIndex> place_of_;  // by point; the pole for the infinite one
   std::vector<PlaceIndex> cell_of_;
   std::vector<std::vector<PlaceIndex>> neighbours_;
 };
@@ -65,14 +65,13 @@ void SphereTessellation::for_each_edge(Visit&& visit) const {
     return;
   }
   const Topology<2>& topology = tessellation_.topology();
-  for (std::uint32_t i = 0; i < topology.size(); ++i) {
-    if (topology.is_free(VertexId{i})) continue;
+  topology.for_each_vertex([&](VertexId v) {
     for (std::size_t side = 0; side < 3; ++side) {
-      if (index(topology.neighbour(VertexId{i}, side)) < i) continue;
-      const auto& forming = topology.forming(VertexId{i});
+      if (topology.neighbour(v, side) < v) continue;
+      const auto& forming = topology.forming(v);
       visit(place(forming[(side + 1) % 3]), place(forming[(side + 2) % 3]));
     }
-  }
+  });
 }
 
 }  // namespace thiessen

@@ -1,22 +1,64 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "geometry/box.h"
+#include "geometry/coordinates.h"
+#include "geometry/hilbert_steps.h"
 #include "geometry/point.h"
 
 namespace thiessen {
 
-/// How far along Hilbert's curve through `box` the point lies, in steps of a grid of 65536 x 65536.
-/// Near numbers are near points. Requires a point of the box.
-std::uint32_t hilbert_distance(const Box& box, Point p);
+/// Hilbert's curve through a grid of square (cubic) cells over a box: cells that follow each other
+/// on the curve share a side. It starts in the box's low corner and ends where x is largest.
+template <int Dimension>
+class HilbertGrid {
+ public:
+  using Coordinates = CoordinatesIn<Dimension>;
 
-/// The order in which points are inserted: rounds of random choice, each twice the one before
-/// (Amenta, Choi and Rote, Incremental constructions con BRIO, 2003), and along Hilbert's curve
-/// within a round, so that each point is near the one before and cavities stay small whatever the
-/// input's order. Returns positions in `points`; the same for the same input. Cost: n log n.
-std::vector<std::uint32_t> insertion_order(std::span<const Point> points);
+  /// The box's longest side has 2^levels cells.
+  static constexpr int levels = Dimension == 2 ? 16 : 10;
+  static constexpr int distance_bits = Dimension * levels;
+
+  /// The grid over the box with these corners. Requires low <= high in each coordinate.
+  HilbertGrid(const Coordinates& low, const Coordinates& high) : low_(low) {
+    double longest = 0;
+    for (std::size_t axis = 0; axis < low.size(); ++axis) {
+      longest = std::max(longest, high[axis] - low[axis]);
+    }
+    const double scale = side / longest;
+    if (std::isfinite(scale)) scale_ = scale;
+  }
+
+  /// Whether the box's ends lie in different cells, however few bits of the distance are looked at:
+  /// not if it is a point, or as good as one (1e-303), or longer than a double can say.
+  bool divides() const { return scale_ > 0; }
+
+  /// How far along the curve the point's cell lies, in cells. The first bits alone are the distance
+  /// in a coarser grid. Requires a point of the box.
+  std::uint32_t distance(const PositionIn<Dimension>& p) const {
+    const Coordinates c = coordinates(p);
+    CoordinatesIn<Dimension, std::uint32_t> cell;
+    for (std::size_t axis = 0; axis < cell.size(); ++axis) {
+      const double steps = (c[axis] - low_[axis]) * scale_;
+      const double within = steps < side - 1 ? steps : side - 1;  // of what is no number, too
+      cell[axis] = static_cast<std::uint32_t>(static_cast<std::int32_t>(within));
+    }
+    return hilbert::along_curve<Dimension, levels>(cell);
+  }
+
+ private:
+  static constexpr double side = 1 << levels;
+
+  Coordinates low_;
+  double scale_ = 0;  // cells to a unit of length
+};
+
+/// How far along Hilbert's curve through `box` the point lies, in steps of a grid of 65536 cells to
+/// its longer side. Near numbers are near points. Requires a point of the box.
+std::uint32_t hilbert_distance(const Box& box, Point p);
 
 }  // namespace thiessen

@@ -4,226 +4,251 @@
 #include <array>
 #include <cstddef>
 
-#include "geometry/predicates.h"
+#include "tessellation/at_dimension.h"
+#include "tessellation/parity.h"
 
 namespace thiessen {
 namespace {
 
-/// A layer's view of the structure, and what it finds there.
+/// A layer's view of the structure, whose points span d dimensions, and what it finds there.
+template <int Dimension, int d>
 class Inspection {
  public:
-  Inspection(const Topology<2>& topology, std::span<const Point> positions)
-      : topology_(topology), positions_(positions) {}
+  using Findings = std::vector<Finding<Dimension>>;
+  using Simplex = typename Structure<Dimension>::template Simplex<d>;
 
-  const Topology<2>& topology() const { return topology_; }
-  Point position(PointId p) const { return positions_[index(p)]; }
-  void find(Fault fault, VertexId v) { findings_.push_back({fault, v, place_of(v)}); }
-  std::vector<Finding> findings() && { return std::move(findings_); }
+  explicit Inspection(const Structure<Dimension>& structure)
+      : structure_(structure), topology_(structure.topology()) {}
 
-  template <typename Visit>
-  void for_each_vertex(Visit&& visit) const {
-    for (std::uint32_t i = 0; i < topology_.size(); ++i) {
-      if (!topology_.is_free(VertexId{i})) visit(VertexId{i});
+  Findings links() && {
+    topology_.for_each_vertex([&](VertexId v) {
+      inspect_points(v);
+      for (std::size_t side = 0; side <= d; ++side) inspect_link(v, side);
+    });
+    if (!findings_.empty()) return findings_;
+    inspect_simplices_of_points();
+    inspect_pieces();
+    return findings_;
+  }
+
+  Findings hull() && {
+    std::size_t first_corners = 0;
+    VertexId outside = no_vertex;
+    topology_.for_each_vertex([&](VertexId v) {
+      if (topology_.is_infinite(v)) {
+        inspect_hull_facet(v);
+        if constexpr (d == 2) first_corners += begins_hull(v) ? 1u : 0u;
+        outside = v;
+      } else if (structure_.template orientation_of<d>(simplex(v)) <= 0) {
+        find(Fault::simplex_turned_over, v);
+      }
+    });
+    if (d == 2 && first_corners != 1) find(Fault::hull_winds_again, outside);
+    for (std::uint32_t i = 1; i < topology_.point_limit(); ++i) {
+      if (topology_.is_there(PointId{i}) && d < Dimension &&
+          structure_.is_off(position(PointId{i})))
+        findings_.push_back({Fault::point_off_span, no_vertex, position(PointId{i})});
     }
+    return findings_;
+  }
+
+  Findings spheres() && {
+    topology_.for_each_vertex([&](VertexId v) {
+      if (topology_.is_infinite(v)) return;
+      for (std::size_t side = 0; side <= d; ++side) {
+        const PointId across = point_across(v, side);
+        if (across == infinite_point ||
+            !structure_.template in_conflict<d>(simplex(v), position(across)))
+          continue;
+        find(is_tie(v, position(across)) ? Fault::tie_broken_otherwise : Fault::point_in_sphere, v);
+      }
+    });
+    return findings_;
   }
 
  private:
-  Point place_of(VertexId v) const {
+  const PositionIn<Dimension>& position(PointId p) const { return structure_.position(p); }
+  Simplex simplex(VertexId v) const { return structure_.template simplex<d>(v); }
+
+  void find(Fault fault, VertexId v) {
+    PositionIn<Dimension> place;
     for (const PointId p : topology_.forming(v)) {
-      if (p != infinite_point && index(p) < positions_.size()) return position(p);
+      if (p != infinite_point && topology_.is_there(p)) place = position(p);
     }
-    return {};
+    findings_.push_back({fault, v, place});
   }
 
-  const Topology<2>& topology_;
-  std::span<const Point> positions_;
-  std::vector<Finding> findings_;
-};
-
-bool has_repeated_point(const Topology<2>::Forming& forming) {
-  return forming[0] == forming[1] || forming[1] == forming[2] || forming[2] == forming[0];
-}
-
-void inspect_link(Inspection& inspection, VertexId v, std::size_t side) {
-  const Topology<2>& topology = inspection.topology();
-  const VertexId w = topology.neighbour(v, side);
-  if (index(w) >= topology.size() || topology.is_free(w)) {
-    inspection.find(Fault::link_to_nothing, v);
-    return;
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (topology.neighbour(w, i) != v) continue;
-    const auto& ours = topology.forming(v);
-    const auto& theirs = topology.forming(w);
-    // Both run counter-clockwise, so the edge runs the other way there.
-    if (ours[(side + 1) % 3] == theirs[(i + 2) % 3] && ours[(side + 2) % 3] == theirs[(i + 1) % 3])
+  void inspect_points(VertexId v) {
+    const Simplex points = simplex(v);
+    for (std::size_t i = 0; i <= d; ++i) {
+      const bool repeated = std::count(points.begin(), points.end(), points[i]) != 1;
+      if (!repeated && topology_.is_there(points[i])) continue;
+      find(Fault::repeated_forming_point, v);
       return;
-  }
-  const bool returned = topology.neighbour(w, 0) == v || topology.neighbour(w, 1) == v ||
-                        topology.neighbour(w, 2) == v;
-  inspection.find(returned ? Fault::edge_not_shared : Fault::link_not_returned, v);
-}
-
-/// How many vertices are reached from the first by links.
-std::size_t count_reached(const Topology<2>& topology, VertexId first) {
-  std::vector<bool> reached(topology.size(), false);
-  std::vector<VertexId> open{first};
-  reached[index(first)] = true;
-  std::size_t count = 0;
-  while (!open.empty()) {
-    const VertexId v = open.back();
-    open.pop_back();
-    ++count;
-    for (std::size_t side = 0; side < 3; ++side) {
-      const VertexId w = topology.neighbour(v, side);
-      if (reached[index(w)]) continue;
-      reached[index(w)] = true;
-      open.push_back(w);
     }
   }
-  return count;
-}
 
-void inspect_surface(Inspection& inspection, std::size_t positions) {
-  const Topology<2>& topology = inspection.topology();
-  std::vector<bool> has_simplex(positions, false);
-  std::size_t simplices = 0;
-  VertexId first = no_vertex;
-  inspection.for_each_vertex([&](VertexId v) {
-    if (simplices++ == 0) first = v;
-    for (const PointId p : topology.forming(v)) {
-      if (p != infinite_point) has_simplex[index(p)] = true;
+  bool stands(VertexId v) const { return index(v) < topology_.size() && !topology_.is_free(v); }
+
+  void inspect_link(VertexId v, std::size_t side) {
+    const VertexId w = topology_.neighbour(v, side);
+    if (!stands(w)) {
+      find(Fault::link_to_nothing, v);
+      return;
     }
-  });
-  if (simplices == 0) return;
-  const auto points =
-      static_cast<std::size_t>(std::count(has_simplex.begin(), has_simplex.end(), true)) + 1;
-  if (simplices + 4 != 2 * points || count_reached(topology, first) != simplices)
-    inspection.find(Fault::surface_not_a_sphere, first);
-}
-
-// The hull runs from→to round the outside; `outside` has the infinite point.
-void inspect_hull_corner(Inspection& inspection, VertexId outside, std::size_t& first_corners) {
-  const Topology<2>& topology = inspection.topology();
-  const std::size_t infinite = topology.corner_of(outside, infinite_point);
-  const auto& forming = topology.forming(outside);
-  const VertexId following = topology.neighbour(outside, (infinite + 1) % 3);
-  const std::size_t there = topology.corner_of(following, infinite_point);
-  const Point before = inspection.position(forming[(infinite + 1) % 3]);
-  const Point corner = inspection.position(forming[(infinite + 2) % 3]);
-  const Point after = inspection.position(topology.forming(following)[(there + 2) % 3]);
-  // Seen from outside, the points go clockwise round the hull.
-  if (orientation(before, corner, after) > 0) inspection.find(Fault::hull_not_convex, outside);
-  if (corner < before && corner < after) ++first_corners;
-}
-
-std::vector<Finding> audit_line(const Tessellation& tessellation) {
-  std::vector<Finding> findings;
-  const std::vector<PointId> line = tessellation.along_line();
-  const auto at = [&](std::size_t i) { return tessellation.position(line[i]); };
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    if (!(at(i - 1) < at(i))) findings.push_back({Fault::points_out_of_order, no_vertex, at(i)});
-    if (orientation(at(0), at(line.size() - 1), at(i)) != 0)
-      findings.push_back({Fault::point_off_line, no_vertex, at(i)});
+    bool returned = false;
+    for (std::size_t back = 0; back <= d; ++back) {
+      if (topology_.neighbour(w, back) != v) continue;
+      returned = true;
+      // With w's point in the place of v's, the same simplex turned over.
+      Simplex turned = simplex(v);
+      turned[side] = topology_.forming(w)[back];
+      if (parity(turned, simplex(w)) == Parity::odd) return;
+    }
+    find(returned ? Fault::facet_not_shared : Fault::link_not_returned, v);
   }
-  return findings;
-}
 
-std::vector<Finding> audit_simplices_of_points(const Tessellation& tessellation) {
-  std::vector<Finding> findings;
-  const Topology<2>& topology = tessellation.topology();
-  for (std::uint32_t i = 0; i < tessellation.size(); ++i) {
-    const PointId p{i};
-    const VertexId v = tessellation.vertex_of(p);
-    if (v == no_vertex) continue;
-    const bool stands = index(v) < topology.size() && !topology.is_free(v);
-    if (!stands || topology.corner_of(v, p) == Topology<2>::corners)
-      findings.push_back({Fault::point_without_simplex, v, tessellation.position(p)});
+  void inspect_simplices_of_points() {
+    for (std::uint32_t i = 0; i < topology_.point_limit(); ++i) {
+      const PointId p{i};
+      if (!topology_.is_there(p)) continue;
+      const VertexId v = topology_.vertex_of(p);
+      if (!stands(v) || topology_.corner_of(v, p) == Topology<Dimension>::corners)
+        findings_.push_back({Fault::point_without_simplex, v, position(p)});
+    }
   }
-  return findings;
-}
+
+  void inspect_pieces() {
+    std::size_t simplices = 0;
+    VertexId first = no_vertex;
+    std::vector<bool> is_used(topology_.point_limit(), false);
+    topology_.for_each_vertex([&](VertexId v) {
+      if (simplices++ == 0) first = v;
+      for (const PointId p : simplex(v)) is_used[index(p)] = true;
+    });
+    const auto points = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
+    const bool as_many_as_should_be = d == 1   ? simplices == points
+                                      : d == 2 ? simplices + 4 == 2 * points
+                                               : simplices >= points;
+    if (points != topology_.count() + 1 || !as_many_as_should_be)
+      find(Fault::number_of_simplices, first);
+    if (count_reached(first) != simplices) find(Fault::in_pieces, first);
+  }
+
+  std::size_t count_reached(VertexId first) const {
+    std::vector<bool> reached(topology_.size(), false);
+    std::vector<VertexId> open{first};
+    reached[index(first)] = true;
+    std::size_t count = 0;
+    while (!open.empty()) {
+      const VertexId v = open.back();
+      open.pop_back();
+      ++count;
+      for (std::size_t side = 0; side <= d; ++side) {
+        const VertexId w = topology_.neighbour(v, side);
+        if (reached[index(w)]) continue;
+        reached[index(w)] = true;
+        open.push_back(w);
+      }
+    }
+    return count;
+  }
+
+  /// The forming point of v's neighbour that v does not have.
+  PointId point_across(VertexId v, std::size_t side) const {
+    const VertexId w = topology_.neighbour(v, side);
+    return topology_.forming(w)[topology_.side_towards(w, v)];
+  }
+
+  // No facet of the hull sees a point of the facets next to it.
+  void inspect_hull_facet(VertexId v) {
+    const std::size_t infinite = topology_.corner_of(v, infinite_point);
+    for (std::size_t side = 0; side <= d; ++side) {
+      if (side == infinite) continue;
+      const PointId across = point_across(v, side);
+      if (structure_.template orientation_with<d>(simplex(v), infinite, position(across)) > 0)
+        find(Fault::hull_not_convex, v);
+    }
+  }
+
+  // Whether the hull's corner at the end of v's edge is before those next to it, by coordinates.
+  bool begins_hull(VertexId v) const {
+    const std::size_t infinite = topology_.corner_of(v, infinite_point);
+    const auto& forming = topology_.forming(v);
+    const auto& before = position(forming[(infinite + 1) % 3]);
+    const auto& corner = position(forming[(infinite + 2) % 3]);
+    const auto& after = position(point_across(v, (infinite + 1) % 3));
+    return corner < before && corner < after;
+  }
+
+  // On the sphere of v's simplex itself.
+  bool is_tie(VertexId v, const PositionIn<Dimension>& q) const {
+    const Simplex s = simplex(v);
+    const auto at = [&](std::size_t i) -> const PositionIn<Dimension>& { return position(s[i]); };
+    if constexpr (d == 1) {
+      return false;
+    } else if constexpr (d == 3) {
+      return in_sphere(at(0), at(1), at(2), at(3), q) == 0;
+    } else if constexpr (Dimension == 2) {
+      return in_circle(at(0), at(1), at(2), q) == 0;
+    } else {
+      return in_circle_in_plane(structure_.dropped(), at(0), at(1), at(2), q) == 0;
+    }
+  }
+
+  const Structure<Dimension>& structure_;
+  const Topology<Dimension>& topology_;
+  Findings findings_;
+};
 
 }  // namespace
 
 std::string_view name_of(Fault fault) {
-  static constexpr std::array<std::string_view, 13> names{"repeated forming point",
-                                                          "link to nothing",
-                                                          "link not returned",
-                                                          "edge not shared",
-                                                          "point without simplex",
-                                                          "surface not a sphere",
-                                                          "simplex not left-turning",
-                                                          "hull not convex",
-                                                          "hull winds again",
-                                                          "point in circle",
-                                                          "tie broken otherwise",
-                                                          "points out of order",
-                                                          "point off line"};
+  static constexpr std::array<std::string_view, 13> names{
+      "repeated forming point", "link to nothing",     "link not returned", "facet not shared",
+      "point without simplex",  "number of simplices", "in pieces",         "simplex turned over",
+      "hull not convex",        "hull winds again",    "point off span",    "point in sphere",
+      "tie broken otherwise"};
   return names.at(static_cast<std::size_t>(fault));
 }
 
-std::vector<Finding> audit_links(const Topology<2>& topology, std::span<const Point> positions) {
-  Inspection inspection(topology, positions);
-  bool sound = true;
-  inspection.for_each_vertex([&](VertexId v) {
-    if (has_repeated_point(topology.forming(v))) {
-      inspection.find(Fault::repeated_forming_point, v);
-    }
-    for (std::size_t side = 0; side < 3; ++side) {
-      const VertexId w = topology.neighbour(v, side);
-      sound = sound && index(w) < topology.size() && !topology.is_free(w);
-      inspect_link(inspection, v, side);
-    }
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_links(const Structure<Dimension>& structure) {
+  return at_dimension<Dimension>(structure.topology().dimension(), [&](auto d) {
+    return Inspection<Dimension, d>(structure).links();
   });
-  if (sound) inspect_surface(inspection, positions.size());
-  return std::move(inspection).findings();
 }
 
-std::vector<Finding> audit_plane(const Topology<2>& topology, std::span<const Point> positions) {
-  Inspection inspection(topology, positions);
-  std::size_t first_corners = 0;
-  VertexId outside = no_vertex;
-  inspection.for_each_vertex([&](VertexId v) {
-    if (topology.is_infinite(v)) {
-      outside = v;
-      inspect_hull_corner(inspection, v, first_corners);
-      return;
-    }
-    const auto& forming = topology.forming(v);
-    const auto at = [&](std::size_t i) { return inspection.position(forming[i]); };
-    if (orientation(at(0), at(1), at(2)) <= 0) inspection.find(Fault::simplex_not_left_turning, v);
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_hull(const Structure<Dimension>& structure) {
+  return at_dimension<Dimension>(structure.topology().dimension(), [&](auto d) {
+    return Inspection<Dimension, d>(structure).hull();
   });
-  if (first_corners != 1) inspection.find(Fault::hull_winds_again, outside);
-  return std::move(inspection).findings();
 }
 
-std::vector<Finding> audit_circles(const Topology<2>& topology, std::span<const Point> positions) {
-  Inspection inspection(topology, positions);
-  inspection.for_each_vertex([&](VertexId v) {
-    if (topology.is_infinite(v)) return;
-    const auto& forming = topology.forming(v);
-    const auto at = [&](std::size_t i) { return inspection.position(forming[i]); };
-    for (std::size_t side = 0; side < 3; ++side) {
-      const VertexId w = topology.neighbour(v, side);
-      if (topology.is_infinite(w)) continue;
-      const Point across = inspection.position(topology.forming(w)[topology.side_towards(w, v)]);
-      if (!in_perturbed_circle(at(0), at(1), at(2), across)) continue;
-      const bool tie = in_circle(at(0), at(1), at(2), across) == 0;
-      inspection.find(tie ? Fault::tie_broken_otherwise : Fault::point_in_circle, v);
-    }
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_spheres(const Structure<Dimension>& structure) {
+  return at_dimension<Dimension>(structure.topology().dimension(), [&](auto d) {
+    return Inspection<Dimension, d>(structure).spheres();
   });
-  return std::move(inspection).findings();
 }
 
-std::vector<Finding> audit(const Tessellation& tessellation) {
-  if (tessellation.span() != Span::plane) return audit_line(tessellation);
-  const Topology<2>& topology = tessellation.topology();
-  const std::span<const Point> positions = tessellation.positions();
-  std::vector<Finding> findings = audit_links(topology, positions);
-  if (findings.empty()) findings = audit_simplices_of_points(tessellation);
-  if (findings.empty()) findings = audit_plane(topology, positions);
-  if (findings.empty()) findings = audit_circles(topology, positions);
+template <int Dimension>
+std::vector<Finding<Dimension>> audit(const Structure<Dimension>& structure) {
+  if (structure.topology().dimension() < 1) return {};
+  std::vector<Finding<Dimension>> findings = audit_links(structure);
+  if (findings.empty()) findings = audit_hull(structure);
+  if (findings.empty()) findings = audit_spheres(structure);
   return findings;
 }
+
+#define THIESSEN_AUDIT(D)                                              \
+  template std::vector<Finding<D>> audit_links(const Structure<D>&);   \
+  template std::vector<Finding<D>> audit_hull(const Structure<D>&);    \
+  template std::vector<Finding<D>> audit_spheres(const Structure<D>&); \
+  template std::vector<Finding<D>> audit(const Structure<D>&);
+
+THIESSEN_AUDIT(2)
+THIESSEN_AUDIT(3)
 
 }  // namespace thiessen

@@ -1,54 +1,61 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "geometry/point.h"
+#include "tessellation/structure.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {
 
 /// What can be wrong with a tessellation.
 enum class Fault : std::uint8_t {
-  // Links: a closed surface, without coordinates.
-  repeated_forming_point,  ///< a simplex has a point twice
+  // Links: a closed surface (in space its like one dimension up), without coordinates.
+  repeated_forming_point,  ///< a simplex has a point twice, or one that is not there
   link_to_nothing,         ///< a neighbour is missing, freed or no vertex at all
   link_not_returned,       ///< the neighbour does not have this vertex for its own
-  edge_not_shared,         ///< neighbours that do not have the edge between them in common
+  facet_not_shared,        ///< neighbours that do not have the facet between them in common
   point_without_simplex,   ///< the simplex noted for a point is not one of its own
-  surface_not_a_sphere,    ///< not 2 (points + 1) - 4 simplices, or not all reached from the first
-  // The plane: the simplices tile the convex hull.
-  simplex_not_left_turning,  ///< clockwise or flat
-  hull_not_convex,           ///< the hull turns right at a point
-  hull_winds_again,          ///< the hull goes round more than once
-  // Circles: the Delaunay property, exactly.
-  point_in_circle,       ///< the circle of a simplex holds the point across from it
-  tie_broken_otherwise,  ///< four points on a circle, with the other diagonal
-  // The line.
-  points_out_of_order,
-  point_off_line,
+  number_of_simplices,     ///< not 2 (points + 1) - 4 in the plane, or a point is in none
+  in_pieces,               ///< not all are reached from the first
+  // Orientation and hull: the simplices tile the convex hull.
+  simplex_turned_over,  ///< or flat
+  hull_not_convex,      ///< two facets of the hull meet at an angle turned inwards
+  hull_winds_again,     ///< the hull goes round more than once
+  point_off_span,       ///< a point that is not on the line or plane of the others
+  // Empty circles and spheres: the Delaunay property, exactly.
+  point_in_sphere,       ///< the sphere of a simplex holds the point across from it
+  tie_broken_otherwise,  ///< points on one sphere, divided otherwise
 };
 
 /// The fault's name in words.
 std::string_view name_of(Fault fault);
 
+template <int Dimension>
 struct Finding {
   Fault fault;
-  VertexId vertex;  ///< at which it shows; no_vertex on a line
-  Point place;      ///< a forming point there
+  VertexId vertex;                 ///< at which it shows; no_vertex where it shows at a point
+  PositionIn<Dimension> position;  ///< of a forming point there
 };
 
 /// What is wrong, in layers, each resting on the one before it: the links; orientation and hull;
-/// empty circles. A layer is looked at only where those below it are sound. Nothing is found in a
-/// Tessellation, unless it has a bug. Cost: linear; exact predicates throughout.
-std::vector<Finding> audit(const Tessellation& tessellation);
+/// empty circles or spheres. A layer is looked at only where those below it are sound. Nothing is
+/// found in a Tessellation, unless it has a bug. Cost: linear; exact predicates throughout.
+template <int Dimension>
+std::vector<Finding<Dimension>> audit(const Structure<Dimension>& structure);
+template <int Dimension>
+std::vector<Finding<Dimension>> audit(const Tessellation<Dimension>& tessellation) {
+  return audit(tessellation.structure());
+}
 
-/// The layers alone, for a topology over points at `positions`. Each requires that those before it
-/// find nothing.
-std::vector<Finding> audit_links(const Topology<2>& topology, std::span<const Point> positions);
-std::vector<Finding> audit_plane(const Topology<2>& topology, std::span<const Point> positions);
-std::vector<Finding> audit_circles(const Topology<2>& topology, std::span<const Point> positions);
+/// The layers alone. Each requires that those before it find nothing.
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_links(const Structure<Dimension>& structure);
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_hull(const Structure<Dimension>& structure);
+template <int Dimension>
+std::vector<Finding<Dimension>> audit_spheres(const Structure<Dimension>& structure);
 
 }  // namespace thiessen

@@ -60,7 +60,7 @@ std::optional<Stretch> within(const Box& box, const Bisector& line) {
 /// is known by the number of one of its simplices.
 class Centres {
  public:
-  explicit Centres(const Tessellation& tessellation)
+  explicit Centres(const Tessellation<2>& tessellation)
       : tessellation_(tessellation), topology_(tessellation.topology()) {
     group_.resize(topology_.size());
     std::iota(group_.begin(), group_.end(), 0u);
@@ -83,15 +83,14 @@ class Centres {
 
   template <typename AreOne>
   void unite(AreOne&& are_one) {
-    for (std::uint32_t i = 0; i < topology_.size(); ++i) {
-      const VertexId v{i};
-      if (topology_.is_free(v) || topology_.is_infinite(v)) continue;
+    topology_.for_each_vertex([&](VertexId v) {
+      if (topology_.is_infinite(v)) return;
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId w = topology_.neighbour(v, side);
-        if (index(w) > i && !topology_.is_infinite(w) && are_one(v, w))
-          group_[find(index(w))] = find(i);
+        if (w > v && !topology_.is_infinite(w) && are_one(v, w))
+          group_[find(index(w))] = find(index(v));
       }
-    }
+    });
   }
 
   // A group's centre is that of its lexicographically first simplex, so that it does not depend on
@@ -99,10 +98,9 @@ class Centres {
   void compute() {
     std::vector<VertexId> first(topology_.size(), no_vertex);
     const auto for_each_simplex = [&](auto&& visit) {
-      for (std::uint32_t i = 0; i < topology_.size(); ++i) {
-        if (!topology_.is_free(VertexId{i}) && !topology_.is_infinite(VertexId{i}))
-          visit(VertexId{i});
-      }
+      topology_.for_each_vertex([&](VertexId v) {
+        if (!topology_.is_infinite(v)) visit(v);
+      });
     };
     for_each_simplex([&](VertexId v) {
       VertexId& best = first[find(index(v))];
@@ -144,7 +142,7 @@ class Centres {
 
   Point position(PointId p) const { return tessellation_.position(p); }
 
-  const Tessellation& tessellation_;
+  const Tessellation<2>& tessellation_;
   const Topology<2>& topology_;
   std::vector<std::uint32_t> group_;
   std::vector<Point> centre_;
@@ -153,9 +151,12 @@ class Centres {
 class PlaneDiagramBuilder {
  public:
   PlaneDiagramBuilder(std::span<const Point> places, const Box& frame)
-      : tessellation_(std::make_shared<Tessellation>()) {
-    for (const PointId p : tessellation_->add_all(places)) {
-      diagram_.cell_of.push_back(PlaceIndex{static_cast<std::uint32_t>(p)});
+      : tessellation_(std::make_shared<Tessellation<2>>()) {
+    const std::vector<PointId> points = tessellation_->add_all(places);
+    place_of_->resize(tessellation_->topology().point_limit());
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      (*place_of_)[index(points[i])] = PlaceIndex{i};
+      diagram_.cell_of.push_back(PlaceIndex{i});
     }
     const double margin = std::max(frame.width(), frame.height()) / 16;
     cutting_box_ = frame.grown(margin > 0 ? margin : largest_magnitude(frame) / 16 + 1);
@@ -170,8 +171,8 @@ class PlaneDiagramBuilder {
       node_of_.assign(topology().size(), no_node);
       add_edges();
     }
-    diagram_.near = [tessellation = tessellation_](Point p) {
-      return PlaceIndex{static_cast<std::uint32_t>(*tessellation->nearest(p))};
+    diagram_.near = [tessellation = tessellation_, place_of = place_of_](Point p) {
+      return (*place_of)[index(*tessellation->nearest(p))];
     };
     return std::move(diagram_);
   }
@@ -192,18 +193,16 @@ class PlaneDiagramBuilder {
   }
 
   void add_edges() {
-    for (std::uint32_t i = 0; i < topology().size(); ++i) {
-      const VertexId v{i};
-      if (topology().is_free(v)) continue;
+    topology().for_each_vertex([&](VertexId v) {
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId w = topology().neighbour(v, side);
-        if (index(w) < i) continue;
+        if (w < v) continue;
         const PointId a = topology().forming(v)[(side + 1) % 3];
         const PointId b = topology().forming(v)[(side + 2) % 3];
         // v lies to the left of a→b: the edge runs from w's centre to v's.
         if (a != infinite_point && b != infinite_point) add_edge(a, b, w, v);
       }
-    }
+    });
   }
 
   // The edge between the cells of a and b, from `start` to `end` (vertices to the right and the
@@ -224,8 +223,7 @@ class PlaneDiagramBuilder {
     if (ends && line.parameter_of(centres_->of(end)) <= stretch->from) return;
     const std::uint32_t first = node_at(starts ? start : no_vertex, line.at(stretch->from));
     const std::uint32_t last = node_at(ends ? end : no_vertex, line.at(stretch->to));
-    diagram_.chords.push_back({first, last, PlaceIndex{static_cast<std::uint32_t>(a)},
-                               PlaceIndex{static_cast<std::uint32_t>(b)}});
+    diagram_.chords.push_back({first, last, (*place_of_)[index(a)], (*place_of_)[index(b)]});
   }
 
   // The vertex's node, or one where the edge towards it leaves the box: the rounding of a far
@@ -244,7 +242,8 @@ class PlaneDiagramBuilder {
     return static_cast<std::uint32_t>(diagram_.nodes.size() - 1);
   }
 
-  std::shared_ptr<Tessellation> tessellation_;
+  std::shared_ptr<Tessellation<2>> tessellation_;
+  std::shared_ptr<std::vector<PlaceIndex>> place_of_ = std::make_shared<std::vector<PlaceIndex>>();
   Box cutting_box_;
   Diagram diagram_;
   std::optional<Centres> centres_;

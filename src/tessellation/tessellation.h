@@ -1,107 +1,161 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/point.h"
+#include "geometry/signposts.h"
+#include "tessellation/at_dimension.h"
+#include "tessellation/conflict_zone.h"
+#include "tessellation/deletion.h"
+#include "tessellation/insertion.h"
+#include "tessellation/star.h"
+#include "tessellation/structure.h"
 #include "tessellation/topology.h"
 
 namespace thiessen {
 
 /// What the points span.
-enum class Span { nothing, point, line, plane };
+enum class Span { nothing, point, line, plane, space };
 
-/// The Voronoi and Delaunay tessellations of points in the plane, changed point by point (J. C.-H.
-/// Chang, Construction of the Voronoi and Delaunay tessellations, 1982, sections 2.2 and 2.4).
-/// There is no initial simplex: a point at infinity closes the hull, and what the points span is
-/// explicit, for simplices exist only once they span the plane. Degenerate positions are no special
-/// case: every decision is exact, and points on one circle are told apart by their coordinates
-/// (in_perturbed_circle), so the same points give the same simplices in whatever order they come.
-/// Cost: n log n for n points at once, whatever their order; one insertion log n at best, the
-/// square root of n without a near hint. Memory: 52 bytes a point.
+/// The Voronoi and Delaunay tessellations of points in the plane or in space, changed point by
+/// point, by insertion and by deletion (J. C.-H. Chang, Construction of the Voronoi and Delaunay
+/// tessellations, 1982). There is no initial simplex: a point at infinity closes the hull, and what
+/// the points span is explicit; where they span less than the space, the tessellation is that of
+/// their line or plane. Degenerate positions are no special case: every decision is exact, and
+/// points on one circle or sphere are told apart by their coordinates (in_perturbed_circle), so the
+/// same points give the same simplices in whatever order they were added, deleted and taken back.
+///
+/// Coordinates must be finite and in the range of predicates.h throughout.
+/// Cost: n log n for n points at once, whatever their order and place; a change is in proportion to
+/// the vertices that come and go, after a walk from the hint, or from a signpost where there is no
+/// hint. Memory: 68 bytes a point in the plane, 240 in space (2 and 6.77 simplices a point).
+/// Threads: queries may share a tessellation that nobody changes.
+/// Built with THIESSEN_AUDIT, as debug builds are, it is audited after every change, or as often as
+/// keeps that in proportion to the changes; what is found is a std::logic_error.
+template <int Dimension>
 class Tessellation {
  public:
-  /// Adds points; they get the numbers from size() on, in their order. Of equal points one is
-  /// inserted; the others' numbers stay unused. Returns for each point the number under which it
-  /// was inserted. Requires finite coordinates in the range of predicates.h.
-  std::vector<PointId> add_all(std::span<const Point> points);
-  /// Adds one point, or finds its number where it is there already.
-  PointId add(Point point);
+  using Position = PositionIn<Dimension>;
 
-  /// Numbers given so far.
-  std::size_t size() const { return positions_.size(); }
-  Point position(PointId p) const { return positions_[index(p)]; }
-  std::span<const Point> positions() const { return positions_; }
-  /// A simplex of p's; no_vertex where p has none.
-  VertexId vertex_of(PointId p) const { return vertex_of_[index(p)]; }
-  Span span() const;
+  /// Adds points; equal ones, and those that are there already, get one number. Returns for each
+  /// point its number.
+  std::vector<PointId> add_all(std::span<const Position> points);
+  /// Adds one point, or finds its number where it is there already. `hint`: a point near it.
+  PointId add(const Position& position, std::optional<PointId> hint = {});
+  /// Deletes a point. Its number will be given again. Requires that it is there.
+  void remove(PointId p);
 
-  /// The simplices, those of the outside (with the infinite point) among them, counter-clockwise.
-  /// Requires span() == Span::plane.
-  const Topology<2>& topology() const { return topology_; }
-  /// The points in their order along the line. Requires span() != Span::plane.
-  std::vector<PointId> along_line() const;
+  std::size_t count() const { return topology().count(); }
+  bool empty() const { return count() == 0; }
+  /// Of a number below topology().point_limit(), other than the infinite point's.
+  bool is_there(PointId p) const { return topology().is_there(p) && p != infinite_point; }
+  const Position& position(PointId p) const { return structure_.position(p); }
+  Span span() const { return static_cast<Span>(topology().dimension() + 1); }
+  /// The simplices, those of the outside (with the infinite point) among them, as in Topology.
+  const Topology<Dimension>& topology() const { return structure_.topology(); }
+  const Structure<Dimension>& structure() const { return structure_; }
+  /// Calls `visit(p)` for every point that is there.
+  template <typename Visit>
+  void for_each_point(Visit&& visit) const;
+
+  /// The number of the point at this very position.
+  std::optional<PointId> find(const Position& position, std::optional<PointId> hint = {}) const;
+  /// The vertex whose simplex holds the position, or where that is off the hull, one with the
+  /// infinite point whose facet it sees. Requires a span of at least a line, and the position on
+  /// what the points span.
+  VertexId locate(const Position& position, std::optional<PointId> hint = {}) const;
+  /// What would be deleted if a point came there; none where there is one already. Requires what
+  /// locate requires.
+  bool find_conflict_zone(const Position& position, std::optional<PointId> hint,
+                          ConflictZone<Dimension>& zone) const;
 
   /// The nearest point, the lexicographically first of equally near ones; none where there are no
-  /// points. Cost: a walk from `hint`.
-  std::optional<PointId> nearest(Point to, std::optional<PointId> hint = {}) const;
-
+  /// points. Cost: a walk from `hint`, or from a signpost.
+  std::optional<PointId> nearest(const Position& to, std::optional<PointId> hint = {}) const;
   /// The nearest point and all that are as near, exactly; nothing where there are no points.
-  /// Cost: a walk from `hint`.
-  void find_nearest(Point to, std::optional<PointId> hint, std::vector<PointId>& nearest) const;
+  void find_nearest(const Position& to, std::optional<PointId> hint,
+                    std::vector<PointId>& nearest) const;
 
-  /// Calls `visit(neighbour)` for every point whose cell has an edge in common with p's, or would
-  /// have but for a tie; never the infinite one.
+  /// The vertices that p forms, and its neighbours. Requires a span of at least a line.
+  void find_star(PointId p, Star<Dimension>& star) const;
+  /// Calls `visit(neighbour)` for every point whose cell has a boundary in common with p's, or
+  /// would have but for a tie; never the infinite one. In the plane counter-clockwise.
   template <typename Visit>
   void for_each_neighbour(PointId p, Visit&& visit) const;
+  /// The same, for many points in space: `star` keeps its lists.
+  template <typename Visit>
+  void for_each_neighbour(PointId p, Star<Dimension>& star, Visit&& visit) const;
+  /// The points in lexicographic order. Requires a span of a line at most.
+  std::vector<PointId> along_line() const;
+
+  /// For History and Trial: keeps what is overwritten from now on; nothing for null.
+  void record_in(typename Structure<Dimension>::Changes* changes) { structure_.record_in(changes); }
+  Structure<Dimension>& structure() { return structure_; }
 
  private:
-  struct OuterEdge {  // of the deleted zone, counter-clockwise, and the vertex kept beyond it
-    PointId from;
-    PointId to;
-    VertexId beyond;
-    std::size_t side;
-  };
+  bool spans_all() const { return topology().dimension() == Dimension; }
+  PointId insert(const Position& position, VertexId hint);
+  VertexId start(const Position& position, std::optional<PointId> hint) const;
+  VertexId standing(VertexId v) const;
+  VertexId locate_from(VertexId hint, const Position& position) const;
+  PointId corner_at(VertexId v, const Position& position) const;
+  PointId walk_to_nearest(const Position& to, PointId from) const;
+  void expect_sound();
+  void put_up_signposts(std::span<const PointId> sample);
+  void renew_signposts();
 
-  PointId insert(PointId q);
-  PointId insert_in_line(PointId q);
-  PointId insert_in_plane(PointId q);
-  void insert_all_in_line(std::span<const PointId> points);
-  void raise_to_plane(PointId apex);
-
-  VertexId locate(Point q, VertexId hint) const;
-  bool in_conflict(VertexId v, Point q) const;
-  void find_deleted_vertices(VertexId first, Point q);
-  void find_outer_edges();
-  void allocate_new_vertices(PointId q);
-  void find_nearest_on_line(Point to, std::vector<PointId>& nearest) const;
-  void find_nearest_in_plane(Point to, std::optional<PointId> hint,
-                             std::vector<PointId>& nearest) const;
-
-  std::vector<Point> positions_;
-  std::vector<VertexId> vertex_of_;  // one simplex of each point; no_vertex while there are none
-  Topology<2> topology_;
-  std::vector<PointId> line_;  // in order, while the points span no plane
-  VertexId last_ = no_vertex;  // where the next walk starts
-  bool plane_ = false;
-
-  // Lists of the insertion's steps, kept to save their allocation.
-  std::vector<VertexId> deleted_;
-  std::vector<char> is_deleted_;  // by vertex
-  std::vector<OuterEdge> outer_edges_;
+  Structure<Dimension> structure_;
+  Insertion<Dimension> insertion_;
+  Deletion<Dimension> deletion_;
+  Signposts<Dimension> signposts_;
+  VertexId last_ = no_vertex;  // where the last change was; it may be gone
+  std::size_t changes_since_audit_ = 0;
 };
 
+template <int Dimension>
 template <typename Visit>
-void Tessellation::for_each_neighbour(PointId p, Visit&& visit) const {
-  const VertexId first = vertex_of_[index(p)];
-  VertexId v = first;
-  do {
-    const std::size_t i = topology_.corner_of(v, p);
-    const PointId next = topology_.forming(v)[(i + 1) % 3];
-    if (next != infinite_point) visit(next);
-    v = topology_.neighbour(v, (i + 1) % 3);
-  } while (v != first);
+void Tessellation<Dimension>::for_each_point(Visit&& visit) const {
+  for (std::uint32_t i = 1; i < topology().point_limit(); ++i) {
+    if (topology().is_there(PointId{i})) visit(PointId{i});
+  }
+}
+
+template <int Dimension>
+template <typename Visit>
+void Tessellation<Dimension>::for_each_neighbour(PointId p, Visit&& visit) const {
+  Star<Dimension> star;
+  for_each_neighbour(p, star, visit);
+}
+
+template <int Dimension>
+template <typename Visit>
+void Tessellation<Dimension>::for_each_neighbour(PointId p, Star<Dimension>& star,
+                                                 Visit&& visit) const {
+  if (topology().dimension() == 0) return;
+  if (topology().dimension() == 2) {
+    const VertexId first = topology().vertex_of(p);
+    VertexId v = first;
+    do {
+      const auto& row = topology().row(v);
+      const std::size_t next = row.forming[0] == p ? 1 : row.forming[1] == p ? 2 : 0;
+      if (row.forming[next] != infinite_point) visit(row.forming[next]);
+      v = row.neighbours[next];
+    } while (v != first);
+    return;
+  }
+  find_star(p, star);
+  for (const PointId q : star.points()) {
+    if (q != infinite_point) visit(q);
+  }
+}
+
+template <int Dimension>
+void Tessellation<Dimension>::find_star(PointId p, Star<Dimension>& star) const {
+  at_dimension<Dimension>(topology().dimension(),
+                          [&](auto d) { star.template find<d>(topology(), p); });
 }
 
 }  // namespace thiessen

@@ -2,86 +2,164 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <cstdlib>
 #include <map>
-#include <numeric>
+#include <set>
 #include <vector>
-
-#include "geometry/seeded.h"
 
 namespace thiessen {
 namespace {
 
-constexpr int side = 64;
-constexpr double whole_grid = 65536;
+template <int Dimension>
+using Cell = CoordinatesIn<Dimension, int>;
 
-// A coarse cell's number: all points of the cell share the first bits of their distance.
-std::uint32_t coarse_distance(int column, int row) {
-  const Box box{{0, 0}, {side, side}};
-  const double steps = whole_grid / side;
-  return hilbert_distance(box, {column + 0.5, row + 0.5}) /
-         static_cast<std::uint32_t>(steps * steps);
+Point centre_of(const Cell<2>& cell) {
+  return {cell[0] + 0.5, cell[1] + 0.5};
+}
+SpacePoint centre_of(const Cell<3>& cell) {
+  return {cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5};
 }
 
-TEST(HilbertDistance, numbers_every_cell_of_a_grid_once) {
-  std::vector<int> visits(side * side, 0);
-  for (int column = 0; column < side; ++column) {
-    for (int row = 0; row < side; ++row) ++visits.at(coarse_distance(column, row));
+// All cells of a grid of `side` cells a side.
+template <int Dimension>
+std::vector<Cell<Dimension>> cells_of(int side) {
+  std::vector<Cell<Dimension>> cells{{}};
+  for (std::size_t axis = 0; axis < std::size_t{Dimension}; ++axis) {
+    std::vector<Cell<Dimension>> longer;
+    for (Cell<Dimension> cell : cells) {
+      for (int i = 0; i < side; ++i) {
+        cell[axis] = i;
+        longer.push_back(cell);
+      }
+    }
+    cells = longer;
   }
-  EXPECT_EQ(visits, std::vector<int>(side * side, 1));
+  return cells;
 }
 
-TEST(HilbertDistance, goes_from_each_cell_to_a_neighbour) {
-  std::map<std::uint32_t, std::pair<int, int>> cell_at;
-  for (int column = 0; column < side; ++column) {
-    for (int row = 0; row < side; ++row) cell_at[coarse_distance(column, row)] = {column, row};
+template <int Dimension>
+HilbertGrid<Dimension> grid_of_side(double side) {
+  CoordinatesIn<Dimension> high;
+  high.fill(side);
+  return {{}, high};
+}
+
+// The cells of a grid of 2^levels a side, by what the first bits of the distance say.
+template <int Dimension>
+std::map<std::uint32_t, Cell<Dimension>> cells_by_distance(int levels) {
+  const HilbertGrid<Dimension> grid = grid_of_side<Dimension>(1 << levels);
+  const int finer = Dimension * (HilbertGrid<Dimension>::levels - levels);
+  std::map<std::uint32_t, Cell<Dimension>> at;
+  for (const Cell<Dimension>& cell : cells_of<Dimension>(1 << levels)) {
+    at[grid.distance(centre_of(cell)) >> finer] = cell;
   }
-  for (std::uint32_t i = 0; i + 1 < side * side; ++i) {
-    const auto [column, row] = cell_at.at(i);
-    const auto [next_column, next_row] = cell_at.at(i + 1);
-    ASSERT_EQ(std::abs(next_column - column) + std::abs(next_row - row), 1) << i;
+  return at;
+}
+
+template <int Dimension>
+int steps_between(const Cell<Dimension>& a, const Cell<Dimension>& b) {
+  int steps = 0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) steps += std::abs(a[axis] - b[axis]);
+  return steps;
+}
+
+// The curve comes to each cell once, and goes on to a neighbour.
+template <int Dimension>
+void expect_a_walk_through_every_cell(int levels) {
+  const auto at = cells_by_distance<Dimension>(levels);
+  const std::uint32_t count = 1u << (Dimension * levels);
+  ASSERT_EQ(at.size(), count);
+  ASSERT_EQ(at.rbegin()->first, count - 1);
+  for (std::uint32_t i = 0; i + 1 < count; ++i) {
+    ASSERT_EQ(steps_between<Dimension>(at.at(i), at.at(i + 1)), 1)
+        << "levels " << levels << ' ' << i;
   }
+}
+
+TEST(HilbertGrid, in_the_plane_walks_through_every_cell) {
+  for (int levels = 1; levels <= 9; ++levels) expect_a_walk_through_every_cell<2>(levels);
+}
+
+TEST(HilbertGrid, in_space_walks_through_every_cell) {
+  for (int levels = 1; levels <= 6; ++levels) expect_a_walk_through_every_cell<3>(levels);
+}
+
+TEST(HilbertGrid, walks_through_the_finest_cells) {
+  const HilbertGrid<2> grid = grid_of_side<2>(65536);
+  std::map<std::uint32_t, Cell<2>> at;
+  for (Cell<2> cell : cells_of<2>(64)) {
+    cell = {cell[0] + 64 * 711, cell[1] + 64 * 45};
+    at[grid.distance(centre_of(cell))] = cell;
+  }
+  ASSERT_EQ(at.size(), 4096u);
+  const std::uint32_t first = at.begin()->first;
+  EXPECT_EQ(first % 4096, 0u);
+  for (std::uint32_t i = first; i + 1 < first + 4096; ++i) {
+    ASSERT_EQ(steps_between<2>(at.at(i), at.at(i + 1)), 1) << i;
+  }
+}
+
+TEST(HilbertGrid, in_space_walks_through_the_finest_cells) {
+  const HilbertGrid<3> grid = grid_of_side<3>(1024);
+  std::map<std::uint32_t, Cell<3>> at;
+  for (Cell<3> cell : cells_of<3>(16)) {
+    cell = {cell[0] + 16 * 41, cell[1] + 16 * 63, cell[2] + 16 * 6};
+    at[grid.distance(centre_of(cell))] = cell;
+  }
+  ASSERT_EQ(at.size(), 4096u);
+  const std::uint32_t first = at.begin()->first;
+  EXPECT_EQ(first % 4096, 0u);
+  for (std::uint32_t i = first; i + 1 < first + 4096; ++i) {
+    ASSERT_EQ(steps_between<3>(at.at(i), at.at(i + 1)), 1) << i;
+  }
+}
+
+TEST(HilbertGrid, goes_from_the_low_corner_to_the_end_of_x) {
+  const HilbertGrid<2> plane({-1, -1}, {1, 1});
+  EXPECT_EQ(plane.distance({-1, -1}), 0u);
+  EXPECT_EQ(plane.distance({1, -1}), 0xFFFFFFFFu);
+  const HilbertGrid<3> space({-1, -1, -1}, {1, 1, 1});
+  EXPECT_EQ(space.distance({-1, -1, -1}), 0u);
+  EXPECT_EQ(space.distance({1, -1, -1}), 0x3FFFFFFFu);
+}
+
+TEST(HilbertGrid, has_square_cells_in_a_long_box) {
+  const HilbertGrid<2> square({0, 0}, {64, 64});
+  const HilbertGrid<2> flat({0, 0}, {64, 3});
+  for (const Cell<2>& cell : cells_of<2>(64)) {
+    if (cell[1] >= 3) continue;
+    ASSERT_EQ(flat.distance(centre_of(cell)), square.distance(centre_of(cell)));
+  }
+}
+
+TEST(HilbertGrid, divides_what_has_a_length_that_doubles_can_say) {
+  EXPECT_FALSE(HilbertGrid<2>({5, 5}, {5, 5}).divides());
+  EXPECT_FALSE(HilbertGrid<2>({0, 0}, {0, DBL_TRUE_MIN}).divides());
+  EXPECT_FALSE(HilbertGrid<3>({0, 0, -DBL_MAX}, {0, 0, DBL_MAX}).divides());
+  for (const double length : {1e-303, 1e-60, 1.0, 1e60, DBL_MAX}) {
+    const HilbertGrid<2> grid({0, 0}, {0, length});
+    EXPECT_TRUE(grid.divides()) << length;
+    EXPECT_NE(grid.distance({0, 0}) >> 30, grid.distance({0, length}) >> 30) << length;
+  }
+  const double next = std::nextafter(1e15, 2e15);
+  const HilbertGrid<3> ulp({1e15, 0, 0}, {next, 0, 0});
+  EXPECT_NE(ulp.distance({1e15, 0, 0}) >> 27, ulp.distance({next, 0, 0}) >> 27);
 }
 
 TEST(HilbertDistance, of_a_box_without_width_or_height_stands) {
-  EXPECT_EQ(hilbert_distance({{5, 5}, {5, 5}}, {5, 5}), 0u);
+  EXPECT_EQ(hilbert_distance({{5, 5}, {5, 5}}, {5, 5}), hilbert_distance({{7, 5}, {7, 5}}, {7, 5}));
   EXPECT_LT(hilbert_distance({{5, 0}, {5, 1}}, {5, 0.2}),
             hilbert_distance({{5, 0}, {5, 1}}, {5, 0.8}));
 }
 
-TEST(HilbertDistance, takes_the_box_far_corners) {
-  const Box box{{-1, -1}, {1, 1}};
-  EXPECT_EQ(hilbert_distance(box, {-1, -1}), 0u);
-  EXPECT_EQ(hilbert_distance(box, {1, -1}), 0xFFFFFFFFu);
-}
-
-TEST(InsertionOrder, is_a_permutation) {
-  Seeded seeded;
-  for (const std::size_t count : {0u, 1u, 2u, 63u, 64u, 65u, 128u, 129u, 5000u}) {
-    std::vector<Point> points(count);
-    for (Point& p : points) p = {std::floor(seeded.uniform(0, 40)), seeded.uniform(0, 1)};
-    std::vector<std::uint32_t> order = insertion_order(points);
-    std::sort(order.begin(), order.end());
-    std::vector<std::uint32_t> all(count);
-    std::iota(all.begin(), all.end(), 0u);
-    EXPECT_EQ(order, all);
+TEST(HilbertDistance, is_the_grid_s_over_the_box) {
+  const Box box{{-1, 2}, {5, 4}};
+  const HilbertGrid<2> grid({-1, 2}, {5, 4});
+  for (const Point p : {Point{0, 3}, Point{4.9, 2.1}, Point{-1, 4}}) {
+    EXPECT_EQ(hilbert_distance(box, p), grid.distance(p));
   }
-}
-
-TEST(InsertionOrder, stays_near_the_point_before) {
-  Seeded seeded;
-  std::vector<Point> points(100000);
-  for (Point& p : points) p = {seeded.uniform(0, 1), seeded.uniform(0, 1)};
-  const std::vector<std::uint32_t> order = insertion_order(points);
-  double way = 0;
-  for (std::size_t i = 1; i < order.size(); ++i) {
-    const Point p = points[order[i - 1]];
-    const Point q = points[order[i]];
-    way += std::hypot(q.x - p.x, q.y - p.y);
-  }
-  // Along the curve a step is about n^(-1/2); at random it would be 0.52.
-  EXPECT_LT(way / 100000, 0.01);
 }
 
 }  // namespace

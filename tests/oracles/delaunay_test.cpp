@@ -1,90 +1,25 @@
-// The tessellation against CGAL's Delaunay triangulation of the same points.
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+// The tessellation of the plane against CGAL's Delaunay triangulation of the same points.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <set>
-#include <string>
 #include <vector>
 
-#include "tessellation/audit.h"
-#include "tessellation/families.h"
-#include "tessellation/structure.h"
+#include "oracles/same_as_cgal.h"
+#include "tessellation/space_families.h"
 
 namespace thiessen {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangulation = CGAL::Delaunay_triangulation_2<Kernel>;
-using Edge = std::array<Point, 2>;
-
-Point point_of(const Kernel::Point_2& p) {
-  return {p.x(), p.y()};
+void expect_same_as_cgal(const std::vector<Point>& points) {
+  expect_sound_and_same_as_cgal<2>(points);
 }
 
-Edge edge_of(Point a, Point b) {
-  return a < b ? Edge{a, b} : Edge{b, a};
-}
-
-/// CGAL's edges but those that a tie decides: four points on one circle.
-std::set<Edge> certain_edges(const Triangulation& triangulation) {
-  std::set<Edge> edges;
-  for (auto e = triangulation.finite_edges_begin(); e != triangulation.finite_edges_end(); ++e) {
-    const auto face = e->first;
-    const int i = e->second;
-    const auto other = face->neighbor(i);
-    const bool on_hull = triangulation.is_infinite(face) || triangulation.is_infinite(other);
-    const auto across = triangulation.mirror_vertex(face, i);
-    const bool tie = !on_hull && triangulation.side_of_oriented_circle(face, across->point()) ==
-                                     CGAL::ON_ORIENTED_BOUNDARY;
-    if (tie) continue;
-    edges.insert(edge_of(point_of(face->vertex(face->cw(i))->point()),
-                         point_of(face->vertex(face->ccw(i))->point())));
-  }
-  return edges;
-}
-
-std::set<Edge> edges_of(const Tessellation& tessellation) {
-  std::set<Edge> edges;
-  for (const PlainSimplex& s : plain_simplices(tessellation)) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Point a = s.at(i);
-      const Point b = s.at((i + 1) % 3);
-      if (std::isfinite(a.x) && std::isfinite(b.x)) edges.insert(edge_of(a, b));
-    }
-  }
-  return edges;
-}
-
-void expect_same_as_cgal(std::span<const Point> points) {
-  std::vector<Kernel::Point_2> theirs;
-  for (const Point p : points) theirs.emplace_back(p.x, p.y);
-  const Triangulation triangulation(theirs.begin(), theirs.end());
-  Tessellation tessellation;
-  tessellation.add_all(points);
-
-  ASSERT_EQ(static_cast<int>(tessellation.span()) - 1, triangulation.dimension());
-  ASSERT_TRUE(audit(tessellation).empty());
-  if (tessellation.span() != Span::plane) {
-    ASSERT_EQ(tessellation.along_line().size(), triangulation.number_of_vertices());
-    return;
-  }
-  const std::set<Edge> ours = edges_of(tessellation);
-  const std::set<Edge> certain = certain_edges(triangulation);
-  EXPECT_TRUE(std::includes(ours.begin(), ours.end(), certain.begin(), certain.end()));
-  std::size_t finite = 0;
-  for (const PlainSimplex& s : plain_simplices(tessellation))
-    finite += std::isfinite(s[1].x) && std::isfinite(s[2].x);
-  EXPECT_EQ(finite, triangulation.number_of_faces());
-}
-
+// T004 to T006, T010 to T020, T022 to T027.
 TEST(DelaunayAgainstCgal, every_family) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(5); ++round) {
     for (const std::size_t count : {5u, 20u, 150u, 2000u}) {
-      for (const Family& family : families::all(seeded, count)) {
+      for (const Family& family : families::all_in<2>(seeded, count)) {
         SCOPED_TRACE(family.name);
         expect_same_as_cgal(family.points);
         if (testing::Test::HasFailure()) return;
@@ -110,6 +45,7 @@ TEST(DelaunayAgainstCgal, thousands_of_small_degenerate_sets) {
 }
 
 // Points that broke other programs, from their public trackers and papers.
+// T021.
 TEST(DelaunayAgainstCgal, shapely_issue_972_a_rectangle) {
   expect_same_as_cgal(std::vector<Point>{
       {20.1273, 18.7303}, {26.5107, 18.7303}, {20.1273, 23.8437}, {26.5107, 23.8437}});
@@ -139,12 +75,43 @@ TEST(DelaunayAgainstCgal, kettners_failure_a1) {
                                          {19, 11}});
 }
 
+// T013, T014.
 TEST(DelaunayAgainstCgal, kettners_grid_of_ulps_and_far_corners) {
   std::vector<Point> points{{12, 12}, {24, 24}, {-12, 30}, {30, -12}};
   for (int i = 0; i < 8; ++i) {
     for (int j = 0; j < 8; ++j) points.push_back({0.5 + i * 0x1p-53, 0.5 + j * 0x1p-53});
   }
   expect_same_as_cgal(points);
+}
+
+// T012: pairs that other programs merge.
+TEST(DelaunayAgainstCgal, pairs_of_any_small_distance) {
+  Seeded seeded;
+  for (const double apart : {1e-16, 1e-12, 1e-9, 1e-6}) {
+    std::vector<Point> points;
+    for (const Point p : families::uniform(seeded, 50)) {
+      points.push_back(p);
+      points.push_back({p.x + apart, p.y});
+      points.push_back({p.x, p.y - apart});
+    }
+    expect_same_as_cgal(points);
+  }
+}
+
+// T017, T018: a lattice turned by any angle.
+TEST(DelaunayAgainstCgal, turned_lattices) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(20); ++round)
+    expect_same_as_cgal(families::lattice(400, 1, {0, 0}, seeded.uniform(0, 7)));
+}
+
+// T028, a tenth of it: no family takes long.
+TEST(DelaunayAgainstCgal, large_sets) {
+  Seeded seeded;
+  expect_same_as_cgal(families::uniform(seeded, 100000));
+  expect_same_as_cgal(families::clustered(seeded, 100000, 2, 1e-6));
+  expect_same_as_cgal(families::rounded_circle(10000, {0, 0}, 1));
+  expect_same_as_cgal(families::line(10000, {0, 0}, {0.1, 0.1}));
 }
 
 }  // namespace

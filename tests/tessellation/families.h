@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/point.h"
@@ -10,11 +12,13 @@
 
 namespace thiessen {
 
-/// Point sets that break tessellations, each of about `count` points. See generator functions.
-struct Family {
+/// A kind of point set that breaks tessellations.
+template <int Dimension>
+struct FamilyIn {
   std::string name;
-  std::vector<Point> points;
+  std::vector<PositionIn<Dimension>> points;
 };
+using Family = FamilyIn<2>;
 
 namespace families {
 
@@ -59,9 +63,10 @@ inline std::vector<Point> lattice(std::size_t count, double step, Point origin, 
 inline std::vector<Point> whole_circle(Point centre) {
   std::vector<Point> points;
   for (int x = -325; x <= 325; ++x) {
-    for (int y = -325; y <= 325; ++y) {
-      if (x * x + y * y == 325 * 325) points.push_back({centre.x + x, centre.y + y});
-    }
+    const int y = static_cast<int>(std::lround(std::sqrt(325 * 325 - x * x)));
+    if (x * x + y * y != 325 * 325) continue;
+    points.push_back({centre.x + x, centre.y - y});
+    if (y != 0) points.push_back({centre.x + x, centre.y + y});
   }
   return points;
 }
@@ -117,6 +122,48 @@ inline std::vector<Point> spiral(std::size_t count) {
     points.push_back({t * std::cos(t), t * std::sin(t)});
   }
   return points;
+}
+
+/// Along a road, in whole centimetres.
+inline std::vector<Point> road(std::size_t count) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto t = static_cast<double>(i);
+    points.push_back(
+        {std::round(t * 70) / 100, std::round(t * 20 + 1000 * std::sin(t / 500)) / 100});
+  }
+  return points;
+}
+
+/// Bulging 1e-12 over a length of 1 at most.
+inline std::vector<Point> flat_arc(std::size_t count) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = static_cast<double>(i) / static_cast<double>(count);
+    points.push_back({x, 4e-12 * x * (1 - x)});
+  }
+  return points;
+}
+
+/// Koch's snowflake, its corners after as many steps as it takes.
+inline std::vector<Point> koch(std::size_t count) {
+  std::vector<Point> ring{{0, 0}, {0.5, std::sqrt(0.75)}, {1, 0}};
+  while (4 * ring.size() <= std::max<std::size_t>(count, 12)) {
+    std::vector<Point> finer;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point a = ring[i];
+      const Point b = ring[(i + 1) % ring.size()];
+      const Point third{(b.x - a.x) / 3, (b.y - a.y) / 3};
+      const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+      const double height = std::sqrt(0.75);
+      finer.push_back(a);
+      finer.push_back({a.x + third.x, a.y + third.y});
+      finer.push_back({middle.x - height * third.y, middle.y + height * third.x});
+      finer.push_back({b.x - third.x, b.y - third.y});
+    }
+    ring = std::move(finer);
+  }
+  return ring;
 }
 
 inline std::vector<Point> with(std::vector<Point> points, const std::vector<Point>& more) {

@@ -9,7 +9,7 @@
 
 #include "geometry/predicates.h"
 #include "tessellation/families.h"
-#include "tessellation/structure.h"
+#include "tessellation/simplices.h"
 
 namespace thiessen {
 namespace {

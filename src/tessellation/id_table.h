@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace thiessen {
+
+/// A table from keys of `Length` numbers to a number, emptied at once: what an operation has to
+/// look up among the few rows it changes. Cost: constant on average, an allocation only when it
+/// grows beyond what it ever held.
+template <std::size_t Length>
+class IdTable {
+ public:
+  using Key = std::array<std::uint32_t, Length>;
+
+  IdTable() : slots_(32) {}
+
+  void clear() {
+    count_ = 0;
+    if (++round_ == 0) {
+      for (Slot& slot : slots_) slot.round = 0;
+      round_ = 1;
+    }
+  }
+  std::size_t size() const { return count_; }
+
+  /// The key's value; none where it has none.
+  std::uint32_t* find(const Key& key) {
+    Slot& slot = slot_of(key);
+    return slot.round == round_ ? &slot.value : nullptr;
+  }
+  /// Gives the key a value unless it has one. Returns the key's value, and whether it is new.
+  std::pair<std::uint32_t*, bool> insert(const Key& key, std::uint32_t value) {
+    if (2 * (count_ + 1) > slots_.size()) grow();
+    Slot& slot = slot_of(key);
+    if (slot.round == round_) return {&slot.value, false};
+    slot = {key, value, round_};
+    ++count_;
+    return {&slot.value, true};
+  }
+
+ private:
+  struct Slot {
+    Key key;
+    std::uint32_t value;
+    std::uint32_t round = 0;  // in which the slot was taken
+  };
+
+  // Without the call of a library that comparing arrays may be.
+  static bool are_equal(const Key& a, const Key& b) {
+    std::uint32_t different = 0;
+    for (std::size_t i = 0; i < Length; ++i) different |= a[i] ^ b[i];
+    return different == 0;
+  }
+  Slot& slot_of(const Key& key) {
+    std::uint64_t hash = 0;
+    for (const std::uint32_t part : key) hash = (hash ^ part) * 0x9E3779B97F4A7C15u;
+    const std::size_t mask = slots_.size() - 1;
+    std::size_t i = static_cast<std::size_t>(hash >> 32) & mask;
+    while (slots_[i].round == round_ && !are_equal(slots_[i].key, key)) i = (i + 1) & mask;
+    return slots_[i];
+  }
+  void grow() {
+    std::vector<Slot> slots(2 * slots_.size());
+    slots.swap(slots_);
+    for (const Slot& slot : slots) {
+      if (slot.round == round_) slot_of(slot.key) = slot;
+    }
+  }
+
+  std::vector<Slot> slots_;
+  std::uint32_t round_ = 1;
+  std::size_t count_ = 0;
+};
+
+}  // namespace thiessen
