@@ -68,7 +68,7 @@ int least_width(const std::string& label, int size) {
   return std::max(1, size * (ascii ? letters : 1) / 4);
 }
 
-bool holds(const OwnerRaster& basins, std::int32_t basin, const Box& box) {
+bool holds(const OwnerRaster& basins, std::int32_t basin, const PixelBox& box) {
   if (box.x < 0 || box.y < 0 || box.right() > basins.width() || box.bottom() > basins.height()) {
     return false;
   }
@@ -120,7 +120,7 @@ void Annotation::draw_gauges() {
   }
 }
 
-void Annotation::put(const SetText& text, const Box& box, Colour colour) {
+void Annotation::put(const SetText& text, const PixelBox& box, Colour colour) {
   const int rim = (box.width - text.width()) / 2;
   const int x = page_.panel.x + box.x;
   const int y = page_.panel.y + box.y;
@@ -144,8 +144,8 @@ void Annotation::draw_basin_names(const OwnerRaster& basins) {
       const int row = rows[i].top + height * share / 100;
       const Run run = longest_run(basins, basin, row);
       const int middle = (run.begin + run.end) / 2;
-      const Box box{middle - text.width() / 2 - rim, row - text.height() / 2 - rim,
-                    text.width() + 2 * rim, text.height() + 2 * rim};
+      const PixelBox box{middle - text.width() / 2 - rim, row - text.height() / 2 - rim,
+                         text.width() + 2 * rim, text.height() + 2 * rim};
       if (!taken_.is_free(box) || !holds(basins, basin, box)) continue;
       put(text, box, ink::basin_edge);
       break;

@@ -33,7 +33,7 @@ class Annotation {
 
  private:
   bool in_sight(Point p) const;
-  void put(const SetText& text, const Box& box, Colour colour);
+  void put(const SetText& text, const PixelBox& box, Colour colour);
 
   Canvas& canvas_;
   const Page& page_;

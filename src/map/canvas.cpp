@@ -48,20 +48,20 @@ void Canvas::blend(int x, int y, const Coverage& coverage, Colour colour, int al
   }
 }
 
-void Canvas::fill(const Box& box, Colour colour) {
+void Canvas::fill(const PixelBox& box, Colour colour) {
   for (int y = box.y; y < box.bottom(); ++y) {
     for (int x = box.x; x < box.right(); ++x) set(x, y, colour);
   }
 }
 
-void Canvas::frame(const Box& box, Colour colour, int thickness) {
+void Canvas::frame(const PixelBox& box, Colour colour, int thickness) {
   fill({box.x, box.y, box.width, thickness}, colour);
   fill({box.x, box.bottom() - thickness, box.width, thickness}, colour);
   fill({box.x, box.y, thickness, box.height}, colour);
   fill({box.right() - thickness, box.y, thickness, box.height}, colour);
 }
 
-void Canvas::disc(Point centre, double radius, Colour colour, const Box& clip) {
+void Canvas::disc(Point centre, double radius, Colour colour, const PixelBox& clip) {
   const int reach = static_cast<int>(std::ceil(radius)) + 1;
   const int column = static_cast<int>(std::floor(centre.x));
   const int row = static_cast<int>(std::floor(centre.y));

@@ -17,7 +17,7 @@ struct Colour {
 };
 
 /// Whole pixels from (x, y), the upper left, `width` to the right and `height` down.
-struct Box {
+struct PixelBox {
   int x = 0;
   int y = 0;
   int width = 0;
@@ -60,12 +60,12 @@ class Canvas {
   void blend(int x, int y, Colour colour, int alpha);
   /// Mixes `colour` in, weighted by the coverage, whose upper left comes to (x, y), and `alpha`.
   void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha = 255);
-  void fill(const Box& box, Colour colour);
+  void fill(const PixelBox& box, Colour colour);
   /// A frame of `thickness` pixels, inside the box.
-  void frame(const Box& box, Colour colour, int thickness);
+  void frame(const PixelBox& box, Colour colour, int thickness);
   /// A disc with a smooth edge; its centre and radius in pixels, pixel centres at .5. Only the
   /// pixels of `clip` change.
-  void disc(Point centre, double radius, Colour colour, const Box& clip);
+  void disc(Point centre, double radius, Colour colour, const PixelBox& clip);
 
  private:
   std::uint8_t* pixel(int x, int y);

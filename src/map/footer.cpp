@@ -14,7 +14,7 @@ namespace {
 /// Draws the bar with its figures; returns where its right end, figures included, lies.
 int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
                    Typesetter& type) {
-  const Box& foot = page.footer;
+  const PixelBox& foot = page.footer;
   const int em = page.style.em;
   const double longest = std::min(foot.width * 0.3, 16.0 * em);
   const ScaleBar bar = scale_bar(pixels_per_unit, view.projection.metres_per_unit(), longest);
@@ -26,7 +26,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   const int height = std::max(3, em / 3);
   const int full = static_cast<int>(std::lround(bar.pixels));
   const int half = static_cast<int>(std::lround(bar.pixels / 2));
-  const Box outline{left, top, full, height};
+  const PixelBox outline{left, top, full, height};
   canvas.fill(outline, ink::white);
   canvas.fill({left, top, half, height}, ink::text);
   canvas.frame(outline, ink::text, page.style.hairline);

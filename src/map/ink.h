@@ -11,6 +11,8 @@ inline constexpr Colour ground{250, 250, 249};
 inline constexpr Colour cell_edge{72, 80, 88};
 inline constexpr Colour basin_edge{24, 28, 32};
 inline constexpr Colour gauge{168, 28, 36};
+inline constexpr Colour voronoi{205, 24, 36};
+inline constexpr Colour delaunay{28, 84, 196};
 inline constexpr Colour white{255, 255, 255};
 inline constexpr Colour no_reading{238, 238, 236};
 inline constexpr Colour hatch{190, 190, 187};

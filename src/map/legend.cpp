@@ -108,7 +108,7 @@ int Legend::height() const {
          static_cast<int>(entries_.size()) * em_ * 3 / 2;
 }
 
-int Legend::draw_bar(Canvas& canvas, const Box& box, const RainfallClasses& classes) const {
+int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const {
   const std::size_t count = classes.count();
   if (count == 0) return box.y;
   const int n = static_cast<int>(count);
@@ -132,7 +132,7 @@ int Legend::draw_bar(Canvas& canvas, const Box& box, const RainfallClasses& clas
   return top + n * step + em_;
 }
 
-void Legend::draw_entry(Canvas& canvas, const Box& sign, Sign kind) const {
+void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
   const Point middle{sign.x + sign.width / 2.0, sign.y + sign.height / 2.0};
   if (kind == Sign::gauge || kind == Sign::silent_gauge) {
     draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind == Sign::gauge, sign);
@@ -154,7 +154,7 @@ void Legend::draw_entry(Canvas& canvas, const Box& sign, Sign kind) const {
 }
 
 void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const {
-  const Box& box = page.legend;
+  const PixelBox& box = page.legend;
   const int line = em_ * 3 / 2;
   int y = box.y;
   if (heading_.width() > 0 && box.height >= line) {

@@ -52,8 +52,8 @@ class Legend {
   };
 
   int bar_height(std::size_t classes, int step) const;
-  int draw_bar(Canvas& canvas, const Box& box, const RainfallClasses& classes) const;
-  void draw_entry(Canvas& canvas, const Box& sign, Sign kind) const;
+  int draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const;
+  void draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const;
 
   int em_;
   int width_ = 0;

@@ -71,7 +71,7 @@ std::vector<Colour> rainfall_colours(const Picture& picture, const RainfallClass
 }
 
 template <typename T>
-void clear_outside(std::span<T> pixels, int width, const Box& box, T nothing) {
+void clear_outside(std::span<T> pixels, int width, const PixelBox& box, T nothing) {
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int x = static_cast<int>(i % static_cast<std::size_t>(width));
     const int y = static_cast<int>(i / static_cast<std::size_t>(width));
@@ -107,7 +107,7 @@ void to_pixels(StudyView& view, const PanelTransform& transform) {
   for (Point& p : view.gauges) p = transform(p);
 }
 
-OwnerRaster basin_raster(const StudyView& view, const Box& panel) {
+OwnerRaster basin_raster(const StudyView& view, const PixelBox& panel) {
   OwnerRaster raster(panel.width, panel.height);
   for (std::size_t i = 0; i < view.basins.size(); ++i) {
     for (const MapPart& part : view.basins[i]) raster.fill(part.rings, static_cast<int>(i));
@@ -115,7 +115,7 @@ OwnerRaster basin_raster(const StudyView& view, const Box& panel) {
   return raster;
 }
 
-Box sight_box(const StudyView& view, const PanelTransform& transform, const Box& panel) {
+PixelBox sight_box(const StudyView& view, const PanelTransform& transform, const PixelBox& panel) {
   if (view.projection.period() == 0) return {0, 0, panel.width, panel.height};
   const Point upper = transform({view.extent.west, view.extent.north});
   const Point lower = transform({view.extent.east, view.extent.south});
@@ -127,7 +127,7 @@ Box sight_box(const StudyView& view, const PanelTransform& transform, const Box&
   return {x, y, pixel(lower.x, panel.width) - x, pixel(lower.y, panel.height) - y};
 }
 
-OwnerRaster cell_raster(const StudyView& view, OwnerRaster basins, const Box& sight) {
+OwnerRaster cell_raster(const StudyView& view, OwnerRaster basins, const PixelBox& sight) {
   for (std::int32_t& owner : basins.owners()) {
     if (owner != OwnerRaster::nobody) owner = basin_without_cell;
   }
@@ -146,8 +146,8 @@ std::vector<std::size_t> pixels_of_gauges(const Picture& picture, const OwnerRas
   return pixels;
 }
 
-void draw_cells(Canvas& canvas, const Box& panel, const Picture& picture, const OwnerRaster& cells,
-                const RainfallClasses& classes, int em) {
+void draw_cells(Canvas& canvas, const PixelBox& panel, const Picture& picture,
+                const OwnerRaster& cells, const RainfallClasses& classes, int em) {
   const std::vector<Colour> colours =
       picture.by_rainfall ? rainfall_colours(picture, classes) : station_colours(picture, cells);
   for (int y = 0; y < panel.height; ++y) {
@@ -164,8 +164,8 @@ void draw_cells(Canvas& canvas, const Box& panel, const Picture& picture, const 
   }
 }
 
-void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const Box& sight) {
-  const Box& panel = page.panel;
+void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight) {
+  const PixelBox& panel = page.panel;
   const int em = page.style.em;
   const double share = static_cast<double>(panel.width) * panel.height /
                        std::max(1.0, static_cast<double>(view.cells.size()));

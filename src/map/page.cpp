@@ -87,7 +87,7 @@ Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend,
   return page;
 }
 
-PanelTransform::PanelTransform(const Extent& extent, const Box& panel)
+PanelTransform::PanelTransform(const Extent& extent, const PixelBox& panel)
     : middle_{extent.west + extent.width() / 2, extent.south + extent.height() / 2},
       centre_{panel.width / 2.0, panel.height / 2.0} {
   const double free = 1 - 2 * rim;

@@ -26,13 +26,14 @@ struct Page {
   int width = 0;
   int height = 0;
   PageStyle style;
-  Box panel;  ///< the map
+  PixelBox panel;  ///< the map
   SetText title;
   SetText subtitle;
   int title_baseline = 0;
   int subtitle_baseline = 0;
-  Box legend;  ///< the column to the right of the map; no width where there is none
-  Box footer;  ///< scale bar, north arrow and notes, below the map; no height where there is none
+  PixelBox legend;  ///< the column to the right of the map; no width where there is none
+  PixelBox
+      footer;  ///< scale bar, north arrow and notes, below the map; no height where there is none
 };
 
 /// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map
@@ -45,7 +46,7 @@ PageStyle page_style(int width, int height);
 /// From the map's plane to pixels of the panel, the extent in its middle.
 class PanelTransform {
  public:
-  PanelTransform(const Extent& extent, const Box& panel);
+  PanelTransform(const Extent& extent, const PixelBox& panel);
 
   Point operator()(Point map) const {
     return {(map.x - middle_.x) * scale_ + centre_.x, (middle_.y - map.y) * scale_ + centre_.y};

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <new>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 
 #include "map/annotation.h"
 #include "map/canvas.h"
+#include "map/encoding.h"
 #include "map/footer.h"
 #include "map/ink.h"
 #include "map/legend.h"
@@ -23,23 +23,11 @@ namespace {
   throw Error(Message{{}, 0, std::move(text), std::move(hint)});
 }
 
-std::string encode(Canvas& canvas, PictureFormat format) {
-  const cv::Mat pixels(canvas.height(), canvas.width(), CV_8UC3, canvas.bytes().data());
-  const bool png = format == PictureFormat::png;
-  const std::vector<int> options = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
-                                       : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 93};
-  std::vector<unsigned char> bytes;
-  if (!cv::imencode(png ? ".png" : ".jpg", pixels, bytes, options) || bytes.empty()) {
-    fail("the picture could not be encoded");
-  }
-  return {bytes.begin(), bytes.end()};
-}
-
 void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyView view,
               const RainfallClasses& classes, Typesetter& type) {
   const PanelTransform transform(view.extent, page.panel);
   to_pixels(view, transform);
-  const Box sight = sight_box(view, transform, page.panel);
+  const PixelBox sight = sight_box(view, transform, page.panel);
   OwnerRaster basins = basin_raster(view, page.panel);
   Annotation annotation(canvas, page, picture, view, type);
   const OwnerRaster cells = cell_raster(view, basins, sight);
@@ -85,9 +73,9 @@ std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnin
   canvas.blend(page.style.em, page.subtitle_baseline - page.subtitle.baseline, page.subtitle.ink,
                ink::quiet_text);
   if (legend.width() > 0) legend.draw(canvas, page, classes);
-  std::string bytes = encode(canvas, format);
+  const std::vector<unsigned char> bytes = encoded(canvas, format);
   warn_of_missing(type, warnings);
-  return bytes;
+  return {bytes.begin(), bytes.end()};
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ double gauge_reach(double radius) {
   return radius < 2 ? radius + 0.4 : radius * 1.3 + 0.3;
 }
 
-void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const Box& clip) {
+void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip) {
   canvas.disc(centre, gauge_reach(radius), ink::white, clip);
   canvas.disc(centre, radius, ink::gauge, clip);
   if (!reports) canvas.disc(centre, std::max(0.5, radius * 0.62), ink::white, clip);

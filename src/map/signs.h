@@ -17,6 +17,6 @@ double gauge_radius(int em, std::size_t gauges, double pixels);
 double gauge_reach(double radius);
 
 /// A red dot in a white ring; hollow where the gauge is silent. Only pixels of `clip` change.
-void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const Box& clip);
+void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip);
 
 }  // namespace thiessen

@@ -8,7 +8,7 @@
 namespace thiessen {
 namespace {
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
@@ -23,7 +23,7 @@ TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
     const int radius = 3;
     Occupancy map(width, height);
     std::vector<Point> dots;
-    std::vector<Box> dot_boxes;
+    std::vector<PixelBox> dot_boxes;
     for (unsigned i = 0; i < 40 * seed; ++i) {
       dots.push_back({x(random), y(random)});
       dot_boxes.push_back({static_cast<int>(dots.back().x) - radius,
@@ -31,7 +31,7 @@ TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
                            2 * radius + 1});
       map.occupy(dot_boxes.back());
     }
-    std::vector<Box> labels;
+    std::vector<PixelBox> labels;
     for (const Point dot : dots) {
       const auto box = place_beside(map, dot, radius, 1, length(random), 11);
       if (!box) continue;
@@ -40,9 +40,9 @@ TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
     }
     ASSERT_GT(labels.size(), 20u) << "seed " << seed;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-      const Box& box = labels[i];
+      const PixelBox& box = labels[i];
       ASSERT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= width && box.bottom() <= height);
-      for (const Box& dot : dot_boxes) ASSERT_FALSE(overlap(box, dot)) << "seed " << seed;
+      for (const PixelBox& dot : dot_boxes) ASSERT_FALSE(overlap(box, dot)) << "seed " << seed;
       for (std::size_t j = 0; j < i; ++j) ASSERT_FALSE(overlap(box, labels[j])) << "seed " << seed;
     }
   }

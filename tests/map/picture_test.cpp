@@ -187,7 +187,7 @@ TEST(ScaleBar, is_the_longest_round_length_that_fits) {
   EXPECT_EQ(scale_bar(3, none, 100).length.text(), "20");
 }
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
@@ -207,7 +207,7 @@ TEST(Page, its_parts_do_not_overlap_and_stay_on_it) {
     ASSERT_FALSE(page.style.bare);
     EXPECT_EQ(page.width, width);
     EXPECT_TRUE(height == 0 || page.height == height);
-    for (const Box& box : {page.panel, page.legend, page.footer}) {
+    for (const PixelBox& box : {page.panel, page.legend, page.footer}) {
       EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= page.width &&
                   box.bottom() <= page.height);
       EXPECT_GT(box.width, 0);

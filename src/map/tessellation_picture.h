@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "geometry/point.h"
+#include "tessellation/tessellation.h"
+
+namespace thiessen {
+
+/// From where one looks in space, and at what.
+struct View {
+  SpacePoint view;
+  SpacePoint site;
+};
+
+/// What a point is called in the picture.
+using NumberOf = std::function<std::uint64_t(PointId)>;
+
+/// A PNG file: Voronoi edges solid red, Delaunay edges dashed blue, points with their numbers as
+/// far as these find room, axes. The points and a margin are in sight, on equal scales; a needle's
+/// short side is stretched, and the picture says so. Unbounded edges run off the frame. Of
+/// cocircular points the Delaunay edges that a tie decides are drawn, Voronoi edges of no length
+/// are not.
+///
+/// The same points and numbers give the same bytes on one machine, whatever the locale and the
+/// order in which the points came. Throws Error where no font is installed, memory runs out or
+/// encoding fails. Cost: linear in the edges, and the pixels.
+std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
+                                         const NumberOf& number_of);
+
+/// The same of points in space, in perspective: what is far is fainter, thinner and smaller, and
+/// hidden by what is near. A box somewhat larger than the points' range, drawn with its
+/// coordinates, is what unbounded edges end at. z points up, or y where one looks along z. The site
+/// is the middle of the picture, and what the box fills of it is as large as can be, up to a wide
+/// angle. Without a view one looks from outside a corner at the middle of the points.
+///
+/// Points of a plane or a line: Voronoi cells are then prisms or slabs; their edges, where there
+/// are any, and the rims at which they leave the box are drawn. Throws Error as plane_picture does,
+/// and where view and site are one place or not finite,
+/// or the view is so far off that it overflows in units of the points' range. Cost: linear in the
+/// edges, and sorting them by depth.
+std::vector<unsigned char> space_picture(const Tessellation<3>& tessellation,
+                                         const NumberOf& number_of,
+                                         const std::optional<View>& view);
+
+}  // namespace thiessen
