@@ -21,6 +21,10 @@ class Command {
   virtual const char* description() const = 0;
   /// What follows the command's name in a line that runs in the project's folder, for the help.
   virtual const char* example() const = 0;
+  /// What the help says between the options and the example; may be empty.
+  virtual std::string notes() const { return {}; }
+  /// What is said where a signal ends the command; a literal.
+  virtual const char* when_interrupted() const { return "interrupted; nothing was written"; }
   /// Declares files and options. Opens nothing.
   virtual void set_up(CLI::App& app) = 0;
   /// Does the work. Throws UsageError, Error and Interrupted.

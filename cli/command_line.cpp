@@ -30,8 +30,9 @@ CommandLine::CommandLine(const std::string& program)
       app_("Areal rainfall from rain gauges by exact Thiessen polygons.", "thiessen") {
   const std::string version = std::string("thiessen ") + THIESSEN_VERSION;
   const auto example = [&](const Command& command) {
-    return "Example, in the folder of the clone:\n  " + printable(program) + " " + command.name() +
-           " " + command.example();
+    const std::string notes = command.notes();
+    return notes + (notes.empty() ? "" : "\n") + "Example, in the folder of the clone:\n  " +
+           printable(program) + " " + command.name() + " " + command.example();
   };
   app_.formatter(std::make_shared<HelpFormatter>());
   app_.set_version_flag("--version", version, "the version");

@@ -10,6 +10,7 @@ std::vector<std::unique_ptr<Command>> make_commands() {
   commands.push_back(make_rain_command());
   commands.push_back(make_map_command());
   commands.push_back(make_check_command());
+  commands.push_back(make_tessel_command());
   return commands;
 }
 

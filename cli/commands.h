@@ -13,6 +13,7 @@ std::unique_ptr<Command> make_weights_command();
 std::unique_ptr<Command> make_rain_command();
 std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_check_command();
+std::unique_ptr<Command> make_tessel_command();
 
 /// All of them, in the order of the help.
 std::vector<std::unique_ptr<Command>> make_commands();

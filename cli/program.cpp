@@ -49,12 +49,15 @@ int run_command(Command& command) {
 }  // namespace
 
 int run_program(int argc, char** argv) {
+  const char* when_interrupted = "interrupted";
   try {
     hold_standard_streams();
     watch_for_interrupts();
     CommandLine command_line(argc > 0 ? argv[0] : "thiessen");
     Command* command = command_line.parse({argv + 1, argv + argc});
-    return command == nullptr ? done : run_command(*command);
+    if (command == nullptr) return done;
+    when_interrupted = command->when_interrupted();
+    return run_command(*command);
   } catch (const UsageError& error) {
     print("error", error.text, error.hint);
     return wrong_usage;
@@ -62,7 +65,7 @@ int run_program(int argc, char** argv) {
     print(error);
     return failed;
   } catch (const Interrupted& interrupted) {
-    print("error", "interrupted; nothing was written", "");
+    print("error", when_interrupted, "");
     return interrupted.exit_status();
   } catch (const std::bad_alloc&) {
     print("error", "not enough memory", "");

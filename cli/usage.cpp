@@ -62,9 +62,10 @@ std::string sentence(const CLI::App& command, const CLI::ParseError& error) {
 UsageError usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const auto used = app.get_subcommands();
   if (used.empty()) {
-    return {without_command(app.remaining()),
-            "the commands are run, cells, weights, rain, map and check; thiessen --help says what "
-            "they do"};
+    return {
+        without_command(app.remaining()),
+        "the commands are run, cells, weights, rain, map, check and tessel; thiessen --help says "
+        "what they do"};
   }
   return {sentence(*used.front(), error),
           "thiessen " + used.front()->get_name() +

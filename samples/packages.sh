@@ -6,7 +6,7 @@ set -eu
 
 # libopencv-dev alone tells CMake where OpenCV is; its freetype module comes with it.
 build='g++ cmake make libgdal-dev libgeographiclib-dev libopencv-dev libcli11-dev libfontconfig-dev
-  fonts-dejavu-core fonts-unifont'
+  libedit-dev fonts-dejavu-core fonts-unifont'
 tests='libgtest-dev libbenchmark-dev libcgal-dev libgeos-dev clang libclang-rt-dev clang-format
   clang-tidy shellcheck gdal-bin python3 locales git'
 

@@ -51,7 +51,7 @@ CsvReader::CsvReader(const std::string& file, CsvOptions options)
     : options_(options), text_(InputFile(file), options.separator) {
   skip_byte_order_mark();
   read_header();
-  check_header();
+  if (options_.has_names) check_header();
 }
 
 bool CsvReader::next(Row& row) {

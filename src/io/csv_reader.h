@@ -22,6 +22,7 @@ struct CsvLimits {
 struct CsvOptions {
   char separator = ',';  ///< one ASCII character, neither a quote nor a line end
   CsvLimits limits = {};
+  bool has_names = true;  ///< false: the first row may be no header, and its names are not checked
 };
 
 /// A CSV file, read a row at a time (RFC 4180, UTF-8).

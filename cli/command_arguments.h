@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/coordinates.h"
+#include "map/tessellation_picture.h"
+
+namespace thiessen::cli {
+
+/// What follows a command's name in a session. All throw Error where it is not what the command
+/// takes.
+
+/// As many coordinates as there are dimensions, in the exact range; -0 becomes 0.
+template <int Dimension>
+CoordinatesIn<Dimension> read_coordinates(const std::string& command,
+                                          const std::vector<std::string>& words);
+
+/// The name of one file.
+std::string require_file(const std::string& command, const std::vector<std::string>& words);
+void require_none(const std::string& command, const std::vector<std::string>& words);
+
+/// FILE.png [--view X,Y,Z --site X,Y,Z]
+struct ShowArguments {
+  std::string file;
+  std::optional<View> view;
+};
+ShowArguments read_show_arguments(const std::vector<std::string>& words);
+
+/// ` X Y [Z]`
+std::string position_text(const Point& position);
+std::string position_text(const SpacePoint& position);
+
+}  // namespace thiessen::cli

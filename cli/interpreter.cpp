@@ -1,0 +1,238 @@
+#include "cli/interpreter.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "base/interrupt.h"
+#include "base/outputs.h"
+#include "base/utf8.h"
+#include "cli/command_arguments.h"
+#include "cli/words.h"
+#include "io/points_file.h"
+#include "map/tessellation_picture.h"
+#include "tessellation/audit.h"
+#include "tessellation/session.h"
+#include "tessellation/topology_table.h"
+
+namespace thiessen::cli {
+namespace {
+
+constexpr std::size_t findings_listed = 20;
+
+/// A command's words but the first.
+using Arguments = std::vector<std::string>;
+
+[[noreturn]] void refuse(std::string text, std::string hint = {}) {
+  throw Error(Message{"", 0, std::move(text), std::move(hint)});
+}
+
+std::string names_of_commands() {
+  std::string text;
+  for (const std::string& name : session_commands()) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+template <int Dimension>
+class SessionInterpreter : public Interpreter {
+ public:
+  explicit SessionInterpreter(Surroundings surroundings) : surroundings_(std::move(surroundings)) {}
+
+  bool perform(std::string_view line) override {
+    throw_if_interrupted();
+    Arguments words = words_of(line);
+    if (words.empty()) return true;
+    const std::string name = words.front();
+    words.erase(words.begin());
+    if (name == "quit") {
+      require_none(name, words);
+      return false;
+    }
+    const auto found = std::find_if(commands.begin(), commands.end(),
+                                    [&](const auto& command) { return command.first == name; });
+    if (found == commands.end())
+      refuse("there is no command " + quoted(name, 40), "the commands are " + names_of_commands());
+    (this->*found->second)(words);
+    return true;
+  }
+  std::size_t faults() const override { return faults_; }
+
+ private:
+  using Position = PositionIn<Dimension>;
+  using Action = void (SessionInterpreter::*)(const Arguments&);
+  static const std::array<std::pair<std::string_view, Action>, 11> commands;
+
+  const Tessellation<Dimension>& tessellation() const { return session_.tessellation(); }
+  NumberOf number_of() const {
+    return [this](PointId p) { return session_.number_of(p); };
+  }
+  static Position position(const char* command, const Arguments& arguments) {
+    const auto at = read_coordinates<Dimension>(command, arguments);
+    if constexpr (Dimension == 2) {
+      return {at[0], at[1]};
+    } else {
+      return {at[0], at[1], at[2]};
+    }
+  }
+
+  /// For a person alone.
+  void say(const std::string& sentence) {
+    if (surroundings_.is_terminal) surroundings_.output.append(sentence + "\n");
+  }
+  void say_count() {
+    const std::size_t count = tessellation().count();
+    say(std::to_string(count) + (count == 1 ? " point" : " points"));
+  }
+
+  void add(const Arguments& arguments) {
+    say("point " + std::to_string(session_.add(position("add", arguments))));
+  }
+  void remove(const Arguments& arguments) {
+    const auto number = session_.remove(position("delete", arguments));
+    say("point " + std::to_string(number) + " is deleted");
+  }
+  void undo(const Arguments& arguments) {
+    require_none("undo", arguments);
+    session_.undo();
+    say_count();
+  }
+  void redo(const Arguments& arguments) {
+    require_none("redo", arguments);
+    session_.redo();
+    say_count();
+  }
+  void nearest(const Arguments& arguments) {
+    const PointId p = session_.nearest(position("nearest", arguments));
+    surroundings_.output.append(point_line(tessellation(), number_of(), p));
+  }
+  void cell(const Arguments& arguments) {
+    const PointId p = session_.point_at(position("cell", arguments));
+    surroundings_.output.append(
+        cell_text(tessellation(), number_of(), find_cell(tessellation(), p)));
+  }
+
+  void load(const Arguments& arguments) {
+    const std::string file = require_file("load", arguments);
+    if (file == "-" && surroundings_.is_standard_input)
+      refuse("the commands come from the standard input, so points cannot");
+    Warnings warnings;
+    const auto added = session_.add_all(read_points<Dimension>(file, warnings));
+    for (const Message& message : warnings.messages()) surroundings_.warnings.add(message);
+    warn_of_equal(file, added.repeated, "equal an earlier one in it",
+                  "equals an earlier one in it");
+    warn_of_equal(file, added.there_already, "were there before", "was there before");
+    auto& inputs = surroundings_.inputs;
+    if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
+    if (added.points == 0) return say("no new points");
+    say("points " + std::to_string(added.first) + " to " +
+        std::to_string(added.first + added.points - 1));
+  }
+  void warn_of_equal(const std::string& file, std::size_t count, const char* several,
+                     const char* one) {
+    if (count == 0) return;
+    const std::string text =
+        count == 1 ? std::string("1 point ") + one + ", and is passed over"
+                   : std::to_string(count) + " points " + several + ", and are passed over";
+    surroundings_.warnings.add({file == "-" ? "standard input" : file, 0, text, {}});
+  }
+
+  void print(const Arguments& arguments) {
+    const auto table_to = [&](OutputFile& file) {
+      write_topology_table<Dimension>(tessellation(), number_of(),
+                                      [&](std::string_view line) { file.append(line); });
+    };
+    if (arguments.empty() || arguments == Arguments{"-"}) return table_to(surroundings_.output);
+    write_file(require_file("print", arguments), table_to);
+  }
+
+  void show(const Arguments& arguments) {
+    const ShowArguments show = read_show_arguments(arguments);
+    if (Dimension == 2 && show.view) refuse("--view and --site are for three dimensions");
+    if (tessellation().empty()) refuse("there are no points to show");
+    write_file(show.file, [&](OutputFile& file) {
+      const auto bytes = picture(show.view);
+      file.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    });
+  }
+  std::vector<unsigned char> picture([[maybe_unused]] const std::optional<View>& view) const {
+    if constexpr (Dimension == 2) {
+      return plane_picture(tessellation(), number_of());
+    } else {
+      return space_picture(tessellation(), number_of(), view);
+    }
+  }
+
+  /// Replaces the file, whole or not at all.
+  void write_file(const std::string& name, const std::function<void(OutputFile&)>& fill) {
+    surroundings_.output.flush();
+    Outputs outputs({true, surroundings_.inputs});
+    fill(outputs.add(name));
+    outputs.commit();
+    say(name + " is written");
+  }
+
+  void check(const Arguments& arguments) {
+    require_none("check", arguments);
+    const auto findings = audit(tessellation());
+    faults_ += findings.size();
+    for (std::size_t i = 0; i < std::min(findings.size(), findings_listed); ++i)
+      surroundings_.output.append(finding_line(findings[i]));
+    if (findings.size() > findings_listed) {
+      surroundings_.output.append("not sound: and " +
+                                  std::to_string(findings.size() - findings_listed) + " more\n");
+    }
+    if (findings.empty()) surroundings_.output.append(sound_line());
+  }
+  static std::string finding_line(const Finding<Dimension>& finding) {
+    std::string line = "not sound: " + std::string(name_of(finding.fault));
+    if (finding.vertex != no_vertex)
+      line += " at vertex " + std::to_string(index(finding.vertex) + 1);
+    return line + " near" + position_text(finding.position) + "\n";
+  }
+  std::string sound_line() const {
+    const auto& topology = tessellation().topology();
+    std::size_t vertices = 0;
+    if (topology.dimension() == Dimension) {
+      topology.for_each_vertex([&](VertexId v) { vertices += topology.is_infinite(v) ? 0u : 1u; });
+    }
+    return "sound: " + std::to_string(tessellation().count()) + " points, " +
+           std::to_string(vertices) + " vertices, dimension " +
+           std::to_string(topology.dimension()) + "\n";
+  }
+
+  void help(const Arguments& arguments) {
+    require_none("help", arguments);
+    if (surroundings_.is_terminal) surroundings_.output.append(session_help());
+  }
+
+  Surroundings surroundings_;
+  TessellationSession<Dimension> session_;
+  std::size_t faults_ = 0;
+};
+
+template <int Dimension>
+const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimension>::Action>, 11>
+    SessionInterpreter<Dimension>::commands = {{
+        {"add", &SessionInterpreter::add},
+        {"delete", &SessionInterpreter::remove},
+        {"undo", &SessionInterpreter::undo},
+        {"redo", &SessionInterpreter::redo},
+        {"nearest", &SessionInterpreter::nearest},
+        {"cell", &SessionInterpreter::cell},
+        {"load", &SessionInterpreter::load},
+        {"print", &SessionInterpreter::print},
+        {"show", &SessionInterpreter::show},
+        {"check", &SessionInterpreter::check},
+        {"help", &SessionInterpreter::help},
+    }};
+
+}  // namespace
+
+std::unique_ptr<Interpreter> make_interpreter(std::size_t dimension, Surroundings surroundings) {
+  if (dimension == 2) return std::make_unique<SessionInterpreter<2>>(std::move(surroundings));
+  return std::make_unique<SessionInterpreter<3>>(std::move(surroundings));
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <histedit.h>
+
+#include <cwchar>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thiessen::cli {
+
+/// Lines from a terminal: a prompt, editing, the lines before with the arrow keys, and completion
+/// of a line's first word with the tab key.
+class Keyboard {
+ public:
+  /// `words` may begin a line. Requires that the standard input is a terminal.
+  explicit Keyboard(std::vector<std::string> words);
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+
+  /// The next line; none at the end of the input. Throws Interrupted.
+  std::optional<std::string> next();
+
+ private:
+  static Keyboard& of(EditLine* editor);
+  static int read_character(EditLine* editor, wchar_t* into);
+  static unsigned char complete(EditLine* editor, int key);
+
+  struct Closer {
+    void operator()(EditLine* editor) const { el_end(editor); }
+    void operator()(::History* history) const { history_end(history); }
+  };
+  std::vector<std::string> words_;
+  std::unique_ptr<::History, Closer> history_;
+  std::unique_ptr<EditLine, Closer> editor_;
+  std::mbstate_t decoding_ = {};
+};
+
+}  // namespace thiessen::cli

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/file.h"
+
+namespace thiessen::cli {
+
+/// The lines of a script: UTF-8, ended by LF, CRLF or CR, the last need not end; one byte order
+/// mark at the beginning is passed over. Throws Error, with file and line, for a NUL byte, what is
+/// not UTF-8, and a line beyond the limit.
+class ScriptLines {
+ public:
+  static constexpr std::size_t longest_line = std::size_t{64} << 10;
+
+  /// `-` is the standard input. Throws Error as InputFile.
+  explicit ScriptLines(const std::string& file) : input_(file) {}
+
+  /// As the user named it.
+  const std::string& file() const { return input_.name(); }
+  /// Of the line that came last, from 1.
+  std::size_t line() const { return line_; }
+  /// The next line, valid until the one after; none at the end. Calls `before_waiting` whenever
+  /// all that has arrived is read.
+  std::optional<std::string_view> next(const std::function<void()>& before_waiting);
+
+ private:
+  bool read_more();
+  std::string_view take(std::size_t end, std::size_t next);
+  void check(std::string_view text) const;
+
+  InputFile input_;
+  std::string buffer_;
+  std::size_t at_ = 0;      // in the buffer
+  std::size_t origin_ = 0;  // of the buffer in the file
+  std::size_t line_ = 0;
+  bool after_return_ = false;  // a line feed here belongs to the line before
+};
+
+}  // namespace thiessen::cli

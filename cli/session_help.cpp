@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <array>
+
+#include "cli/interpreter.h"
+
+namespace thiessen::cli {
+namespace {
+
+struct Entry {
+  const char* name;
+  const char* arguments;
+  const char* text;
+};
+
+constexpr std::array<Entry, 12> entries = {{
+    {"add", " X Y [Z]", "a point; points are numbered from 1 in the order they come"},
+    {"delete", " X Y [Z]", "the point at this very place"},
+    {"undo", "", "take the last add, delete or load back; without limit"},
+    {"redo", "", "make what was undone again"},
+    {"nearest", " X Y [Z]", "print the nearest point; of equally near ones the lowest number"},
+    {"cell", " X Y [Z]", "print the Voronoi cell of the point at this very place"},
+    {"load", " FILE", "add the points of a CSV: x,y[,z], with a header or without"},
+    {"print", " [FILE]", "the points and the Voronoi vertices, as text"},
+    {"show", " FILE.png", "a picture; in space from --view X,Y,Z to --site X,Y,Z"},
+    {"check", "", "prove the tessellation sound, or say where it is not"},
+    {"help", "", "these lines, on a terminal"},
+    {"quit", "", "end, as the end of the input does"},
+}};
+
+constexpr const char* formats =
+    "\nprint writes a line a point and a line a vertex, and nothing else:\n"
+    "  point ID X Y [Z]\n"
+    "  vertex ID center X Y [Z] radius R forming F1 F2 F3 [F4] neighbors N1 N2 N3 [N4]\n"
+    "Neighbor Ni lies across from forming point Fi; it is 0 where there is none.\n"
+    "nearest prints a point's line. cell prints it too, and then\n"
+    "  vertex ID center X Y [Z] radius R     in 2-D counter-clockwise\n"
+    "  ray from ID direction DX DY [DZ]      edges that never end\n"
+    "  face neighbor ID area A vertices ...  in 3-D alone, counter-clockwise from outside\n"
+    "  area A (volume V in 3-D)              infinity where the cell is unbounded\n"
+    "  neighbors ...                         points whose cells share an edge (a face)\n"
+    "check prints `sound: N points, M vertices, dimension D`, D of what the points span.\n"
+    "print FILE and show replace the file. Blank lines and what follows a # are passed\n"
+    "over; a name with blanks stands in quotes.\n";
+
+}  // namespace
+
+std::vector<std::string> session_commands() {
+  std::vector<std::string> names;
+  names.reserve(entries.size());
+  for (const Entry& entry : entries) names.emplace_back(entry.name);
+  return names;
+}
+
+std::string session_help() {
+  constexpr std::size_t column = 22;
+  std::string text;
+  for (const Entry& entry : entries) {
+    std::string line = "  " + std::string(entry.name) + entry.arguments;
+    line.resize(std::max(column, line.size() + 1), ' ');
+    text += line + entry.text + "\n";
+  }
+  return text + formats;
+}
+
+}  // namespace thiessen::cli

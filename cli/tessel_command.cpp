@@ -1,0 +1,135 @@
+#include <unistd.h>
+
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "base/utf8.h"
+#include "cli/commands.h"
+#include "cli/interpreter.h"
+#include "cli/keyboard.h"
+#include "cli/option_values.h"
+#include "cli/script_lines.h"
+
+namespace thiessen::cli {
+namespace {
+
+/// What is wrong in a line of a script, all of it with that line's place.
+Error placed(const Error& error, const std::string& file, std::size_t line) {
+  std::vector<Message> messages;
+  for (const Message& message : error.messages())
+    messages.push_back({file, line, message.sentence(), message.hint});
+  return {std::move(messages), error.unlisted()};
+}
+
+void run_script(ScriptLines& lines, Interpreter& interpreter, OutputFile& output) {
+  const auto show_what_is_printed = [&] { output.flush(); };
+  while (const auto line = lines.next(show_what_is_printed)) {
+    try {
+      if (!interpreter.perform(*line)) return;
+    } catch (const Error& error) {
+      throw placed(error, lines.file(), lines.line());
+    }
+  }
+}
+
+void tell(const char* kind, const std::vector<Message>& messages) {
+  for (const Message& message : messages) {
+    std::cerr << kind << message.sentence() << '\n';
+    if (!message.hint.empty()) std::cerr << "hint: " << printable(message.hint) << '\n';
+  }
+}
+
+/// Whether the session goes on. What cannot be done is told, and does no harm.
+bool perform_typed(const std::string& line, Interpreter& interpreter) {
+  try {
+    if (const auto invalid = find_invalid_utf8(line))
+      throw Error(Message{"", 0, "not UTF-8 at byte " + std::to_string(*invalid), {}});
+    return interpreter.perform(line);
+  } catch (const Error& error) {
+    tell("error: ", error.messages());
+    if (error.unlisted() > 0) std::cerr << "error: and " << error.unlisted() << " more\n";
+    return true;
+  }
+}
+
+class TesselCommand : public Command {
+ public:
+  const char* name() const override { return "tessel"; }
+  const char* description() const override {
+    return "a session: a tessellation in 2-D or 3-D, built, changed and shown by commands";
+  }
+  const char* example() const override { return "samples/thesis/figure11.txt"; }
+  std::string notes() const override { return "Commands, one a line:\n" + session_help(); }
+  const char* when_interrupted() const override { return "interrupted"; }
+
+  void set_up(CLI::App& app) override {
+    app.add_option("SCRIPT", script_,
+                   "commands; without it, or with -, they come from the standard input, be it a "
+                   "pipe or a keyboard")
+        ->type_name("");
+    app.option_defaults()->group("General");
+    add_count(app, "--dim", dimension_, 2, 3, "of the points: 2 (default) or 3");
+    app.add_flag("-q,--quiet", quiet_, "no warnings");
+  }
+
+  void run(Warnings& warnings) override {
+    OutputFile output = standard_output();
+    const bool is_standard_input = script_ == "-";
+    if (is_standard_input && isatty(STDIN_FILENO) == 1) {
+      run_keyboard(output);
+    } else {
+      ScriptLines lines(script_);
+      const auto interpreter =
+          make_interpreter(dimension_, {output, warnings, false, is_standard_input, {script_}});
+      try {
+        run_script(lines, *interpreter, output);
+      } catch (const Error&) {
+        output.finish();
+        throw;
+      }
+      faults_ = interpreter->faults();
+    }
+    output.finish();
+    if (faults_ > 0)
+      throw Error(Message{"", 0, "the tessellation is not sound: check tells where", {}});
+  }
+  bool quiet() const override { return quiet_; }
+
+ private:
+  void run_keyboard(OutputFile& output) {
+    Warnings warnings;
+    const bool is_terminal = isatty(STDOUT_FILENO) == 1;
+    const auto interpreter =
+        make_interpreter(dimension_, {output, warnings, is_terminal, true, {}});
+    Keyboard keyboard(session_commands());
+    if (is_terminal) {
+      output.append("A tessellation in " + std::to_string(dimension_) +
+                    "-D. help lists the commands; quit or Ctrl-D ends.\n");
+      output.flush();
+    }
+    while (const auto line = keyboard.next()) {
+      const bool goes_on = perform_typed(*line, *interpreter);
+      output.flush();
+      if (!quiet_) tell("warning: ", warnings.messages());
+      warnings = {};
+      if (!goes_on) break;
+    }
+    faults_ = interpreter->faults();
+  }
+
+  std::string script_ = "-";
+  std::size_t dimension_ = 2;
+  bool quiet_ = false;
+  std::size_t faults_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Command> make_tessel_command() {
+  return std::make_unique<TesselCommand>();
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,128 @@
+#include "tessellation/session.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "base/number.h"
+#include "geometry/coordinates.h"
+
+namespace thiessen {
+namespace {
+
+template <typename Position>
+std::string text_of(const Position& position) {
+  std::string text;
+  for (const double coordinate : coordinates(position)) {
+    if (!text.empty()) text += ' ';
+    append_shortest(text, coordinate);
+  }
+  return text;
+}
+
+[[noreturn]] void refuse(std::string text, std::string hint = {}) {
+  throw Error(Message{"", 0, std::move(text), std::move(hint)});
+}
+
+}  // namespace
+
+template <int Dimension>
+std::uint64_t TessellationSession<Dimension>::add(const Position& position) {
+  if (const auto there = tessellation().find(position)) {
+    refuse("point " + std::to_string(number_of(*there)) + " is at " + text_of(position) +
+           " already");
+  }
+  begin_step();
+  change_number(history_.add(position), next_++);
+  return next_ - 1;
+}
+
+template <int Dimension>
+auto TessellationSession<Dimension>::add_all(std::span<const Position> positions) -> Added {
+  begin_step();
+  Added added;
+  added.first = next_;
+  for (const PointId p : history_.add_all(positions)) {
+    const std::uint64_t number = index(p) < numbers_.size() ? numbers_[index(p)] : 0;
+    if (number == 0) {
+      change_number(p, next_++);
+      ++added.points;
+    } else {
+      ++(number >= added.first ? added.repeated : added.there_already);
+    }
+  }
+  return added;
+}
+
+template <int Dimension>
+std::uint64_t TessellationSession<Dimension>::remove(const Position& position) {
+  const PointId p = point_at(position);
+  const std::uint64_t number = number_of(p);
+  begin_step();
+  history_.remove(p);
+  change_number(p, 0);
+  return number;
+}
+
+template <int Dimension>
+void TessellationSession<Dimension>::undo() {
+  if (!history_.undo()) refuse("there is nothing to undo");
+  exchange(history_.undoable());
+}
+
+template <int Dimension>
+void TessellationSession<Dimension>::redo() {
+  if (!history_.redo()) refuse("there is nothing to redo");
+  exchange(history_.undoable() - 1);
+}
+
+template <int Dimension>
+PointId TessellationSession<Dimension>::point_at(const Position& position) const {
+  const auto p = tessellation().find(position);
+  if (!p) {
+    refuse("there is no point at " + text_of(position),
+           tessellation().empty() ? "" : "nearest says which is the nearest");
+  }
+  return *p;
+}
+
+template <int Dimension>
+PointId TessellationSession<Dimension>::nearest(const Position& to) const {
+  std::vector<PointId> nearest;
+  tessellation().find_nearest(to, {}, nearest);
+  if (nearest.empty()) refuse("there are no points");
+  return *std::min_element(nearest.begin(), nearest.end(),
+                           [&](PointId p, PointId q) { return number_of(p) < number_of(q); });
+}
+
+// What was undone is forgotten, as by History.
+template <int Dimension>
+void TessellationSession<Dimension>::begin_step() {
+  const std::size_t done = history_.undoable();
+  if (done < steps_.size()) {
+    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(steps_[done].first),
+                   changes_.end());
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(done), steps_.end());
+  }
+  steps_.push_back({changes_.size(), next_});
+}
+
+template <int Dimension>
+void TessellationSession<Dimension>::change_number(PointId p, std::uint64_t number) {
+  if (index(p) >= numbers_.size()) numbers_.resize(tessellation().topology().point_limit(), 0);
+  changes_.push_back({p, std::exchange(numbers_[index(p)], number)});
+}
+
+// A step changes no number twice, so the changes' order does not matter.
+template <int Dimension>
+void TessellationSession<Dimension>::exchange(std::size_t step) {
+  const std::size_t end = step + 1 < steps_.size() ? steps_[step + 1].first : changes_.size();
+  for (std::size_t i = steps_[step].first; i < end; ++i)
+    std::swap(changes_[i].number, numbers_[index(changes_[i].point)]);
+  std::swap(steps_[step].next, next_);
+}
+
+template class TessellationSession<2>;
+template class TessellationSession<3>;
+
+}  // namespace thiessen
