@@ -242,13 +242,13 @@ std::vector<Finding<Dimension>> audit(const Structure<Dimension>& structure) {
   return findings;
 }
 
-#define THIESSEN_AUDIT(D)                                              \
-  template std::vector<Finding<D>> audit_links(const Structure<D>&);   \
-  template std::vector<Finding<D>> audit_hull(const Structure<D>&);    \
-  template std::vector<Finding<D>> audit_spheres(const Structure<D>&); \
-  template std::vector<Finding<D>> audit(const Structure<D>&);
-
-THIESSEN_AUDIT(2)
-THIESSEN_AUDIT(3)
+template std::vector<Finding<2>> audit_links(const Structure<2>&);
+template std::vector<Finding<3>> audit_links(const Structure<3>&);
+template std::vector<Finding<2>> audit_hull(const Structure<2>&);
+template std::vector<Finding<3>> audit_hull(const Structure<3>&);
+template std::vector<Finding<2>> audit_spheres(const Structure<2>&);
+template std::vector<Finding<3>> audit_spheres(const Structure<3>&);
+template std::vector<Finding<2>> audit(const Structure<2>&);
+template std::vector<Finding<3>> audit(const Structure<3>&);
 
 }  // namespace thiessen
