@@ -45,6 +45,22 @@ class Signposts {
     return nearest_in_part(part_of(c), c);
   }
 
+  /// The same of those for which `stands(signpost)` holds, if the part has one.
+  template <typename Stands>
+  std::optional<std::uint32_t> near(const Position& p, Stands&& stands) const {
+    const auto c = coordinates(p);
+    const std::size_t first = sample_.empty() ? 0 : begin_of(part_of(c), levels_);
+    std::optional<std::uint32_t> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < std::min(first + largest_part, sample_.size()); ++i) {
+      const double distance = squared_distance(sample_[i].position, c);
+      if ((nearest && !(distance < least)) || !stands(sample_[i])) continue;
+      nearest = sample_[i].number;
+      least = distance;
+    }
+    return nearest;
+  }
+
   std::size_t size() const { return sample_.size(); }
 
  private:

@@ -49,6 +49,9 @@ class CsvReader : public Table {
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t header_line() const override { return header_line_; }
   bool next(Row& row) override;
+  /// Throws Error where the header has a name twice, or looks parted by something else. Called by
+  /// the constructor where the options say that there are names.
+  void check_header() const;
 
  private:
   enum class RowKind : std::uint8_t { whole, bad, none };
@@ -56,7 +59,6 @@ class CsvReader : public Table {
 
   void skip_byte_order_mark();
   void read_header();
-  void check_header() const;
 
   RowKind read_row(std::vector<std::string_view>& fields);
   void store(std::string_view field, bool in_quotes);

@@ -33,7 +33,10 @@ class PointsReader {
 
   PointsReader(const std::string& file, Warnings& warnings)
       : reader_(file, {',', {}, false}), warnings_(warnings) {
-    if (find_fields()) return;
+    if (find_fields()) {
+      reader_.check_header();
+      return;
+    }
     has_header_ = false;
     const auto& first = reader_.header();
     const bool has_number = std::any_of(first.begin(), first.end(), [](const std::string& field) {

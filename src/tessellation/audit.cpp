@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "tessellation/at_dimension.h"
+#include "tessellation/id_table.h"
 #include "tessellation/parity.h"
 
 namespace thiessen {
@@ -32,18 +33,16 @@ class Inspection {
   }
 
   Findings hull() && {
-    std::size_t first_corners = 0;
     VertexId outside = no_vertex;
     topology_.for_each_vertex([&](VertexId v) {
       if (topology_.is_infinite(v)) {
         inspect_hull_facet(v);
-        if constexpr (d == 2) first_corners += begins_hull(v) ? 1u : 0u;
         outside = v;
       } else if (structure_.template orientation_of<d>(simplex(v)) <= 0) {
         find(Fault::simplex_turned_over, v);
       }
     });
-    if (d == 2 && first_corners != 1) find(Fault::hull_winds_again, outside);
+    if (d > 1 && count_first_on_hull() != 1) find(Fault::hull_winds_again, outside);
     for (std::uint32_t i = 1; i < topology_.point_limit(); ++i) {
       if (topology_.is_there(PointId{i}) && d < Dimension &&
           structure_.is_off(position(PointId{i})))
@@ -129,10 +128,25 @@ class Inspection {
     const auto points = static_cast<std::size_t>(std::count(is_used.begin(), is_used.end(), true));
     const bool as_many_as_should_be = d == 1   ? simplices == points
                                       : d == 2 ? simplices + 4 == 2 * points
-                                               : simplices >= points;
+                                               : count_edges() == points + simplices;
     if (points != topology_.count() + 1 || !as_many_as_should_be)
       find(Fault::number_of_simplices, first);
     if (count_reached(first) != simplices) find(Fault::in_pieces, first);
+  }
+
+  // Where all simplices hang together and share their facets two by two, as many edges as points
+  // and simplices together mean that every point's neighbourhood is a sphere's.
+  std::size_t count_edges() const {
+    IdTable<2> edges;
+    topology_.for_each_vertex([&](VertexId v) {
+      for (std::size_t i = 0; i <= d; ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          const auto [low, high] = std::minmax(topology_.forming(v)[i], topology_.forming(v)[j]);
+          edges.insert({static_cast<std::uint32_t>(low), static_cast<std::uint32_t>(high)}, 0);
+        }
+      }
+    });
+    return edges.size();
   }
 
   std::size_t count_reached(VertexId first) const {
@@ -171,14 +185,25 @@ class Inspection {
     }
   }
 
-  // Whether the hull's corner at the end of v's edge is before those next to it, by coordinates.
-  bool begins_hull(VertexId v) const {
-    const std::size_t infinite = topology_.corner_of(v, infinite_point);
-    const auto& forming = topology_.forming(v);
-    const auto& before = position(forming[(infinite + 1) % 3]);
-    const auto& corner = position(forming[(infinite + 2) % 3]);
-    const auto& after = position(point_across(v, (infinite + 1) % 3));
-    return corner < before && corner < after;
+  // How many of the hull's points are before all those next to them, by coordinates: a hull that is
+  // convex everywhere has one such corner each time it goes round.
+  std::size_t count_first_on_hull() const {
+    enum class Rank : std::uint8_t { inside, first, later };
+    std::vector<Rank> rank(topology_.point_limit(), Rank::inside);
+    topology_.for_each_vertex([&](VertexId v) {
+      if (!topology_.is_infinite(v)) return;
+      PointId least = infinite_point;
+      for (const PointId p : simplex(v)) {
+        if (p != infinite_point && (least == infinite_point || position(p) < position(least)))
+          least = p;
+      }
+      for (const PointId p : simplex(v)) {
+        if (p == infinite_point) continue;
+        if (p != least) rank[index(p)] = Rank::later;
+        if (p == least && rank[index(p)] == Rank::inside) rank[index(p)] = Rank::first;
+      }
+    });
+    return static_cast<std::size_t>(std::count(rank.begin(), rank.end(), Rank::first));
   }
 
   // On the sphere of v's simplex itself.
@@ -201,14 +226,42 @@ class Inspection {
   Findings findings_;
 };
 
+/// Whether the chain of free rows meets each free one once, and there are as many points as are in
+/// use.
+template <int Dimension>
+bool has_sound_free_lists(const Topology<Dimension>& topology) {
+  std::size_t used = 0;
+  topology.for_each_vertex([&](VertexId) { ++used; });
+  std::size_t free = 0;
+  for (VertexId v = topology.state().first_free; v != no_vertex; v = topology.neighbour(v, 0)) {
+    if (index(v) >= topology.size() || !topology.is_free(v) || ++free > topology.size())
+      return false;
+  }
+  std::size_t points = 0;
+  for (std::uint32_t i = 1; i < topology.point_limit(); ++i) {
+    points += topology.is_there(PointId{i}) ? 1u : 0u;
+  }
+  const std::size_t rows = topology.dimension() < 0 ? 0 : topology.dimension() == 0 ? 2 : used;
+  return used + free == topology.size() && points == topology.count() && used == rows;
+}
+
 }  // namespace
 
 std::string_view name_of(Fault fault) {
-  static constexpr std::array<std::string_view, 13> names{
-      "repeated forming point", "link to nothing",     "link not returned", "facet not shared",
-      "point without simplex",  "number of simplices", "in pieces",         "simplex turned over",
-      "hull not convex",        "hull winds again",    "point off span",    "point in sphere",
-      "tie broken otherwise"};
+  static constexpr std::array<std::string_view, 14> names{"rows or numbers free twice or lost",
+                                                          "repeated forming point",
+                                                          "link to nothing",
+                                                          "link not returned",
+                                                          "facet not shared",
+                                                          "point without simplex",
+                                                          "number of simplices",
+                                                          "in pieces",
+                                                          "simplex turned over",
+                                                          "hull not convex",
+                                                          "hull winds again",
+                                                          "point off span",
+                                                          "point in sphere",
+                                                          "tie broken otherwise"};
   return names.at(static_cast<std::size_t>(fault));
 }
 
@@ -235,8 +288,12 @@ std::vector<Finding<Dimension>> audit_spheres(const Structure<Dimension>& struct
 
 template <int Dimension>
 std::vector<Finding<Dimension>> audit(const Structure<Dimension>& structure) {
-  if (structure.topology().dimension() < 1) return {};
-  std::vector<Finding<Dimension>> findings = audit_links(structure);
+  const Topology<Dimension>& topology = structure.topology();
+  std::vector<Finding<Dimension>> findings;
+  if (topology.dimension() > 0) findings = audit_links(structure);
+  if (!has_sound_free_lists(topology))
+    findings.push_back({Fault::free_twice_or_lost, no_vertex, {}});
+  if (topology.dimension() < 1) return findings;
   if (findings.empty()) findings = audit_hull(structure);
   if (findings.empty()) findings = audit_spheres(structure);
   return findings;

@@ -12,13 +12,14 @@ namespace thiessen {
 
 /// What can be wrong with a tessellation.
 enum class Fault : std::uint8_t {
+  free_twice_or_lost,  ///< the chain of freed rows, or the count of points, is not what is in use
   // Links: a closed surface (in space its like one dimension up), without coordinates.
   repeated_forming_point,  ///< a simplex has a point twice, or one that is not there
   link_to_nothing,         ///< a neighbour is missing, freed or no vertex at all
   link_not_returned,       ///< the neighbour does not have this vertex for its own
   facet_not_shared,        ///< neighbours that do not have the facet between them in common
   point_without_simplex,   ///< the simplex noted for a point is not one of its own
-  number_of_simplices,     ///< not 2 (points + 1) - 4 in the plane, or a point is in none
+  number_of_simplices,     ///< not as many as points and edges ask for, or a point is in none
   in_pieces,               ///< not all are reached from the first
   // Orientation and hull: the simplices tile the convex hull.
   simplex_turned_over,  ///< or flat

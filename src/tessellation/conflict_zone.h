@@ -6,10 +6,11 @@
 
 namespace thiessen {
 
-/// What a new point deletes (section 2.2, step 1): the vertices that are nearer to it than to their
-/// forming points, and the rim, the facets between these and the vertices that are kept. In the
-/// plane the rim is in order, counter-clockwise. Cost: the vertices' and their neighbours'; nothing
-/// is allocated once the lists have grown, to a byte for every vertex of the structure in space.
+/// What a new point deletes (section 2.2, step 1: LISTOFV): the vertices that are nearer to it than
+/// to their forming points, and the rim, the facets between these and the vertices that are kept.
+/// In the plane the rim is in order, counter-clockwise. Cost: the vertices' and their neighbours';
+/// nothing is allocated once the lists have grown, to a byte for every vertex of the structure in
+/// space.
 template <int Dimension>
 class ConflictZone {
  public:

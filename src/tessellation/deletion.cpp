@@ -19,7 +19,11 @@ template <int Dimension>
 template <int d>
 VertexId Deletion<Dimension>::remove_in(Structure<Dimension>& structure, PointId p) {
   Topology<Dimension>& topology = structure.topology();
-  star_.template find<d>(topology, p);
+  // What will be needed of the star's surroundings is fetched while its vertices are found.
+  star_.template find<d>(topology, p, [&](PointId q, VertexId beyond) {
+    structure.fetch(q);
+    topology.fetch(beyond);
+  });
   if (is_last_off<d>(structure, p)) {
     lower_dimension(structure, p);
     return topology.vertex_of(infinite_point);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "tessellation/hole.h"
@@ -42,8 +41,7 @@ class Deletion {
 
   Star<Dimension> star_;
   std::vector<VertexId> new_vertices_;
-  std::size_t reused_ = 0;  // of the star's rows
-  std::vector<Side> rim_;   // of the polygon round p, edge by edge, as the vertices beyond have it
+  std::vector<Side> rim_;  // of the polygon round p, edge by edge, as the vertices beyond have it
   Hole<Dimension> hole_;
 };
 

@@ -9,7 +9,7 @@ template <int Dimension>
 template <typename Work>
 auto History<Dimension>::recorded(Work&& work) {
   forget_undone();
-  Operation operation{changes_.extent(), {}, tessellation_.structure().state(), nullptr};
+  Operation operation{changes_.extent(), {}, tessellation_.moment(), nullptr};
   tessellation_.record_in(&changes_);
   const auto end = [&] {
     operation.end = changes_.extent();
@@ -44,7 +44,7 @@ void History<Dimension>::remove(PointId p) {
 
 template <int Dimension>
 std::vector<PointId> History<Dimension>::add_all(std::span<const Position> points) {
-  if (points.size() < tessellation_.count())
+  if (changes_a_copy * points.size() < tessellation_.count())
     return recorded([&] { return tessellation_.add_all(points); });
   forget_undone();
   operations_.push_back({changes_.extent(),
@@ -52,7 +52,11 @@ std::vector<PointId> History<Dimension>::add_all(std::span<const Position> point
                          {},
                          std::make_unique<Tessellation<Dimension>>(tessellation_)});
   try {
+    const std::size_t before = tessellation_.count();
     std::vector<PointId> numbers = tessellation_.add_all(points);
+    Operation& operation = operations_.back();
+    if (tessellation_.count() == before) operation.whole = nullptr;
+    operation.moment = tessellation_.moment();
     ++done_;
     return numbers;
   } catch (...) {
@@ -89,8 +93,7 @@ void History<Dimension>::exchange(Operation& operation, bool backward) {
     std::swap(tessellation_, *operation.whole);
     return;
   }
-  tessellation_.structure().exchange(changes_, operation.first, operation.end, operation.state,
-                                     backward);
+  tessellation_.exchange(changes_, operation.first, operation.end, operation.moment, backward);
 }
 
 template <int Dimension>
@@ -98,16 +101,17 @@ Trial<Dimension>::Trial(Tessellation<Dimension>& tessellation, Changes& changes)
     : tessellation_(tessellation),
       changes_(changes),
       first_(changes.extent()),
-      state_(tessellation.structure().state()),
-      recorded_in_(tessellation.structure().recorded_in()) {
-  tessellation_.record_in(&changes_);
+      moment_(tessellation.moment()),
+      recorded_in_(tessellation.structure().recorded_in()),
+      was_tried_(tessellation.is_tried()) {
+  tessellation_.record_in(&changes_, true);
 }
 
 template <int Dimension>
 Trial<Dimension>::~Trial() {
-  tessellation_.structure().exchange(changes_, first_, changes_.extent(), state_, true);
+  tessellation_.exchange(changes_, first_, changes_.extent(), moment_, true);
   changes_.cut(first_);
-  tessellation_.record_in(recorded_in_);
+  tessellation_.record_in(recorded_in_, was_tried_);
 }
 
 template class History<2>;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,8 +16,6 @@ class IdTable {
  public:
   using Key = std::array<std::uint32_t, Length>;
 
-  IdTable() : slots_(32) {}
-
   void clear() {
     count_ = 0;
     if (++round_ == 0) {
@@ -28,6 +27,7 @@ class IdTable {
 
   /// The key's value; none where it has none.
   std::uint32_t* find(const Key& key) {
+    if (slots_.empty()) return nullptr;
     Slot& slot = slot_of(key);
     return slot.round == round_ ? &slot.value : nullptr;
   }
@@ -63,7 +63,8 @@ class IdTable {
     return slots_[i];
   }
   void grow() {
-    std::vector<Slot> slots(2 * slots_.size());
+    constexpr std::size_t few = 32;
+    std::vector<Slot> slots(std::max(few, 2 * slots_.size()));
     slots.swap(slots_);
     for (const Slot& slot : slots) {
       if (slot.round == round_) slot_of(slot.key) = slot;

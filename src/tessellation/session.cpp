@@ -32,17 +32,21 @@ std::uint64_t TessellationSession<Dimension>::add(const Position& position) {
     refuse("point " + std::to_string(number_of(*there)) + " is at " + text_of(position) +
            " already");
   }
+  make_room(1);
+  const PointId p = history_.add(position);
   begin_step();
-  change_number(history_.add(position), next_++);
+  change_number(p, next_++);
   return next_ - 1;
 }
 
 template <int Dimension>
 auto TessellationSession<Dimension>::add_all(std::span<const Position> positions) -> Added {
+  make_room(positions.size());
+  const std::vector<PointId> points = history_.add_all(positions);
   begin_step();
   Added added;
   added.first = next_;
-  for (const PointId p : history_.add_all(positions)) {
+  for (const PointId p : points) {
     const std::uint64_t number = index(p) < numbers_.size() ? numbers_[index(p)] : 0;
     if (number == 0) {
       change_number(p, next_++);
@@ -58,8 +62,9 @@ template <int Dimension>
 std::uint64_t TessellationSession<Dimension>::remove(const Position& position) {
   const PointId p = point_at(position);
   const std::uint64_t number = number_of(p);
-  begin_step();
+  make_room(1);
   history_.remove(p);
+  begin_step();
   change_number(p, 0);
   return number;
 }
@@ -95,14 +100,23 @@ PointId TessellationSession<Dimension>::nearest(const Position& to) const {
                            [&](PointId p, PointId q) { return number_of(p) < number_of(q); });
 }
 
-// What was undone is forgotten, as by History.
+// For the changes of one step: once it is made, nothing may fail.
+template <int Dimension>
+void TessellationSession<Dimension>::make_room(std::size_t points) {
+  reserve_more(steps_, 1);
+  reserve_more(changes_, points);
+  const std::size_t limit = tessellation().topology().point_limit() + points;
+  if (limit > numbers_.size()) reserve_more(numbers_, limit - numbers_.size());
+}
+
+// Of the operation just done. What was undone before it is forgotten, as by History.
 template <int Dimension>
 void TessellationSession<Dimension>::begin_step() {
-  const std::size_t done = history_.undoable();
-  if (done < steps_.size()) {
-    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(steps_[done].first),
+  const std::size_t before = history_.undoable() - 1;
+  if (before < steps_.size()) {
+    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(steps_[before].first),
                    changes_.end());
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(done), steps_.end());
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(before), steps_.end());
   }
   steps_.push_back({changes_.size(), next_});
 }
@@ -110,7 +124,8 @@ void TessellationSession<Dimension>::begin_step() {
 template <int Dimension>
 void TessellationSession<Dimension>::change_number(PointId p, std::uint64_t number) {
   if (index(p) >= numbers_.size()) numbers_.resize(tessellation().topology().point_limit(), 0);
-  changes_.push_back({p, std::exchange(numbers_[index(p)], number)});
+  changes_.push_back({p, numbers_[index(p)]});
+  numbers_[index(p)] = number;
 }
 
 // A step changes no number twice, so the changes' order does not matter.

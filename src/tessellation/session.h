@@ -56,6 +56,7 @@ class TessellationSession {
     std::uint64_t next;  // number to be given before it; when undone, after it
   };
 
+  void make_room(std::size_t points);
   void begin_step();
   void change_number(PointId p, std::uint64_t number);
   void exchange(std::size_t step);

@@ -9,8 +9,8 @@ namespace thiessen {
 
 /// The vertices that a point forms, and the points that form them with it. In the plane both are in
 /// order round the point, counter-clockwise: points()[i] and points()[i + 1] form vertices()[i]
-/// with it. On a line and in a plane every vertex is met once from its neighbour; in space there is
-/// a table of those seen. Cost: the vertices'.
+/// with it. For a point to be deleted they are the thesis' LISTOFV and LISTOFP (section 2.3, step
+/// 1). Cost: the vertices'.
 template <int Dimension>
 class Star {
  public:
@@ -18,33 +18,41 @@ class Star {
   /// The infinite point among them, where the point is on the hull.
   const std::vector<PointId>& points() const { return points_; }
 
-  /// Requires d = the topology's dimension, at least 1, and a point that is there.
-  template <int d>
-  void find(const Topology<Dimension>& topology, PointId p) {
+  /// Requires d = the topology's dimension, at least 1, and a point that is there. Calls
+  /// `meet(neighbour, beyond)` as it goes for every vertex, with one of its points and the vertex
+  /// across from p.
+  template <int d, typename Meet>
+  void find(const Topology<Dimension>& topology, PointId p, Meet&& meet) {
     vertices_.clear();
     points_.clear();
     if constexpr (d == 2) {
-      walk_round(topology, p);
+      walk_round(topology, p, meet);
     } else {
-      search<d>(topology, p);
+      search<d>(topology, p, meet);
     }
+  }
+  template <int d>
+  void find(const Topology<Dimension>& topology, PointId p) {
+    find<d>(topology, p, [](PointId, VertexId) {});
   }
 
  private:
-  void walk_round(const Topology<Dimension>& topology, PointId p) {
+  template <typename Meet>
+  void walk_round(const Topology<Dimension>& topology, PointId p, Meet& meet) {
     const VertexId first = topology.vertex_of(p);
     VertexId v = first;
     do {
       const auto& row = topology.row(v);
       const std::size_t next = row.forming[0] == p ? 1 : row.forming[1] == p ? 2 : 0;
+      meet(row.forming[next], row.neighbours[next == 0 ? 2 : next - 1]);
       vertices_.push_back(v);
       points_.push_back(row.forming[next]);
       v = row.neighbours[next];
     } while (v != first);
   }
 
-  template <int d>
-  void search(const Topology<Dimension>& topology, PointId p) {
+  template <int d, typename Meet>
+  void search(const Topology<Dimension>& topology, PointId p, Meet& meet) {
     seen_.clear();
     seen_points_.clear();
     const auto open = [&](VertexId v) {
@@ -54,7 +62,10 @@ class Star {
     for (std::size_t next = 0; next < vertices_.size(); ++next) {
       const auto& row = topology.row(vertices_[next]);
       for (std::size_t i = 0; i <= d; ++i) {
-        if (row.forming[i] == p) continue;
+        if (row.forming[i] == p) {
+          meet(row.forming[i == 0 ? 1 : 0], row.neighbours[i]);
+          continue;
+        }
         open(row.neighbours[i]);
         if (seen_points_.insert({static_cast<std::uint32_t>(row.forming[i])}, 0).second) {
           points_.push_back(row.forming[i]);

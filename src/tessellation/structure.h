@@ -56,13 +56,18 @@ class Structure {
     if (index(p) == positions_.size()) {
       positions_.push_back(position);
     }
-    if (changes_ != nullptr) changes_->positions.push_back({p, positions_[index(p)]});
+    if (changes_.list != nullptr) changes_.list->positions.push_back({p, positions_[index(p)]});
     positions_[index(p)] = position;
     return p;
   }
+  /// Hints that the point will be needed soon.
+  void fetch(PointId p) const {
+    __builtin_prefetch(positions_.data() + index(p));
+    topology_.fetch(p);
+  }
   void reserve(std::size_t points) {
     topology_.reserve(points);
-    positions_.reserve(positions_.size() + points);
+    reserve_more(positions_, points);
   }
 
   /// The vertex's forming points, as far as there are any.
@@ -141,10 +146,10 @@ class Structure {
   VertexId finite_vertex() const { return finite_vertex(topology_.vertex_of(infinite_point)); }
 
   void record_in(Changes* changes) {
-    changes_ = changes;
+    changes_.list = changes;
     topology_.record_in(changes == nullptr ? nullptr : &changes->topology);
   }
-  Changes* recorded_in() const { return changes_; }
+  Changes* recorded_in() const { return changes_.list; }
   State state() const { return {topology_.state(), dropped_}; }
   /// As Topology's, for the changes between two extents.
   void exchange(Changes& changes, const Extent& first, const Extent& end, State& then,
@@ -208,7 +213,7 @@ class Structure {
   Topology<Dimension> topology_;
   std::vector<Position> positions_ = std::vector<Position>(1);  // the infinite point's: unused
   Axis dropped_ = Axis::x;
-  Changes* changes_ = nullptr;
+  Recorded<Changes> changes_;
 };
 
 }  // namespace thiessen

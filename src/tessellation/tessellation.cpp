@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "geometry/coordinates.h"
 #include "geometry/insertion_order.h"
 #include "tessellation/audit.h"
 #include "tessellation/change_of_dimension.h"
@@ -19,46 +20,70 @@ constexpr std::size_t points_a_signpost = 8;
 
 template <int Dimension>
 std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> points) {
+  const bool few = 2 * points.size() < count();
   structure_.reserve(points.size());
   const std::vector<std::uint32_t> order = insertion_order(points);
   std::vector<PointId> numbers(points.size());
   constexpr std::size_t ahead = 16;  // the order goes across the input: fetch before it is needed
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k + ahead < order.size()) __builtin_prefetch(&points[order[k + ahead]]);
-    numbers[order[k]] = insert(points[order[k]], last_);
+    const Position& position = points[order[k]];
+    numbers[order[k]] = insert(position, few ? start(position, {}) : last_);
   }
-  if (2 * points.size() < count()) {
-    renew_signposts();
-    return numbers;
+  changes_since_signposts_ += points.size();
+  if (few) {
+    renew_signposts(points_a_signpost);
+  } else if (!is_tried()) {
+    // The first points in order are a random choice of all.
+    std::vector<PointId> sample;
+    for (std::size_t k = 0; k < order.size() / points_a_signpost_at_first; ++k) {
+      sample.push_back(numbers[order[k]]);
+    }
+    put_up_signposts(sample);
   }
-  // The first points in order are a random choice of all.
-  std::vector<PointId> sample;
-  for (std::size_t k = 0; k < order.size() / points_a_signpost_at_first; ++k) {
-    sample.push_back(numbers[order[k]]);
-  }
-  put_up_signposts(sample);
+  expect_sound(points.size());
   return numbers;
 }
 
 template <int Dimension>
 PointId Tessellation<Dimension>::add(const Position& position, std::optional<PointId> hint) {
-  if (!hint) renew_signposts();
+  if (!hint) renew_signposts(points_a_signpost);
   const PointId p = insert(position, start(position, hint));
-  expect_sound();
+  note_change();
   return p;
 }
 
 template <int Dimension>
 void Tessellation<Dimension>::remove(PointId p) {
+  if (!is_there(p)) throw std::logic_error("a point is deleted that is not there");
   last_ = deletion_.remove(structure_, p);
-  expect_sound();
+  note_change();
 }
 
 template <int Dimension>
-void Tessellation<Dimension>::expect_sound() {
+void Tessellation<Dimension>::exchange(Changes& changes,
+                                       const typename Structure<Dimension>::Extent& first,
+                                       const typename Structure<Dimension>::Extent& end,
+                                       Moment& then, bool backward) {
+  structure_.exchange(changes, first, end, then.state, backward);
+  std::swap(last_, then.last);
+  ++changes_since_signposts_;
+  expect_sound(1);
+}
+
+template <int Dimension>
+void Tessellation<Dimension>::note_change() {
+  if (!is_tried()) ++changes_since_signposts_;
+  renew_signposts(points_a_signpost_at_first);
+  expect_sound(1);
+}
+
+template <int Dimension>
+void Tessellation<Dimension>::expect_sound([[maybe_unused]] std::size_t changes) {
 #ifdef THIESSEN_AUDIT
   constexpr std::size_t points_a_change = 200;
-  if (++changes_since_audit_ * points_a_change < count()) return;
+  changes_since_audit_ += changes;
+  if (changes_since_audit_ * points_a_change < count()) return;
   changes_since_audit_ = 0;
   for (const auto& finding : audit(*this)) {
     throw std::logic_error("the tessellation is broken: " + std::string(name_of(finding.fault)) +
@@ -87,15 +112,31 @@ PointId Tessellation<Dimension>::insert(const Position& position, VertexId hint)
   return p;
 }
 
-/// A vertex to walk from: the hint's, a signpost's, or any.
+/// A vertex to walk from: the hint's; else a signpost's or the one of the last change, whichever is
+/// nearer, for points often come in order.
 template <int Dimension>
 VertexId Tessellation<Dimension>::start(const Position& position,
                                         std::optional<PointId> hint) const {
   if (hint && topology().is_there(*hint)) return topology().vertex_of(*hint);
-  if (const auto signpost = signposts_.near(position)) {
-    if (topology().is_there(PointId{*signpost})) return topology().vertex_of(PointId{*signpost});
-  }
-  return standing(last_);
+  const VertexId last = standing(last_);
+  // A number may have been given to a point elsewhere since.
+  const auto signpost = signposts_.near(position, [&](const auto& post) {
+    return topology().is_there(PointId{post.number}) &&
+           structure_.position(PointId{post.number}) == post.position;
+  });
+  if (!signpost) return last;
+  const auto square_distance = [&](PointId p) {
+    const auto from = coordinates(structure_.position(p));
+    const auto to = coordinates(position);
+    double sum = 0;
+    for (std::size_t axis = 0; axis < to.size(); ++axis)
+      sum += (to[axis] - from[axis]) * (to[axis] - from[axis]);
+    return sum;
+  };
+  const auto& forming = topology().forming(last);
+  const PointId at_last = forming[0] == infinite_point ? forming[1] : forming[0];
+  const bool last_is_nearer = square_distance(at_last) < square_distance(PointId{*signpost});
+  return last_is_nearer ? last : topology().vertex_of(PointId{*signpost});
 }
 
 /// The vertex, or another where it is gone.
@@ -171,13 +212,18 @@ void Tessellation<Dimension>::put_up_signposts(std::span<const PointId> sample) 
     signposts.push_back({structure_.position(p), static_cast<std::uint32_t>(p)});
   }
   signposts_.set(std::move(signposts));
+  changes_since_signposts_ = 0;
 }
 
-// Whenever the points have become many times as many.
+// Once half of the points have changed, or there are many times as many, but not for a trial, which
+// leaves nothing behind.
 template <int Dimension>
-void Tessellation<Dimension>::renew_signposts() {
+void Tessellation<Dimension>::renew_signposts(std::size_t points_a_signpost) {
   constexpr std::size_t few = 256;
-  if (count() < few || count() < points_a_signpost_at_first * signposts_.size()) return;
+  const bool too_few = points_a_signpost_at_first * signposts_.size() < count() &&
+                       4 * points_a_signpost * signposts_.size() < count();
+  if (count() < few || is_tried()) return;
+  if (!too_few && 2 * changes_since_signposts_ < count()) return;
   std::vector<PointId> sample;
   std::size_t k = 0;
   for_each_point([&](PointId p) {

@@ -31,7 +31,11 @@ enum class Span { nothing, point, line, plane, space };
 /// Coordinates must be finite and in the range of predicates.h throughout.
 /// Cost: n log n for n points at once, whatever their order and place; a change is in proportion to
 /// the vertices that come and go, after a walk from the hint, or from a signpost where there is no
-/// hint. Memory: 68 bytes a point in the plane, 240 in space (2 and 6.77 simplices a point).
+/// hint; the simplices of points on a walk are looked at all, thousands at a hub with thousands of
+/// neighbours. Memory: 72 bytes a point in the plane, 255 in space (2 and 6.77 simplices a point),
+/// and 20 more while many are added at once.
+/// Errors: std::length_error beyond 2^31 points or simplices, std::bad_alloc: afterwards it is fit
+/// for destruction only, but in a History or a Trial, which take back what was done.
 /// Threads: queries may share a tessellation that nobody changes.
 /// Built with THIESSEN_AUDIT, as debug builds are, it is audited after every change, or as often as
 /// keeps that in proportion to the changes; what is found is a std::logic_error.
@@ -45,7 +49,8 @@ class Tessellation {
   std::vector<PointId> add_all(std::span<const Position> points);
   /// Adds one point, or finds its number where it is there already. `hint`: a point near it.
   PointId add(const Position& position, std::optional<PointId> hint = {});
-  /// Deletes a point. Its number will be given again. Requires that it is there.
+  /// Deletes a point. Its number will be given again. Error: std::logic_error where it is not
+  /// there.
   void remove(PointId p);
 
   std::size_t count() const { return topology().count(); }
@@ -91,9 +96,26 @@ class Tessellation {
   /// The points in lexicographic order. Requires a span of a line at most.
   std::vector<PointId> along_line() const;
 
-  /// For History and Trial: keeps what is overwritten from now on; nothing for null.
-  void record_in(typename Structure<Dimension>::Changes* changes) { structure_.record_in(changes); }
-  Structure<Dimension>& structure() { return structure_; }
+  // For History and Trial.
+  using Changes = typename Structure<Dimension>::Changes;
+  struct Moment {
+    typename Structure<Dimension>::State state;
+    VertexId last = no_vertex;
+  };
+  /// Keeps what is overwritten from now on; nothing for null. Where it is only tried, walks leave
+  /// no signposts behind.
+  void record_in(Changes* changes, bool is_tried = false) {
+    structure_.record_in(changes);
+    is_tried_ = is_tried;
+  }
+  bool is_tried() const { return is_tried_ && structure_.recorded_in() != nullptr; }
+  Moment moment() const { return {structure_.state(), last_}; }
+  /// Takes the changes between two extents back, `then` being the moment before them, or makes them
+  /// again: see Topology.
+  void exchange(Changes& changes, const typename Structure<Dimension>::Extent& first,
+                const typename Structure<Dimension>::Extent& end, Moment& then, bool backward);
+  /// For tests of audit: to break it.
+  Structure<Dimension>& structure_to_break() { return structure_; }
 
  private:
   bool spans_all() const { return topology().dimension() == Dimension; }
@@ -103,15 +125,18 @@ class Tessellation {
   VertexId locate_from(VertexId hint, const Position& position) const;
   PointId corner_at(VertexId v, const Position& position) const;
   PointId walk_to_nearest(const Position& to, PointId from) const;
-  void expect_sound();
+  void expect_sound(std::size_t changes);
   void put_up_signposts(std::span<const PointId> sample);
-  void renew_signposts();
+  void renew_signposts(std::size_t points_a_signpost);
+  void note_change();
 
   Structure<Dimension> structure_;
   Insertion<Dimension> insertion_;
   Deletion<Dimension> deletion_;
   Signposts<Dimension> signposts_;
   VertexId last_ = no_vertex;  // where the last change was; it may be gone
+  bool is_tried_ = false;
+  std::size_t changes_since_signposts_ = 0;
   std::size_t changes_since_audit_ = 0;
 };
 

@@ -28,6 +28,26 @@ constexpr std::size_t index(VertexId id) {
   return static_cast<std::size_t>(id);
 }
 
+/// Where changes are kept. What is copied or moved is not recorded there.
+template <typename Changes>
+struct Recorded {
+  Recorded() = default;
+  Recorded(const Recorded&) {}
+  Recorded& operator=(const Recorded&) { return *this; }
+  ~Recorded() = default;
+
+  Changes* list = nullptr;
+};
+
+/// Makes room for more elements, growing by half at least.
+template <typename Element>
+void reserve_more(std::vector<Element>& elements, std::size_t more) {
+  const std::size_t needed = elements.size() + more;
+  if (needed > elements.capacity()) {
+    elements.reserve(std::max(needed, elements.capacity() + elements.capacity() / 2));
+  }
+}
+
 /// The thesis' table of the structure (section 2.4): for each vertex its forming points and its
 /// neighbouring vertices; neighbour i lies across from forming point i. It holds no coordinates.
 /// Freed rows are used again first, and so are freed points' numbers. Where the points span less
@@ -173,14 +193,19 @@ class Topology {
     vertex_of_[index(p)] = static_cast<std::uint32_t>(v);
   }
 
+  /// Hints that the row, or which vertex the point forms, will be needed soon.
+  void fetch(VertexId v) const { __builtin_prefetch(rows_.data() + index(v)); }
+  void fetch(PointId p) const { __builtin_prefetch(vertex_of_.data() + index(p)); }
+
+  /// Room for so many more points. Again and again for a few it costs no more than they do.
   void reserve(std::size_t points) {
-    vertex_of_.reserve(vertex_of_.size() + points);
-    rows_.reserve(rows_.size() + rows_a_point * points);
+    reserve_more(vertex_of_, points);
+    reserve_more(rows_, rows_a_point * points);
   }
 
   /// Where what is about to be overwritten is kept from now on; nowhere for none.
-  void record_in(Changes* changes) { changes_ = changes; }
-  Changes* recorded_in() const { return changes_; }
+  void record_in(Changes* changes) { changes_.list = changes; }
+  Changes* recorded_in() const { return changes_.list; }
   const State& state() const { return state_; }
   /// Takes the changes between two extents back, `then` being the state before them; afterwards
   /// they and `then` hold what makes them again. They are gone through backward to take them back,
@@ -220,23 +245,23 @@ class Topology {
     return row;
   }
   void keep(VertexId v) {
-    if (changes_ != nullptr) [[unlikely]]
+    if (changes_.list != nullptr) [[unlikely]]
       record(v);
   }
   void keep(PointId p) {
-    if (changes_ != nullptr) [[unlikely]]
+    if (changes_.list != nullptr) [[unlikely]]
       record(p);
   }
   // Out of line, so that what is not recorded costs next to nothing.
-  [[gnu::noinline]] void record(VertexId v) { changes_->rows.push_back({v, row(v)}); }
+  [[gnu::noinline]] void record(VertexId v) { changes_.list->rows.push_back({v, row(v)}); }
   [[gnu::noinline]] void record(PointId p) {
-    changes_->points.push_back({p, vertex_of_[index(p)]});
+    changes_.list->points.push_back({p, vertex_of_[index(p)]});
   }
 
   std::vector<Row> rows_;
   std::vector<std::uint32_t> vertex_of_;
   State state_;
-  Changes* changes_ = nullptr;
+  Recorded<Changes> changes_;
 };
 
 }  // namespace thiessen

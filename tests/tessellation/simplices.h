@@ -40,13 +40,6 @@ PositionIn<Dimension> position_of(const CoordinatesIn<Dimension>& c) {
   }
 }
 
-inline Point middle_of(const Point& a, const Point& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2};
-}
-inline SpacePoint middle_of(const SpacePoint& a, const SpacePoint& b) {
-  return {(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-}
-
 template <int Dimension>
 PositionIn<Dimension> infinite_position() {
   CoordinatesIn<Dimension> c;
