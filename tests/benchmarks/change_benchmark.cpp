@@ -1,5 +1,6 @@
 // Changing the plane's tessellation point by point, beside CGAL's of the same points by the same
-// operations: a deletion and an insertion with a hint, insertion without one, undoing, trying.
+// operations: a deletion and an insertion with a hint, insertion without one, undoing, trying; and
+// both without a hint once every point has given way to another, twice.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_hierarchy_2.h>
@@ -185,6 +186,61 @@ void try_insertion(benchmark::State& state) {
   }
 }
 
+enum class Ask { nearest, add };
+
+// Every point is deleted and another comes, without a hint, until all have been replaced twice: are
+// walks as short as at first?
+void after_replacing_all_points(benchmark::State& state, Ask ask) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const std::vector<Point> all = uniform(3 * count + changes_at_once);
+  const std::span<const Point> points(all);
+  Tessellation<2> tessellation;
+  std::vector<PointId> numbers = tessellation.add_all(points.first(count));
+  for (std::size_t i = count; i < 3 * count; ++i) {
+    tessellation.remove(numbers[i % count]);
+    numbers[i % count] = tessellation.add(points[i]);
+  }
+  const std::span<const Point> asked = points.last(changes_at_once);
+  for (auto _ : state) {
+    if (ask == Ask::nearest) {
+      add_time_of(state, asked.size(), [&] {
+        for (const Point p : asked) benchmark::DoNotOptimize(tessellation.nearest(p));
+      });
+    } else {
+      Tessellation<2> copy = tessellation;
+      add_time_of(state, asked.size(), [&] {
+        for (const Point p : asked) benchmark::DoNotOptimize(copy.add(p));
+      });
+    }
+  }
+}
+
+void after_replacing_all_points_cgal(benchmark::State& state, Ask ask) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  std::vector<Kernel::Point_2> points;
+  for (const Point p : uniform(3 * count + changes_at_once)) points.emplace_back(p.x, p.y);
+  Hierarchy triangulation;
+  std::vector<Hierarchy::Vertex_handle> vertices;
+  for (std::size_t i = 0; i < count; ++i) vertices.push_back(triangulation.insert(points[i]));
+  for (std::size_t i = count; i < 3 * count; ++i) {
+    triangulation.remove(vertices[i % count]);
+    vertices[i % count] = triangulation.insert(points[i]);
+  }
+  const auto asked = std::span(points).last(changes_at_once);
+  for (auto _ : state) {
+    if (ask == Ask::nearest) {
+      add_time_of(state, asked.size(), [&] {
+        for (const auto& p : asked) benchmark::DoNotOptimize(triangulation.nearest_vertex(p));
+      });
+    } else {
+      Hierarchy copy = triangulation;
+      add_time_of(state, asked.size(), [&] {
+        for (const auto& p : asked) benchmark::DoNotOptimize(copy.insert(p));
+      });
+    }
+  }
+}
+
 #define THIESSEN_SIZES \
   Arg(1000)->Arg(100000)->Arg(1000000)->Unit(benchmark::kMillisecond)->UseManualTime()
 
@@ -204,6 +260,13 @@ BENCHMARK_CAPTURE(with_history, make, Step::make)->THIESSEN_SIZES;
 BENCHMARK_CAPTURE(with_history, undo, Step::undo)->THIESSEN_SIZES;
 BENCHMARK_CAPTURE(with_history, redo, Step::redo)->THIESSEN_SIZES;
 BENCHMARK(try_insertion)->THIESSEN_SIZES;
+
+#define THIESSEN_TWO_SIZES Arg(1000)->Arg(100000)->Unit(benchmark::kMillisecond)->UseManualTime()
+
+BENCHMARK_CAPTURE(after_replacing_all_points, nearest, Ask::nearest)->THIESSEN_TWO_SIZES;
+BENCHMARK_CAPTURE(after_replacing_all_points_cgal, nearest, Ask::nearest)->THIESSEN_TWO_SIZES;
+BENCHMARK_CAPTURE(after_replacing_all_points, add, Ask::add)->THIESSEN_TWO_SIZES;
+BENCHMARK_CAPTURE(after_replacing_all_points_cgal, add, Ask::add)->THIESSEN_TWO_SIZES;
 
 }  // namespace
 }  // namespace thiessen

@@ -3,7 +3,7 @@
 #   tests/oracles/long_run.sh BUILD-FOLDER [SEEDS] [ROUNDS] [GTEST-FILTER]
 # A failure prints its seed; the line to run it again is in the test's output. Ten million
 # insertions, deletions, undos, redos and trials, in the plane and in space:
-#   tests/oracles/long_run.sh BUILD-FOLDER 1 45 'Operations.*'
+#   tests/oracles/long_run.sh BUILD-FOLDER 1 28 'Operations.*'
 set -euo pipefail
 
 build=$1
@@ -14,6 +14,10 @@ first=$(date +%s)
 for ((seed = first; seed < first + seeds; ++seed)); do
   for test in geometry tessellation earth basin rainfall oracles; do
     program=$(find "$build" -name "${test}_test" -type f -perm -u+x | head -n 1)
+    if [[ -z $program ]]; then
+      printf '%s: not built\n' "$test"
+      continue
+    fi
     printf '%s: seed %d, %d rounds\n' "$test" "$seed" "$rounds"
     THIESSEN_SEED=$seed THIESSEN_ROUNDS=$rounds "$program" --gtest_brief=1 \
       --gtest_filter="$filter"

@@ -131,5 +131,105 @@ TYPED_TEST(OutOfMemoryIn, adding_many_points_changes_nothing) {
   }
 }
 
+/// Tries a change on a copy, whose lists are full, so that every one that grows fails once: what
+/// was done until then is taken back, which needs no memory.
+template <int Dimension, typename Change>
+void fail_in_trial(const Tessellation<Dimension>& tessellation, long& failed, Change&& change) {
+  const Bits before = bits_of(tessellation.structure());
+  bool fails = true;
+  for (long n = 1; fails; ++n) {
+    Tessellation<Dimension> tried = tessellation;
+    typename Trial<Dimension>::Changes changes;
+    fails = false;
+    {
+      const Trial<Dimension> trial(tried, changes);
+      left = n;
+      try {
+        change(tried);
+        left = -1;
+      } catch (const std::bad_alloc&) {
+        fails = true;
+        ++failed;
+#ifndef THIESSEN_AUDIT  // an audit, which each change ends with there, needs memory
+        left = 1;
+#endif
+      }
+    }
+    left = -1;
+    ASSERT_EQ(bits_of(tried.structure()), before);
+    ASSERT_EQ(changes.extent().topology.rows, 0u);
+    ASSERT_EQ(changes.extent().positions, 0u);
+    change(tried);
+    expect_sound(tried);
+  }
+}
+
+TYPED_TEST(OutOfMemoryIn, a_trial_leaves_nothing_behind) {
+  constexpr int d = TestFixture::dimension;
+  Seeded seeded;
+  for (const FamilyIn<d>& family : families::all_in<d>(seeded, 12)) {
+    SCOPED_TRACE(family.name);
+    const std::vector<PositionIn<d>> points = some_of<d>(seeded, family);
+    Tessellation<d> tessellation;
+    long failed = 0;
+    for (const auto& p : points) {
+      fail_in_trial<d>(tessellation, failed, [&](Tessellation<d>& tried) { tried.add(p); });
+      ASSERT_FALSE(testing::Test::HasFailure());
+      tessellation.add(p);
+    }
+    fail_in_trial<d>(tessellation, failed, [&](Tessellation<d>& tried) {
+      tried.remove(*tried.find(points.front()));
+      tried.add_all(points);
+    });
+    ASSERT_FALSE(testing::Test::HasFailure());
+    while (!tessellation.empty()) {
+      const PointId number = *tessellation.nearest(points.front());
+      fail_in_trial<d>(tessellation, failed, [&](Tessellation<d>& tried) { tried.remove(number); });
+      ASSERT_FALSE(testing::Test::HasFailure());
+      tessellation.remove(number);
+    }
+    EXPECT_GT(failed, 10);
+  }
+}
+
+// What fails in an inner trial is taken back with it, and the outer one goes on.
+TYPED_TEST(OutOfMemoryIn, an_inner_trial_leaves_the_outer_one_whole) {
+  constexpr int d = TestFixture::dimension;
+  Seeded seeded;
+  long failed = 0;
+  for (const FamilyIn<d>& family : families::all_in<d>(seeded, 12)) {
+    SCOPED_TRACE(family.name);
+    const std::vector<PositionIn<d>> points = some_of<d>(seeded, family);
+    Tessellation<d> tessellation;
+    const std::span<const PositionIn<d>> some(points.data(), points.size() / 2);
+    tessellation.add_all(some);
+    const Bits before = bits_of(tessellation.structure());
+    {
+      typename Trial<d>::Changes changes;
+      const Trial<d> outer(tessellation, changes);
+      for (const auto& p : points) {
+        const Bits half_way = bits_of(tessellation.structure());
+        {
+          const Trial<d> inner(tessellation, changes);
+          left = 1 + static_cast<long>(seeded.below(4));
+          try {
+            tessellation.add(p);
+          } catch (const std::bad_alloc&) {
+            ++failed;
+          }
+          left = -1;
+        }
+        ASSERT_EQ(bits_of(tessellation.structure()), half_way);
+        tessellation.add(p);
+      }
+      expect_sound(tessellation);
+      EXPECT_EQ(positions_of(tessellation), distinct(points));
+    }
+    EXPECT_EQ(bits_of(tessellation.structure()), before);
+    expect_sound(tessellation);
+  }
+  EXPECT_GT(failed, 10);
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "geometry/seeded.h"
+#include "tessellation/audit.h"
 #include "tessellation/topology_table.h"
 
 namespace thiessen {
@@ -117,6 +117,7 @@ struct Model {
   std::vector<std::string> tables = {""};
   std::size_t at = 0;
 
+  const State& now() const { return states[at]; }
   State& begin() {
     states.resize(at + 1);
     tables.resize(at + 1);
@@ -135,49 +136,133 @@ PositionIn<Dimension> position(const SpacePoint& p) {
   }
 }
 
+/// Both, changed alike; `side` is how many different coordinates there are.
 template <int Dimension>
-void expect_to_follow_the_model(Seeded& seeded, int steps) {
-  TessellationSession<Dimension> session;
-  Model model;
-  const auto coordinate = [&] { return static_cast<double>(seeded.below(4)); };
-  for (int step = 0; step < steps; ++step) {
-    const SpacePoint p{coordinate(), coordinate(), Dimension == 3 ? coordinate() : 0};
-    const auto& points = model.states[model.at].points;
-    const auto there = std::find_if(points.begin(), points.end(),
-                                    [&](const auto& entry) { return entry.second == p; });
-    const std::uint64_t choice = seeded.below(10);
-    if (choice < 2) {
-      if (model.at == 0) continue;
-      session.undo();
-      --model.at;
-      ASSERT_EQ(table_of(session), model.tables[model.at]);
-    } else if (choice < 4) {
-      if (model.at + 1 == model.states.size()) continue;
-      session.redo();
-      ++model.at;
-      ASSERT_EQ(table_of(session), model.tables[model.at]);
-    } else if (there != points.end()) {
-      const std::uint64_t number = there->first;
-      ASSERT_EQ(session.remove(position<Dimension>(p)), number);
-      model.begin().points.erase(number);
-      model.tables.push_back(table_of(session));
-    } else {
-      auto& state = model.begin();
-      state.points[state.next] = p;
-      ASSERT_EQ(session.add(position<Dimension>(p)), state.next++);
-      model.tables.push_back(table_of(session));
+class Followed {
+ public:
+  Followed(Seeded& seeded, std::uint64_t side) : seeded_(seeded), side_(side) {}
+
+  void run(int steps) {
+    for (int step = 0; step < steps; ++step) {
+      operate();
+      if (testing::Test::HasFatalFailure()) return;
+      expect_same();
+      if (testing::Test::HasFatalFailure()) return;
     }
-    ASSERT_EQ(session.tessellation().count(), model.states[model.at].points.size());
-    for (const auto& [number, q] : model.states[model.at].points)
-      ASSERT_EQ(session.number_of(session.point_at(position<Dimension>(q))), number);
   }
-}
+
+ private:
+  void operate() {
+    const std::uint64_t choice = seeded_.below(12);
+    if (choice < 2) return undo();
+    if (choice < 4) return redo();
+    if (choice < 6) return load();
+    const SpacePoint p = any_place();
+    const auto number = number_at(model_.now(), p);
+    if (number == 0) {
+      add(p);
+    } else {
+      remove(p, number);
+    }
+  }
+
+  SpacePoint any_place() {
+    const auto coordinate = [&] { return static_cast<double>(seeded_.below(side_)); };
+    const double x = coordinate();
+    const double y = coordinate();
+    return {x, y, Dimension == 3 ? coordinate() : 0};
+  }
+  /// 0 where there is none.
+  static std::uint64_t number_at(const Model::State& state, const SpacePoint& p) {
+    for (const auto& [number, q] : state.points) {
+      if (q == p) return number;
+    }
+    return 0;
+  }
+
+  void undo() {
+    if (model_.at == 0) {
+      EXPECT_EQ(complaint_of([&] { session_.undo(); }), "there is nothing to undo");
+      return;
+    }
+    session_.undo();
+    --model_.at;
+    ASSERT_EQ(table_of(session_), model_.tables[model_.at]);
+  }
+  void redo() {
+    if (model_.at + 1 == model_.states.size()) {
+      EXPECT_EQ(complaint_of([&] { session_.redo(); }), "there is nothing to redo");
+      return;
+    }
+    session_.redo();
+    ++model_.at;
+    ASSERT_EQ(table_of(session_), model_.tables[model_.at]);
+  }
+  void add(const SpacePoint& p) {
+    auto& state = model_.begin();
+    state.points[state.next] = p;
+    ASSERT_EQ(session_.add(position<Dimension>(p)), state.next++);
+    model_.tables.push_back(table_of(session_));
+  }
+  void remove(const SpacePoint& p, std::uint64_t number) {
+    ASSERT_EQ(session_.remove(position<Dimension>(p)), number);
+    model_.begin().points.erase(number);
+    model_.tables.push_back(table_of(session_));
+  }
+
+  // Few or none beside what is there, about as many, or many more; some of them twice, some there
+  // already.
+  void load() {
+    const std::size_t there = model_.now().points.size();
+    const std::uint64_t kind = seeded_.below(3);
+    const std::size_t most = kind == 0 ? 3 : kind == 1 ? there + 2 : 4 * there + 20;
+    std::vector<SpacePoint> places(seeded_.below(most));
+    std::vector<PositionIn<Dimension>> positions;
+    for (SpacePoint& p : places) {
+      p = any_place();
+      positions.push_back(position<Dimension>(p));
+    }
+    auto& state = model_.begin();
+    typename TessellationSession<Dimension>::Added expected{state.next, 0, 0, 0};
+    for (const SpacePoint& p : places) {
+      const std::uint64_t number = number_at(state, p);
+      if (number == 0) {
+        state.points[state.next++] = p;
+        ++expected.points;
+      } else {
+        ++(number >= expected.first ? expected.repeated : expected.there_already);
+      }
+    }
+    const auto added = session_.add_all(positions);
+    EXPECT_EQ(added.first, expected.first);
+    EXPECT_EQ(added.points, expected.points);
+    EXPECT_EQ(added.repeated, expected.repeated);
+    EXPECT_EQ(added.there_already, expected.there_already);
+    model_.tables.push_back(table_of(session_));
+  }
+
+  void expect_same() {
+    ASSERT_EQ(session_.tessellation().count(), model_.now().points.size());
+    for (const auto& [number, q] : model_.now().points)
+      ASSERT_EQ(session_.number_of(session_.point_at(position<Dimension>(q))), number);
+    ASSERT_TRUE(audit(session_.tessellation()).empty());
+  }
+
+  Seeded& seeded_;
+  std::uint64_t side_;
+  TessellationSession<Dimension> session_;
+  Model model_;
+};
 
 TEST(Session, follows_a_list_of_its_states) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(3); ++round) {
-    expect_to_follow_the_model<2>(seeded, 400);
-    expect_to_follow_the_model<3>(seeded, 400);
+    for (const std::uint64_t side : {2u, 4u, 12u}) {
+      Followed<2>(seeded, side).run(300);
+      ASSERT_FALSE(HasFailure());
+      Followed<3>(seeded, side).run(side == 12 ? 60 : 200);
+      ASSERT_FALSE(HasFailure());
+    }
   }
 }
 

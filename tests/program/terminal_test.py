@@ -1,0 +1,231 @@
+"""The session on a terminal: a pseudo-terminal stands for it, and what is typed is typed there.
+
+What the line editor writes depends on the terminal, so that the tests look for answers and prompts, not for the echo.
+Nothing waits for a time: each step waits for a text, or for the program to read keys, and gives up only after LONGEST
+seconds.
+"""
+
+import os
+import pathlib
+import pty
+import re
+import select
+import signal
+import subprocess
+import termios
+import time
+import unittest
+
+from thiessen import PROGRAM, ProgramTest
+
+LONGEST = 120
+GREETING = "help lists the commands"
+UP, TAB, ENTER, CTRL_C, CTRL_D = "\x1b[A", "\t", "\r", "\x03", "\x04"
+ESCAPES = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|\x1b[()][A-Z0-9]|\x1b[=>]|\x07")
+
+
+class Terminal:
+    """The program with a terminal for its input, its messages and, unless `output` is given, its output."""
+
+    def __init__(self, folder, *arguments, output=None):
+        self.text = ""
+        self.seen = 0
+        self.pid, self.master = pty.fork()
+        if self.pid == 0:
+            try:
+                os.chdir(folder)
+                if output is not None:
+                    os.dup2(output, 1)
+                os.environ.update(TERM="xterm", LC_ALL="C.UTF-8")
+                os.execv(PROGRAM, [str(PROGRAM), *arguments])
+            finally:
+                os._exit(127)
+
+    def type(self, keys):
+        self.await_reading()
+        self.type_ahead(keys)
+
+    def type_ahead(self, keys):
+        """Whatever the program is doing."""
+        os.write(self.master, keys.encode())
+
+    def await_reading(self):
+        """Until the line editor has the terminal, key by key, and the program sleeps in its read.
+
+        The prompt comes a moment before. What is typed ahead of that goes through the terminal's own line editing.
+        """
+        end = time.monotonic() + LONGEST
+        while not (self.is_key_by_key() and self.is_asleep()):
+            if time.monotonic() > end:
+                raise AssertionError(f"no key is read: {self.text!r}")
+            os.sched_yield()
+
+    def is_key_by_key(self):
+        return not termios.tcgetattr(self.master)[3] & termios.ICANON
+
+    def is_asleep(self):
+        stat = pathlib.Path(f"/proc/{self.pid}/stat").read_text(encoding="utf-8", errors="replace")
+        return stat.rpartition(")")[2].split()[0] in "SZ"
+
+    def enter(self, line):
+        self.type(line + ENTER)
+
+    def ask(self, line, answer):
+        """Enters a line and reads on to its answer and the next prompt."""
+        self.enter(line)
+        self.await_text(answer)
+        self.await_text("> ")
+
+    def await_text(self, wanted):
+        """Reads on until `wanted` has come after what was awaited before."""
+        end = time.monotonic() + LONGEST
+        while wanted not in self.text[self.seen:]:
+            if not self.read_some(end):
+                raise AssertionError(f"{wanted!r} never came, but {self.text[self.seen:]!r}")
+        self.seen = self.text.index(wanted, self.seen) + len(wanted)
+
+    def read_some(self, end):
+        ready, _, _ = select.select([self.master], [], [], max(0, end - time.monotonic()))
+        if not ready:
+            return False
+        try:
+            more = os.read(self.master, 65536)
+        except OSError:  # the other side is closed
+            more = b""
+        self.text = ESCAPES.sub("", self.text + more.decode("utf-8", "replace"))
+        return bool(more)
+
+    def status(self):
+        """The exit status, once the program has ended by itself."""
+        end = time.monotonic() + LONGEST
+        while self.read_some(end):
+            pass
+        if time.monotonic() > end:
+            raise AssertionError(f"no end: {self.text!r}")
+        _, status = os.waitpid(self.pid, 0)
+        self.pid = None
+        return os.waitstatus_to_exitcode(status)
+
+    def close(self):
+        os.close(self.master)
+        if self.pid is not None:
+            os.kill(self.pid, signal.SIGKILL)
+            os.waitpid(self.pid, 0)
+
+
+class TerminalTest(ProgramTest):
+    def session(self, *arguments, **settings):
+        terminal = Terminal(self.folder, "tessel", *arguments, **settings)
+        self.addCleanup(terminal.close)
+        return terminal
+
+    def greeted(self, *arguments):
+        terminal = self.session(*arguments)
+        terminal.await_text(GREETING)
+        terminal.await_text("> ")
+        return terminal
+
+    def test_greets_prompts_and_says_what_was_done(self):
+        terminal = self.greeted()
+        terminal.ask("add 3 4", "point 1\r\n")
+        terminal.ask("add 0 0", "point 2\r\n")
+        terminal.ask("delete 3 4", "point 1 is deleted\r\n")
+        terminal.ask("undo", "2 points\r\n")
+        terminal.ask("nearest 3 3", "point 1 3 4\r\n")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_helps(self):
+        terminal = self.greeted("--dim", "3")
+        self.assertIn("3-D", terminal.text)
+        terminal.enter("help")
+        for command in ("add", "delete", "undo", "redo", "nearest", "cell", "load", "print", "show",
+                        "check", "help", "quit"):
+            terminal.await_text(f"\n  {command} ")
+        terminal.await_text("> ")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_arrow_up_is_the_line_before(self):
+        terminal = self.greeted()
+        terminal.ask("add 7 11", "point 1\r\n")
+        terminal.ask("nearest 0 0", "point 1 7 11\r\n")
+        terminal.ask(UP + UP, "error: point 1 is at 7 11 already\r\n")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_tab_completes_a_command(self):
+        terminal = self.greeted()
+        terminal.ask("a" + TAB + "5 6", "point 1\r\n")
+        terminal.ask("nea" + TAB + "0 0", "point 1 5 6\r\n")
+        terminal.enter("q" + TAB)
+        self.assertEqual(terminal.status(), 0)
+
+    def test_tab_does_not_choose_between_commands(self):
+        terminal = self.greeted()
+        terminal.ask("ne" + TAB + " 1 1", "error: there are no points\r\n")  # nearest alone begins so
+        terminal.ask("c" + TAB, "error: there is no command 'c'\r\n")  # cell and check
+        terminal.type(CTRL_D)
+        self.assertEqual(terminal.status(), 0)
+
+    def test_an_error_does_not_end_the_session(self):
+        terminal = self.greeted()
+        for line, sentence in (("fly 1 2", "there is no command 'fly'"), ("undo", "there is nothing to undo"),
+                               ("delete 1 1", "there is no point at 1 1"), ("add 1", "add"),
+                               ("load nothing.csv", "nothing.csv"), ("add 'x", "quote")):
+            terminal.enter(line)
+            terminal.await_text("error: ")
+            terminal.await_text(sentence)
+            terminal.await_text("> ")
+        terminal.ask("add 1 2", "point 1\r\n")
+        terminal.ask("check", "sound: 1 points, 0 vertices, dimension 0\r\n")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_ctrl_c_interrupts(self):
+        terminal = self.greeted()
+        terminal.ask("add 1 2", "point 1\r\n")
+        terminal.type("add 3")
+        terminal.await_text("add 3")
+        terminal.type(CTRL_C)
+        self.assertEqual(terminal.status(), 130)
+
+    def test_ctrl_c_interrupts_the_moment_that_the_prompt_appears(self):
+        for _ in range(15):
+            terminal = self.greeted()
+            terminal.type_ahead(CTRL_C)
+            self.assertEqual(terminal.status(), 130)
+
+    def test_ctrl_d_ends(self):
+        terminal = self.greeted()
+        terminal.ask("add 1 2", "point 1\r\n")
+        terminal.type(CTRL_D)
+        self.assertEqual(terminal.status(), 0)
+
+    def test_a_pipe_sees_no_prompt(self):
+        commands = "add 1 2\nadd 3 4\nhelp\nundo\nnearest 9 9\n"
+        ran = subprocess.run([PROGRAM, "tessel"], cwd=self.folder, timeout=LONGEST, text=True, input=commands,
+                             capture_output=True, check=False)
+        self.assertEqual((ran.returncode, ran.stdout, ran.stderr), (0, "point 1 1 2\n", ""))
+
+    def test_typed_into_a_pipe_the_prompt_stays_on_the_terminal(self):
+        ours, theirs = os.pipe()
+        self.addCleanup(os.close, ours)
+        terminal = self.session(output=theirs)
+        os.close(theirs)
+        terminal.await_text("> ")
+        terminal.enter("add 1 2")
+        terminal.await_text("> ")
+        terminal.enter("help")
+        terminal.await_text("> ")
+        terminal.ask("fly", "error: there is no command 'fly'")
+        terminal.enter("nearest 0 0")
+        terminal.await_text("> ")
+        terminal.type(CTRL_D)
+        self.assertEqual(terminal.status(), 0)
+        with os.fdopen(os.dup(ours), "rb") as printed:
+            self.assertEqual(printed.read(), b"point 1 1 2\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
