@@ -16,6 +16,8 @@ class BisectorArc {
   Direction at(double angle) const;
   /// In [-pi, pi].
   double angle_of(Direction p) const;
+  /// The way across the circle, to the second's side: the same at all its points.
+  Direction forward() const { return cross(left_, middle_); }
 
  private:
   Direction middle_;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "earth/sphere_tessellation.h"
+
+namespace thiessen {
+
+/// A side of one of the mesh's triangles, across from that corner of it.
+enum class SideIndex : std::uint32_t {};
+constexpr std::size_t index(SideIndex i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The triangles of a sphere's tessellation, as a closed mesh whose sides can be flipped: what
+/// changes on the way to the tessellation of the ellipsoid. Three and more places on one circle
+/// have a fan of triangles on either side of it. Two triangles may share two sides, and two places
+/// two sides: only numbers of sides tell them apart.
+class CellMesh {
+ public:
+  /// Requires at least three places with cells of their own.
+  explicit CellMesh(const SphereTessellation& sphere);
+
+  std::uint32_t triangles() const { return static_cast<std::uint32_t>(corners_.size() / 3); }
+  std::uint32_t sides() const { return static_cast<std::uint32_t>(corners_.size()); }
+  static std::uint32_t triangle_of(SideIndex s) { return static_cast<std::uint32_t>(s) / 3; }
+  static SideIndex side(std::uint32_t triangle, std::uint32_t corner) {
+    return SideIndex{3 * triangle + corner};
+  }
+  /// The same side, of the triangle beyond.
+  SideIndex twin(SideIndex s) const { return twin_[index(s)]; }
+  /// Going round the triangle counter-clockwise: the sides after s.
+  static SideIndex next(SideIndex s) { return turned(s, 1); }
+  static SideIndex previous(SideIndex s) { return turned(s, 2); }
+  /// The corner across from the side, and the side's ends, counter-clockwise.
+  PlaceIndex apex(SideIndex s) const { return corners_[index(s)]; }
+  PlaceIndex from(SideIndex s) const { return corners_[index(next(s))]; }
+  PlaceIndex to(SideIndex s) const { return corners_[index(previous(s))]; }
+  std::array<PlaceIndex, 3> corners(std::uint32_t triangle) const {
+    return {corners_[3 * triangle], corners_[3 * triangle + 1], corners_[3 * triangle + 2]};
+  }
+
+  /// Puts the other diagonal into the quadrilateral of the side's two triangles. Requires that
+  /// their apexes are different places.
+  void flip(SideIndex s);
+
+ private:
+  static SideIndex turned(SideIndex s, std::uint32_t by) {
+    const auto i = static_cast<std::uint32_t>(s);
+    return SideIndex{i - i % 3 + (i % 3 + by) % 3};
+  }
+  void take_over(const SphereTessellation& sphere);
+  void add_fans(const SphereTessellation& sphere);
+  void join(SideIndex a, SideIndex b);
+
+  std::vector<PlaceIndex> corners_;
+  std::vector<SideIndex> twin_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,142 @@
+#include "earth/geodesic_diagram.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "earth/cell_mesh.h"
+#include "earth/edge_drawing.h"
+#include "earth/equidistance.h"
+#include "earth/geodesic.h"
+#include "earth/geodesic_vertices.h"
+#include "earth/sphere_tessellation.h"
+
+namespace thiessen {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+class GeodesicDiagramBuilder {
+ public:
+  GeodesicDiagramBuilder(std::span<const Point> places, const Box& frame, double tolerance,
+                         unsigned threads)
+      : sphere_(std::make_shared<SphereTessellation>(places)),
+        tolerance_(tolerance),
+        threads_(threads) {
+    diagram_.frame = frame;
+    diagram_.period = 360;
+    diagram_.places.assign(places.begin(), places.end());
+    diagram_.cell_of = sphere_->cell_of();
+    diagram_.near = [sphere = sphere_](Point p) { return sphere->nearest(on_sphere(p)); };
+  }
+
+  Diagram build() && {
+    const Span span = sphere_->tessellation().span();
+    if (span == Span::point) add_closed_edge();
+    if (span == Span::line || span == Span::plane) add_edges();
+    return std::move(diagram_);
+  }
+
+ private:
+  Point position(PlaceIndex p) const { return diagram_.places[index(p)]; }
+  GeodesicBisector bisector(PlaceIndex a, PlaceIndex b) const {
+    return {position(a), position(b), bisector_on_sphere(*sphere_, position(a), position(b), a, b)};
+  }
+
+  // Two places: the edge closes on itself.
+  void add_closed_edge() {
+    const PlaceIndex first = sphere_->pole();
+    const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
+    const GeodesicBisector edge = bisector(first, second);
+    const Point start = LongitudeTurn(diagram_.frame).within(edge.at(pi));
+    diagram_.nodes.push_back(start);
+    EdgeDrawing drawing(diagram_.frame, tolerance_, 1);
+    drawing.draw(edge, {-pi, 0, start}, {pi, 0, start}, first, second);
+    take(drawing, 1);
+  }
+
+  void add_edges() {
+    GeodesicVertices vertices(*sphere_, diagram_.places, diagram_.frame, threads_);
+    const LongitudeTurn longitudes(diagram_.frame);
+    const CellMesh& mesh = vertices.mesh();
+    std::vector<std::uint32_t> node(mesh.triangles(), no_node);
+    for (std::uint32_t t = 0; t < mesh.triangles(); ++t) {
+      const std::uint32_t group = vertices.group_of(t);
+      if (node[group] == no_node) {
+        node[group] = static_cast<std::uint32_t>(diagram_.nodes.size());
+        diagram_.nodes.push_back(longitudes.within(vertices.position(group)));
+      }
+      node[t] = node[group];
+    }
+    draw(vertices, node);
+  }
+
+  // In pieces of a fixed length, so that the nodes' numbers do not depend on the threads.
+  void draw(const GeodesicVertices& vertices, const std::vector<std::uint32_t>& node) {
+    constexpr std::uint32_t sides_a_piece = 3000;
+    const CellMesh& mesh = vertices.mesh();
+    const auto vertex_nodes = static_cast<std::uint32_t>(diagram_.nodes.size());
+    const std::size_t pieces = (mesh.sides() + sides_a_piece - 1) / sides_a_piece;
+    std::vector<EdgeDrawing> drawings(pieces,
+                                      EdgeDrawing(diagram_.frame, tolerance_, vertex_nodes));
+    in_parallel(pieces, threads_, [&](std::size_t, std::size_t piece) {
+      const auto first = static_cast<std::uint32_t>(piece * sides_a_piece);
+      const std::uint32_t end = std::min(mesh.sides(), first + sides_a_piece);
+      for (std::uint32_t s = first; s < end; ++s) {
+        if (SideIndex{s} < mesh.twin(SideIndex{s}))
+          draw_edge(vertices, node, SideIndex{s}, drawings[piece]);
+      }
+    });
+    for (const EdgeDrawing& drawing : drawings) take(drawing, vertex_nodes);
+  }
+
+  // From the vertex to the right of the way between the two places to the one on the left.
+  void draw_edge(const GeodesicVertices& vertices, const std::vector<std::uint32_t>& node,
+                 SideIndex s, EdgeDrawing& drawing) const {
+    const CellMesh& mesh = vertices.mesh();
+    std::uint32_t start = CellMesh::triangle_of(mesh.twin(s));
+    std::uint32_t end = CellMesh::triangle_of(s);
+    if (node[start] == node[end] || !(vertices.is_near(start) || vertices.is_near(end))) return;
+    PlaceIndex left = mesh.from(s);
+    PlaceIndex right = mesh.to(s);
+    // One way only, so that rounding is the same for any order of places.
+    if (position(right) < position(left)) {
+      std::swap(left, right);
+      std::swap(start, end);
+    }
+    const GeodesicBisector edge = bisector(left, right);
+    const auto [from, to] = vertices.angles(edge.arc(), start, end);
+    drawing.draw(edge, {from, node[start], diagram_.nodes[node[start]]},
+                 {to, node[end], diagram_.nodes[node[end]]}, left, right);
+  }
+
+  void take(const EdgeDrawing& drawing, std::uint32_t vertex_nodes) {
+    const auto shift = static_cast<std::uint32_t>(diagram_.nodes.size()) - vertex_nodes;
+    const auto shifted = [&](std::uint32_t n) { return n < vertex_nodes ? n : n + shift; };
+    diagram_.nodes.insert(diagram_.nodes.end(), drawing.nodes().begin(), drawing.nodes().end());
+    for (Chord chord : drawing.chords()) {
+      chord.from = shifted(chord.from);
+      chord.to = shifted(chord.to);
+      diagram_.chords.push_back(chord);
+    }
+  }
+
+  std::shared_ptr<const SphereTessellation> sphere_;
+  double tolerance_;
+  unsigned threads_;
+  Diagram diagram_;
+};
+
+}  // namespace
+
+Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
+                         unsigned threads) {
+  return GeodesicDiagramBuilder(places, frame, tolerance, threads).build();
+}
+
+}  // namespace thiessen
