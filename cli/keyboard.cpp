@@ -1,10 +1,12 @@
 #include "cli/keyboard.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 #include <new>
 #include <string_view>
@@ -25,6 +27,21 @@ std::string common_beginning(const std::vector<std::string>& words) {
     common.erase(parting.first, common.end());
   }
   return common;
+}
+
+/// Waits until something can be read; false where a signal came first, be it just before.
+bool wait_for_key() {
+  sigset_t interrupts;
+  sigset_t before;
+  sigemptyset(&interrupts);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&interrupts, signal);
+  pthread_sigmask(SIG_BLOCK, &interrupts, &before);
+  pollfd keys{STDIN_FILENO, POLLIN, 0};
+  // The signals are let through while it waits, and only then.
+  while (interrupt_signal() == 0 && ::ppoll(&keys, 1, nullptr, &before) < 0 && errno == EINTR) {
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return interrupt_signal() == 0;
 }
 
 }  // namespace
@@ -80,6 +97,7 @@ int Keyboard::read_character(EditLine* editor, wchar_t* into) {
   Keyboard& keyboard = of(editor);
   for (;;) {
     char byte = 0;
+    if (!wait_for_key()) return -1;
     const ssize_t count = ::read(STDIN_FILENO, &byte, 1);
     if (count == 0) return 0;
     if (count < 0) {

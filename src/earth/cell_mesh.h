@@ -39,7 +39,8 @@ class CellMesh {
   PlaceIndex from(SideIndex s) const { return corners_[index(next(s))]; }
   PlaceIndex to(SideIndex s) const { return corners_[index(previous(s))]; }
   std::array<PlaceIndex, 3> corners(std::uint32_t triangle) const {
-    return {corners_[3 * triangle], corners_[3 * triangle + 1], corners_[3 * triangle + 2]};
+    const std::size_t first = index(side(triangle, 0));
+    return {corners_[first], corners_[first + 1], corners_[first + 2]};
   }
 
   /// Puts the other diagonal into the quadrilateral of the side's two triangles. Requires that

@@ -218,16 +218,16 @@ void Tessellation<Dimension>::put_up_signposts(std::span<const PointId> sample) 
 // Once half of the points have changed, or there are many times as many, but not for a trial, which
 // leaves nothing behind.
 template <int Dimension>
-void Tessellation<Dimension>::renew_signposts(std::size_t points_a_signpost) {
+void Tessellation<Dimension>::renew_signposts(std::size_t points_each) {
   constexpr std::size_t few = 256;
   const bool too_few = points_a_signpost_at_first * signposts_.size() < count() &&
-                       4 * points_a_signpost * signposts_.size() < count();
+                       4 * points_each * signposts_.size() < count();
   if (count() < few || is_tried()) return;
   if (!too_few && 2 * changes_since_signposts_ < count()) return;
   std::vector<PointId> sample;
   std::size_t k = 0;
   for_each_point([&](PointId p) {
-    if (k++ % points_a_signpost == 0) sample.push_back(p);
+    if (k++ % points_each == 0) sample.push_back(p);
   });
   put_up_signposts(sample);
 }

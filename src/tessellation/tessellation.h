@@ -127,7 +127,7 @@ class Tessellation {
   PointId walk_to_nearest(const Position& to, PointId from) const;
   void expect_sound(std::size_t changes);
   void put_up_signposts(std::span<const PointId> sample);
-  void renew_signposts(std::size_t points_a_signpost);
+  void renew_signposts(std::size_t points_each);
   void note_change();
 
   Structure<Dimension> structure_;

@@ -33,7 +33,7 @@ template <typename Changes>
 struct Recorded {
   Recorded() = default;
   Recorded(const Recorded&) {}
-  Recorded& operator=(const Recorded&) { return *this; }
+  Recorded& operator=(Recorded) { return *this; }
   ~Recorded() = default;
 
   Changes* list = nullptr;

@@ -11,8 +11,8 @@ namespace {
 
 TEST(OperationsFuzzer, finds_nothing_in_random_bytes) {
   Seeded seeded;
-  for (std::uint64_t round = 0; round < seeded.rounds(3000); ++round) {
-    expect_no_complaint(fuzz_operations, any_bytes(seeded, 400));
+  for (std::uint64_t round = 0; round < seeded.rounds(2000); ++round) {
+    expect_no_complaint(fuzz_operations, any_bytes(seeded, 250));
     if (HasFailure()) return;
   }
 }

@@ -95,6 +95,7 @@ void expect_to_finish(const std::vector<Point>& points) {
   expect_sound(at_once);
   Tessellation<2> one_by_one;
   std::vector<PointId> numbers;
+  numbers.reserve(points.size());
   for (const Point p : points) numbers.push_back(one_by_one.add(p));
   ASSERT_TRUE(plain_simplices(one_by_one) == plain_simplices(at_once));
   std::vector<Point> left;
