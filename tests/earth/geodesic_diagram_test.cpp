@@ -24,10 +24,10 @@ struct Network {
 };
 
 std::vector<Point> places_of(const Network& network, Seeded& seeded) {
-  std::vector<Point> places;
-  for (int i = 0; i < network.places; ++i) {
-    places.push_back({network.centre.x + network.width * seeded.uniform(-0.5, 0.5),
-                      network.centre.y + network.height * seeded.uniform(-0.5, 0.5)});
+  std::vector<Point> places(static_cast<std::size_t>(network.places));
+  for (Point& place : places) {
+    place = {network.centre.x + network.width * seeded.uniform(-0.5, 0.5),
+             network.centre.y + network.height * seeded.uniform(-0.5, 0.5)};
   }
   return places;
 }
