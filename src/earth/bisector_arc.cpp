@@ -1,5 +1,9 @@
 #include "earth/bisector_arc.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace thiessen {
 
 BisectorArc::BisectorArc(Direction first, Direction second, Direction chord) {
@@ -20,6 +24,15 @@ Direction BisectorArc::at(double angle) const {
 
 double BisectorArc::angle_of(Direction p) const {
   return std::atan2(dot(p, left_), dot(p, middle_));
+}
+
+std::pair<double, double> BisectorArc::between(Direction start, Direction end) const {
+  constexpr double pi = std::numbers::pi;
+  const double from = angle_of(start);
+  // A turn far backward is one forward; a little backward is rounding.
+  double turn = std::remainder(angle_of(end) - from, 2 * pi);
+  if (turn < -pi / 2) turn += 2 * pi;
+  return {from, from + std::max(turn, 0.0)};
 }
 
 }  // namespace thiessen

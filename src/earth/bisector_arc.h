@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "earth/conformal_sphere.h"
 
 namespace thiessen {
@@ -16,6 +18,9 @@ class BisectorArc {
   Direction at(double angle) const;
   /// In [-pi, pi].
   double angle_of(Direction p) const;
+  /// The angles of an edge's two ends, the second not before the first. Requires that the edge is
+  /// no longer than half a circle.
+  std::pair<double, double> between(Direction start, Direction end) const;
   /// The way across the circle, to the second's side: the same at all its points.
   Direction forward() const { return cross(left_, middle_); }
 

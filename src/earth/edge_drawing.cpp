@@ -15,8 +15,6 @@ constexpr double mean_radius = 6371008.8;  // metres
 constexpr double longest_piece = std::numbers::pi / 8;
 constexpr double longest_chord = 0.02;
 constexpr double shortest_chord = 1e-10;
-// Degrees that an edge may lie from its great circle, and more.
-constexpr double off_circle = 0.5;
 
 /// A difference of longitudes less than a turn and a half, the short way round.
 double short_way(double difference) {
@@ -49,18 +47,19 @@ bool meets(const Box& frame, Point centre, double radius) {
 
 }  // namespace
 
-bool may_come_near(const Box& frame, const BisectorArc& arc, double from, double to) {
+bool may_come_near(const Box& frame, const CellEdge& edge, double from, double to) {
   const double half = (to - from) / 2;
   const double middle = from + half;
-  if (!meets(frame, from_sphere(arc.at(middle)), half / degree + off_circle)) return false;
-  if (half <= off_circle * degree / 4) return true;
-  return may_come_near(frame, arc, from, middle) || may_come_near(frame, arc, middle, to);
+  const double radius = half / degree + edge.farthest_off();
+  if (!meets(frame, from_sphere(edge.arc().at(middle)), radius)) return false;
+  if (half <= edge.farthest_off() * degree / 4) return true;
+  return may_come_near(frame, edge, from, middle) || may_come_near(frame, edge, middle, to);
 }
 
 EdgeDrawing::EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node)
     : frame_(frame), longitudes_(frame), tolerance_(tolerance), first_node_(first_node) {}
 
-void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
+void EdgeDrawing::draw(const CellEdge& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
                        PlaceIndex right) {
   left_ = left;
   right_ = right;
@@ -75,15 +74,16 @@ void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint t
   }
 }
 
-EdgePoint EdgeDrawing::point_at(const GeodesicBisector& edge, double angle) const {
+EdgePoint EdgeDrawing::point_at(const CellEdge& edge, double angle) const {
   return {angle, no_node, longitudes_.within(edge.at(angle))};
 }
 
 // Halves the piece until its chord is near enough to it, or all of it is far from the frame.
-void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
+void EdgeDrawing::draw_piece(const CellEdge& edge, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
-  if (!meets(frame_, from_sphere(edge.arc().at(angle)), half / degree + off_circle)) return;
+  const double radius = half / degree + edge.farthest_off();
+  if (!meets(frame_, from_sphere(edge.arc().at(angle)), radius)) return;
   EdgePoint middle = point_at(edge, angle);
   const bool fine = 2 * half <= longest_chord &&
                     bulge(start.position, middle.position, end.position) <= tolerance_;
@@ -112,6 +112,15 @@ void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end) {
   const double turn = step > 0 ? -360 : 360;
   chords_.push_back({start.node, turned(end.position, turn), left_, right_});
   chords_.push_back({turned(start.position, -turn), end.node, left_, right_});
+}
+
+void EdgeDrawing::add_to(Diagram& diagram) const {
+  const auto shift = static_cast<std::uint32_t>(diagram.nodes.size()) - first_node_;
+  const auto shifted = [&](std::uint32_t node) { return node < first_node_ ? node : node + shift; };
+  diagram.nodes.insert(diagram.nodes.end(), nodes_.begin(), nodes_.end());
+  for (const Chord& chord : chords_) {
+    diagram.chords.push_back({shifted(chord.from), shifted(chord.to), chord.left, chord.right});
+  }
 }
 
 std::uint32_t EdgeDrawing::new_node(Point position) {

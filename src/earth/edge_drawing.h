@@ -1,14 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "earth/equidistance.h"
+#include "earth/cell_edge.h"
 #include "tessellation/diagram.h"
 
 namespace thiessen {
-
-inline constexpr std::uint32_t no_node = 0xFFFFFFFFu;
 
 /// A point of an edge: the angle along its great circle, and its node in the diagram (no_node until
 /// a chord needs one).
@@ -42,15 +41,14 @@ class EdgeDrawing {
   EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node);
 
   /// Requires from.angle <= to.angle. Cost: in proportion to the chords.
-  void draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
-            PlaceIndex right);
+  void draw(const CellEdge& edge, EdgePoint from, EdgePoint to, PlaceIndex left, PlaceIndex right);
 
-  const std::vector<Point>& nodes() const { return nodes_; }
-  const std::vector<Chord>& chords() const { return chords_; }
+  /// Puts what was drawn behind what the diagram has: the nodes before `first_node` are its own.
+  void add_to(Diagram& diagram) const;
 
  private:
-  EdgePoint point_at(const GeodesicBisector& edge, double angle) const;
-  void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);
+  EdgePoint point_at(const CellEdge& edge, double angle) const;
+  void draw_piece(const CellEdge& edge, EdgePoint& start, EdgePoint& end);
   void draw_chord(EdgePoint& start, EdgePoint& end);
   std::uint32_t new_node(Point position);
   std::uint32_t turned(Point position, double degrees);
@@ -65,7 +63,7 @@ class EdgeDrawing {
   std::vector<Chord> chords_;
 };
 
-/// Whether a piece of a great circle, or an edge that is told by it, may come near the frame.
-bool may_come_near(const Box& frame, const BisectorArc& arc, double from, double to);
+/// Whether a piece of the edge may come near the frame.
+bool may_come_near(const Box& frame, const CellEdge& edge, double from, double to);
 
 }  // namespace thiessen

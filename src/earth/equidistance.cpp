@@ -55,7 +55,7 @@ std::optional<Point> equidistant_point(Point a, Point b, Point c, Point start) {
 }
 
 Point GeodesicBisector::at(double angle) const {
-  const Point start = from_sphere(arc_.at(angle));
+  const Point start = from_sphere(arc().at(angle));
   if (const auto p = by_newton(start)) return *p;
   if (const auto p = by_bracket(start)) return *p;
   return start;
@@ -94,7 +94,7 @@ std::optional<Point> GeodesicBisector::by_bracket(Point start) const {
   constexpr double first_reach = 500;
   constexpr double last_reach = 200e3;
   const Direction here = on_sphere(start);
-  const Direction across = arc_.forward();
+  const Direction across = arc().forward();
   const Direction east{-here.y, here.x, 0};
   const double east_length = length(east);
   const Direction unit_east = east_length > 0 ? (1 / east_length) * east : Direction{0, 1, 0};

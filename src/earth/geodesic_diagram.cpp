@@ -44,20 +44,18 @@ class GeodesicDiagramBuilder {
 
  private:
   Point position(PlaceIndex p) const { return diagram_.places[index(p)]; }
-  GeodesicBisector bisector(PlaceIndex a, PlaceIndex b) const {
-    return {position(a), position(b), bisector_on_sphere(*sphere_, position(a), position(b), a, b)};
-  }
 
   // Two places: the edge closes on itself.
   void add_closed_edge() {
     const PlaceIndex first = sphere_->pole();
     const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
-    const GeodesicBisector edge = bisector(first, second);
+    const GeodesicBisector edge(position(first), position(second),
+                                sphere_->bisector(first, second));
     const Point start = LongitudeTurn(diagram_.frame).within(edge.at(pi));
     diagram_.nodes.push_back(start);
     EdgeDrawing drawing(diagram_.frame, tolerance_, 1);
     drawing.draw(edge, {-pi, 0, start}, {pi, 0, start}, first, second);
-    take(drawing, 1);
+    drawing.add_to(diagram_);
   }
 
   void add_edges() {
@@ -92,7 +90,7 @@ class GeodesicDiagramBuilder {
           draw_edge(vertices, node, SideIndex{s}, drawings[piece]);
       }
     });
-    for (const EdgeDrawing& drawing : drawings) take(drawing, vertex_nodes);
+    for (const EdgeDrawing& drawing : drawings) drawing.add_to(diagram_);
   }
 
   // From the vertex to the right of the way between the two places to the one on the left.
@@ -109,21 +107,10 @@ class GeodesicDiagramBuilder {
       std::swap(left, right);
       std::swap(start, end);
     }
-    const GeodesicBisector edge = bisector(left, right);
-    const auto [from, to] = vertices.angles(edge.arc(), start, end);
+    const GeodesicBisector edge = vertices.edge(left, right);
+    const auto [from, to] = vertices.angles(edge, start, end);
     drawing.draw(edge, {from, node[start], diagram_.nodes[node[start]]},
                  {to, node[end], diagram_.nodes[node[end]]}, left, right);
-  }
-
-  void take(const EdgeDrawing& drawing, std::uint32_t vertex_nodes) {
-    const auto shift = static_cast<std::uint32_t>(diagram_.nodes.size()) - vertex_nodes;
-    const auto shifted = [&](std::uint32_t n) { return n < vertex_nodes ? n : n + shift; };
-    diagram_.nodes.insert(diagram_.nodes.end(), drawing.nodes().begin(), drawing.nodes().end());
-    for (Chord chord : drawing.chords()) {
-      chord.from = shifted(chord.from);
-      chord.to = shifted(chord.to);
-      diagram_.chords.push_back(chord);
-    }
   }
 
   std::shared_ptr<const SphereTessellation> sphere_;

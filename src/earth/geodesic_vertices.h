@@ -5,15 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "earth/bisector_arc.h"
 #include "earth/cell_mesh.h"
+#include "earth/equidistance.h"
 #include "geometry/box.h"
 
 namespace thiessen {
-
-/// The great circle between two places' cells on the conformal sphere.
-BisectorArc bisector_on_sphere(const SphereTessellation& sphere, Point first_position,
-                               Point second_position, PlaceIndex first, PlaceIndex second);
 
 /// The Voronoi vertices of the ellipsoid near a frame, and the mesh of triangles whose centres they
 /// are: see geodesic_diagram. Cost: for each vertex some ten geodesics.
@@ -30,9 +26,12 @@ class GeodesicVertices {
   /// Triangles whose centres are less than 2 micrometres apart, hand to hand, have one vertex, and
   /// are known by one of them: the first by its corners' coordinates.
   std::uint32_t group_of(std::uint32_t triangle) const;
-  /// Of the vertices along the great circle of an edge between them, the second not before the
-  /// first.
-  std::pair<double, double> angles(const BisectorArc& arc, std::uint32_t start,
+  /// The edge between the cells of two places.
+  GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
+    return {position(first), position(second), sphere_.bisector(first, second)};
+  }
+  /// Of the vertices at its ends along an edge, the second not before the first.
+  std::pair<double, double> angles(const CellEdge& edge, std::uint32_t start,
                                    std::uint32_t end) const;
 
  private:
@@ -45,15 +44,12 @@ class GeodesicVertices {
   };
 
   Point position(PlaceIndex p) const { return places_[index(p)]; }
-  Direction chord(PlaceIndex a, PlaceIndex b) const;
-  std::array<PlaceIndex, 3> ordered_corners(std::uint32_t triangle) const;
   void place_on_sphere(std::uint32_t triangle);
   void place_on_earth(std::uint32_t triangle);
   void find_near(const Box& frame);
   void flip_sides();
   bool holds_point_across(SideIndex s) const;
   void unite();
-  std::array<Point, 3> key_of(std::uint32_t triangle) const;
 
   const SphereTessellation& sphere_;
   std::span<const Point> places_;

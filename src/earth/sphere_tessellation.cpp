@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/disjoint_sets.h"
+
 namespace thiessen {
 namespace {
 
@@ -58,21 +60,21 @@ void SphereTessellation::tessellate() {
 bool SphereTessellation::merge_indistinct() {
   constexpr double indistinct = 1e-13;
   bool merged = false;
-  const auto cell = [&](PlaceIndex p) {
-    while (cell_of_[index(p)] != p) p = cell_of_[index(p)];
-    return p;
-  };
+  DisjointSets cells(cell_of_.size());
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) {
+    cells.unite(cells.find(index(cell_of_[i])), cells.find(i));
+  }
   for_each_edge([&](PlaceIndex a, PlaceIndex b) {
     const Direction chord = directions_[index(b)] - directions_[index(a)];
     if (dot(chord, chord) > indistinct * indistinct) return;
-    const PlaceIndex first = cell(a);
-    const PlaceIndex second = cell(b);
+    const std::uint32_t first = cells.find(index(a));
+    const std::uint32_t second = cells.find(index(b));
     if (first == second) return;
-    const bool keeps_first = positions_[index(first)] < positions_[index(second)];
-    cell_of_[index(keeps_first ? second : first)] = keeps_first ? first : second;
+    const bool keeps_first = positions_[first] < positions_[second];
+    cells.unite(keeps_first ? first : second, keeps_first ? second : first);
     merged = true;
   });
-  for (PlaceIndex& p : cell_of_) p = cell(p);
+  for (std::size_t i = 0; i < cell_of_.size(); ++i) cell_of_[i] = PlaceIndex{cells.find(i)};
   return merged;
 }
 
@@ -86,6 +88,29 @@ void SphereTessellation::connect() {
   for (std::uint32_t i = 0; i < cell_of_.size(); ++i) {
     if (index(cell_of_[i]) != i) join(cell_of_[i], PlaceIndex{i});
   }
+}
+
+Direction SphereTessellation::chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const {
+  const Direction difference = direction(b) - direction(a);
+  const double shortest = 1e-16 / turned_at_most;
+  return dot(difference, difference) > shortest * shortest
+             ? difference
+             : chord_on_sphere(positions_[index(a)], positions_[index(b)]);
+}
+
+std::array<PlaceIndex, 3> SphereTessellation::in_order(std::array<PlaceIndex, 3> corners) const {
+  const auto first = std::min_element(
+      corners.begin(), corners.end(),
+      [&](PlaceIndex a, PlaceIndex b) { return positions_[index(a)] < positions_[index(b)]; });
+  std::rotate(corners.begin(), first, corners.end());
+  return corners;
+}
+
+std::array<Point, 3> SphereTessellation::key_of(const std::array<PlaceIndex, 3>& corners) const {
+  std::array<Point, 3> key{positions_[index(corners[0])], positions_[index(corners[1])],
+                           positions_[index(corners[2])]};
+  std::sort(key.begin(), key.end());
+  return key;
 }
 
 PlaceIndex SphereTessellation::nearest(Direction p, PlaceIndex start) const {

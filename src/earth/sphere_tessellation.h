@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
+#include "earth/bisector_arc.h"
 #include "earth/conformal_sphere.h"
 #include "tessellation/place.h"
 #include "tessellation/tessellation.h"
@@ -29,6 +31,22 @@ class SphereTessellation {
   /// The places whose cells have an edge in common with the place's, and those that rounding does
   /// not tell from it. One may stand twice.
   const std::vector<PlaceIndex>& neighbours(PlaceIndex p) const { return neighbours_[index(p)]; }
+  /// From a to b. The difference of directions has their rounding, which turns a chord of length s
+  /// by 1e-16 / s: it is taken only where that is below `turned_at_most`.
+  Direction chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const;
+  /// The great circle between the cells of a and b.
+  BisectorArc bisector(PlaceIndex a, PlaceIndex b) const {
+    return {direction(a), direction(b), chord(a, b, 1e-12)};
+  }
+  /// Of the triangle a, b, c, counter-clockwise.
+  Direction centre(PlaceIndex a, PlaceIndex b, PlaceIndex c) const {
+    return unit(cross(chord(a, b, 1e-15), chord(a, c, 1e-15)));
+  }
+  /// A triangle's corners from the first by coordinates on, so that what is computed from them is
+  /// rounded the same for any order of places.
+  std::array<PlaceIndex, 3> in_order(std::array<PlaceIndex, 3> corners) const;
+  /// What a triangle comes before others by: its corners' positions, sorted.
+  std::array<Point, 3> key_of(const std::array<PlaceIndex, 3>& corners) const;
   double square_distance(Direction p, PlaceIndex place) const {
     const Direction chord = directions_[index(place)] - p;
     return dot(chord, chord);

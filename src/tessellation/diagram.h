@@ -10,6 +10,9 @@
 
 namespace thiessen {
 
+/// Stands for none of Diagram::nodes.
+inline constexpr std::uint32_t no_node = 0xFFFFFFFFu;
+
 /// A straight piece of the edge between two cells.
 struct Chord {
   std::uint32_t from;  ///< a position in Diagram::nodes

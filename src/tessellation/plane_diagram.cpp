@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <optional>
 #include <utility>
 
+#include "geometry/disjoint_sets.h"
 #include "geometry/predicates.h"
 #include "tessellation/tessellation.h"
 
@@ -16,7 +16,6 @@ namespace thiessen {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t no_node = 0xFFFFFFFFu;
 
 /// The bisector of two points as a line with the first point's side to its left.
 struct Bisector {
@@ -61,9 +60,7 @@ std::optional<Stretch> within(const Box& box, const Bisector& line) {
 class Centres {
  public:
   explicit Centres(const Tessellation<2>& tessellation)
-      : tessellation_(tessellation), topology_(tessellation.topology()) {
-    group_.resize(topology_.size());
-    std::iota(group_.begin(), group_.end(), 0u);
+      : tessellation_(tessellation), topology_(tessellation.topology()), groups_(topology_.size()) {
     unite([this](VertexId v, VertexId w) { return are_cocircular(v, w); });
     compute();
     unite([this](VertexId v, VertexId w) {
@@ -75,7 +72,7 @@ class Centres {
     compute();
   }
 
-  std::uint32_t group_of(VertexId v) { return find(index(v)); }
+  std::uint32_t group_of(VertexId v) { return groups_.find(index(v)); }
   Point of(VertexId v) const { return centre_[index(v)]; }
 
  private:
@@ -88,7 +85,7 @@ class Centres {
       for (std::size_t side = 0; side < 3; ++side) {
         const VertexId w = topology_.neighbour(v, side);
         if (w > v && !topology_.is_infinite(w) && are_one(v, w))
-          group_[find(index(w))] = find(index(v));
+          groups_.unite(groups_.find(index(v)), groups_.find(index(w)));
       }
     });
   }
@@ -103,12 +100,12 @@ class Centres {
       });
     };
     for_each_simplex([&](VertexId v) {
-      VertexId& best = first[find(index(v))];
+      VertexId& best = first[group_of(v)];
       if (best == no_vertex || corners_of(v) < corners_of(best)) best = v;
     });
     centre_.resize(topology_.size());
     for_each_simplex([&](VertexId v) {
-      const auto corners = corners_of(first[find(index(v))]);
+      const auto corners = corners_of(first[group_of(v)]);
       centre_[index(v)] = circumcentre(corners[0], corners[1], corners[2]);
     });
   }
@@ -127,12 +124,6 @@ class Centres {
            0x1p-52 * std::max(std::abs(centre.x), std::abs(centre.y));
   }
 
-  std::uint32_t find(std::size_t i) {
-    auto v = static_cast<std::uint32_t>(i);
-    while (group_[v] != v) v = group_[v] = group_[group_[v]];
-    return v;
-  }
-
   std::array<Point, 3> corners_of(VertexId v) const {
     const auto& f = topology_.forming(v);
     std::array<Point, 3> corners{position(f[0]), position(f[1]), position(f[2])};
@@ -144,7 +135,7 @@ class Centres {
 
   const Tessellation<2>& tessellation_;
   const Topology<2>& topology_;
-  std::vector<std::uint32_t> group_;
+  DisjointSets groups_;
   std::vector<Point> centre_;
 };
 
