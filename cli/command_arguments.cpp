@@ -12,7 +12,6 @@
 namespace thiessen::cli {
 namespace {
 
-constexpr std::array<std::string_view, 3> axis_names = {"x", "y", "z"};
 constexpr const char* blanks_hint =
     "coordinates are parted by blanks, and a decimal mark is a point";
 
@@ -40,16 +39,6 @@ SpacePoint read_space_point(const std::string& option, std::string_view text) {
     if (axis < 2) text.remove_prefix(comma + 1);
   }
   return {coordinates[0], coordinates[1], coordinates[2]};
-}
-
-template <typename Position>
-std::string text_of(const Position& position) {
-  std::string text;
-  for (const double coordinate : coordinates(position)) {
-    text += ' ';
-    append_shortest(text, coordinate);
-  }
-  return text;
 }
 
 }  // namespace
@@ -110,13 +99,6 @@ ShowArguments read_show_arguments(const std::vector<std::string>& words) {
                 : "--site needs --view, the point to look from");
   if (view) arguments.view = View{*view, *site};
   return arguments;
-}
-
-std::string position_text(const Point& position) {
-  return text_of(position);
-}
-std::string position_text(const SpacePoint& position) {
-  return text_of(position);
 }
 
 }  // namespace thiessen::cli

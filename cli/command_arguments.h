@@ -30,8 +30,4 @@ struct ShowArguments {
 };
 ShowArguments read_show_arguments(const std::vector<std::string>& words);
 
-/// ` X Y [Z]`
-std::string position_text(const Point& position);
-std::string position_text(const SpacePoint& position);
-
 }  // namespace thiessen::cli

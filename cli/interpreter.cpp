@@ -189,7 +189,7 @@ class SessionInterpreter : public Interpreter {
     std::string line = "not sound: " + std::string(name_of(finding.fault));
     if (finding.vertex != no_vertex)
       line += " at vertex " + std::to_string(index(finding.vertex) + 1);
-    return line + " near" + position_text(finding.position) + "\n";
+    return line + " near " + position_text(finding.position) + "\n";
   }
   std::string sound_line() const {
     const auto& topology = tessellation().topology();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "geometry/exact_range.h"
 #include "geometry/predicates.h"
 #include "io/table_file.h"
 #include "rainfall/extent.h"
@@ -60,7 +61,7 @@ void Session::add_extent_as_basin(double margin) {
 
 void Session::check_range() const {
   Complaints complaints;
-  const std::string range = "outside the supported range: 0, or 1.8e-43 to 3.2e60 in magnitude";
+  const std::string range(outside_exact_range);
   for (const Station& station : study_.stations) {
     if (in_exact_range(station.position)) continue;
     complaints.add({study_.stations_file, study_.stations_have_lines ? station.line : 0,

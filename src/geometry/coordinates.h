@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "geometry/point.h"
 
@@ -11,12 +12,23 @@ namespace thiessen {
 template <int Dimension, typename Number = double>
 using CoordinatesIn = std::array<Number, std::size_t{Dimension}>;
 
+/// What the axes are called.
+inline constexpr std::array<std::string_view, 3> axis_names = {"x", "y", "z"};
+
 /// A position's coordinates by number, for what is written once for every dimension.
 inline CoordinatesIn<2> coordinates(const Point& p) {
   return {p.x, p.y};
 }
 inline CoordinatesIn<3> coordinates(const SpacePoint& p) {
   return {p.x, p.y, p.z};
+}
+
+/// In doubles, rounded.
+template <std::size_t Axes>
+double square_distance(const std::array<double, Axes>& a, const std::array<double, Axes>& b) {
+  double sum = 0;
+  for (std::size_t axis = 0; axis < Axes; ++axis) sum += (a[axis] - b[axis]) * (a[axis] - b[axis]);
+  return sum;
 }
 
 }  // namespace thiessen

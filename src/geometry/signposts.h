@@ -53,7 +53,7 @@ class Signposts {
     std::optional<std::uint32_t> nearest;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = first; i < std::min(first + largest_part, sample_.size()); ++i) {
-      const double distance = squared_distance(sample_[i].position, c);
+      const double distance = square_distance(coordinates(sample_[i].position), c);
       if ((nearest && !(distance < least)) || !stands(sample_[i])) continue;
       nearest = sample_[i].number;
       least = distance;
@@ -123,19 +123,10 @@ class Signposts {
     constexpr std::uint64_t place = largest_part - 1;
     std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
     for (std::size_t i = 0; i < count; ++i) {
-      const double distance = squared_distance(signposts[i].position, c);
+      const double distance = square_distance(coordinates(signposts[i].position), c);
       least = std::min(least, (std::bit_cast<std::uint64_t>(distance) & ~place) | i);
     }
     return signposts[least & place].number;
-  }
-
-  static double squared_distance(const Position& p, const Coordinates& c) {
-    const Coordinates s = coordinates(p);
-    double sum = 0;
-    for (std::size_t axis = 0; axis < c.size(); ++axis) {
-      sum += (s[axis] - c[axis]) * (s[axis] - c[axis]);
-    }
-    return sum;
   }
 
   std::vector<Signpost> sample_;  // part after part

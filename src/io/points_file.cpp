@@ -10,6 +10,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "geometry/coordinates.h"
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
 #include "io/csv_reader.h"
@@ -23,7 +24,6 @@ constexpr std::array<std::string_view, 4> y_names = {"y", "lat", "latitude", "no
 constexpr std::array<std::string_view, 4> z_names = {"z", "height", "elevation", "altitude"};
 constexpr std::array<std::span<const std::string_view>, 3> coordinate_names = {x_names, y_names,
                                                                                z_names};
-constexpr std::array<std::string_view, 3> axis_names = {"x", "y", "z"};
 
 /// Reads points, a row at a time.
 template <std::size_t Axes>

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "geometry/point.h"
+#include "tessellation/number_of.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {
@@ -15,9 +14,6 @@ struct View {
   SpacePoint view;
   SpacePoint site;
 };
-
-/// What a point is called in the picture.
-using NumberOf = std::function<std::uint64_t(PointId)>;
 
 /// A PNG file: Voronoi edges solid red, Delaunay edges dashed blue, points with their numbers as
 /// far as these find room, axes. The points and a margin are in sight, on equal scales; a needle's

@@ -21,9 +21,11 @@ void Tessellation<Dimension>::find_nearest(const Position& to, std::optional<Poi
                                            std::vector<PointId>& nearest) const {
   nearest.clear();
   if (empty()) return;
-  const auto& forming = topology().forming(
-      structure_.finite_vertex(hint || !spans_all() ? start(to, hint) : locate(to)));
-  const PointId best = walk_to_nearest(to, hint && is_there(*hint) ? *hint : forming[0]);
+  const auto corner_near = [&] {
+    const VertexId v = structure_.finite_vertex(spans_all() ? locate(to) : start(to, {}));
+    return topology().forming(v)[0];
+  };
+  const PointId best = walk_to_nearest(to, hint && is_there(*hint) ? *hint : corner_near());
   // Equally near points lie on one circle or sphere, along which Delaunay edges connect them.
   nearest.push_back(best);
   Star<Dimension> star;
@@ -44,7 +46,7 @@ PointId Tessellation<Dimension>::walk_to_nearest(const Position& to, PointId fro
   PointId best = from;
   for (bool moved = true; moved;) {
     moved = false;
-    for_each_neighbour(PointId{best}, star, [&](PointId p) {
+    for_each_neighbour(best, star, [&](PointId p) {
       if (compare_distance(to, position(p), position(best)) >= 0) return;
       best = p;
       moved = true;

@@ -4,21 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "base/number.h"
-#include "geometry/coordinates.h"
+#include "tessellation/topology_table.h"
 
 namespace thiessen {
 namespace {
-
-template <typename Position>
-std::string text_of(const Position& position) {
-  std::string text;
-  for (const double coordinate : coordinates(position)) {
-    if (!text.empty()) text += ' ';
-    append_shortest(text, coordinate);
-  }
-  return text;
-}
 
 [[noreturn]] void refuse(std::string text, std::string hint = {}) {
   throw Error(Message{"", 0, std::move(text), std::move(hint)});
@@ -29,7 +18,7 @@ std::string text_of(const Position& position) {
 template <int Dimension>
 std::uint64_t TessellationSession<Dimension>::add(const Position& position) {
   if (const auto there = tessellation().find(position)) {
-    refuse("point " + std::to_string(number_of(*there)) + " is at " + text_of(position) +
+    refuse("point " + std::to_string(number_of(*there)) + " is at " + position_text(position) +
            " already");
   }
   make_room(1);
@@ -85,7 +74,7 @@ template <int Dimension>
 PointId TessellationSession<Dimension>::point_at(const Position& position) const {
   const auto p = tessellation().find(position);
   if (!p) {
-    refuse("there is no point at " + text_of(position),
+    refuse("there is no point at " + position_text(position),
            tessellation().empty() ? "" : "nearest says which is the nearest");
   }
   return *p;

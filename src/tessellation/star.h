@@ -7,6 +7,22 @@
 
 namespace thiessen {
 
+/// Goes round a point of the plane, counter-clockwise: calls `meet(v, next, beyond)` for every
+/// vertex v that it forms, with the point that follows it in v's simplex and the vertex across from
+/// it. Requires that the points span two dimensions.
+template <int Dimension, typename Meet>
+void walk_round(const Topology<Dimension>& topology, PointId p, Meet&& meet) {
+  const VertexId first = topology.vertex_of(p);
+  VertexId v = first;
+  do {
+    const auto& row = topology.row(v);
+    const std::size_t next = row.forming[0] == p ? 1 : row.forming[1] == p ? 2 : 0;
+    const VertexId after = row.neighbours[next];
+    meet(v, row.forming[next], row.neighbours[next == 0 ? 2 : next - 1]);
+    v = after;
+  } while (v != first);
+}
+
 /// The vertices that a point forms, and the points that form them with it. In the plane both are in
 /// order round the point, counter-clockwise: points()[i] and points()[i + 1] form vertices()[i]
 /// with it. For a point to be deleted they are the thesis' LISTOFV and LISTOFP (section 2.3, step
@@ -26,7 +42,11 @@ class Star {
     vertices_.clear();
     points_.clear();
     if constexpr (d == 2) {
-      walk_round(topology, p, meet);
+      walk_round(topology, p, [&](VertexId v, PointId next, VertexId beyond) {
+        meet(next, beyond);
+        vertices_.push_back(v);
+        points_.push_back(next);
+      });
     } else {
       search<d>(topology, p, meet);
     }
@@ -37,20 +57,6 @@ class Star {
   }
 
  private:
-  template <typename Meet>
-  void walk_round(const Topology<Dimension>& topology, PointId p, Meet& meet) {
-    const VertexId first = topology.vertex_of(p);
-    VertexId v = first;
-    do {
-      const auto& row = topology.row(v);
-      const std::size_t next = row.forming[0] == p ? 1 : row.forming[1] == p ? 2 : 0;
-      meet(row.forming[next], row.neighbours[next == 0 ? 2 : next - 1]);
-      vertices_.push_back(v);
-      points_.push_back(row.forming[next]);
-      v = row.neighbours[next];
-    } while (v != first);
-  }
-
   template <int d, typename Meet>
   void search(const Topology<Dimension>& topology, PointId p, Meet& meet) {
     seen_.clear();

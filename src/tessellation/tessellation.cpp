@@ -30,7 +30,7 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
     const Position& position = points[order[k]];
     numbers[order[k]] = insert(position, few ? start(position, {}) : last_);
   }
-  changes_since_signposts_ += points.size();
+  note_changes(points.size());
   if (few) {
     renew_signposts(points_a_signpost);
   } else if (!is_tried()) {
@@ -41,7 +41,6 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
     }
     put_up_signposts(sample);
   }
-  expect_sound(points.size());
   return numbers;
 }
 
@@ -49,7 +48,8 @@ template <int Dimension>
 PointId Tessellation<Dimension>::add(const Position& position, std::optional<PointId> hint) {
   if (!hint) renew_signposts(points_a_signpost);
   const PointId p = insert(position, start(position, hint));
-  note_change();
+  note_changes(1);
+  renew_signposts(points_a_signpost_at_first);
   return p;
 }
 
@@ -57,7 +57,8 @@ template <int Dimension>
 void Tessellation<Dimension>::remove(PointId p) {
   if (!is_there(p)) throw std::logic_error("a point is deleted that is not there");
   last_ = deletion_.remove(structure_, p);
-  note_change();
+  note_changes(1);
+  renew_signposts(points_a_signpost_at_first);
 }
 
 template <int Dimension>
@@ -67,19 +68,12 @@ void Tessellation<Dimension>::exchange(Changes& changes,
                                        Moment& then, bool backward) {
   structure_.exchange(changes, first, end, then.state, backward);
   std::swap(last_, then.last);
-  ++changes_since_signposts_;
-  expect_sound(1);
+  note_changes(1);
 }
 
 template <int Dimension>
-void Tessellation<Dimension>::note_change() {
-  if (!is_tried()) ++changes_since_signposts_;
-  renew_signposts(points_a_signpost_at_first);
-  expect_sound(1);
-}
-
-template <int Dimension>
-void Tessellation<Dimension>::expect_sound([[maybe_unused]] std::size_t changes) {
+void Tessellation<Dimension>::note_changes(std::size_t changes) {
+  if (!is_tried()) changes_since_signposts_ += changes;
 #ifdef THIESSEN_AUDIT
   constexpr std::size_t points_a_change = 200;
   changes_since_audit_ += changes;
@@ -125,17 +119,12 @@ VertexId Tessellation<Dimension>::start(const Position& position,
            structure_.position(PointId{post.number}) == post.position;
   });
   if (!signpost) return last;
-  const auto square_distance = [&](PointId p) {
-    const auto from = coordinates(structure_.position(p));
-    const auto to = coordinates(position);
-    double sum = 0;
-    for (std::size_t axis = 0; axis < to.size(); ++axis)
-      sum += (to[axis] - from[axis]) * (to[axis] - from[axis]);
-    return sum;
-  };
   const auto& forming = topology().forming(last);
   const PointId at_last = forming[0] == infinite_point ? forming[1] : forming[0];
-  const bool last_is_nearer = square_distance(at_last) < square_distance(PointId{*signpost});
+  const auto from_here = [&](PointId p) {
+    return square_distance(coordinates(structure_.position(p)), coordinates(position));
+  };
+  const bool last_is_nearer = from_here(at_last) < from_here(PointId{*signpost});
   return last_is_nearer ? last : topology().vertex_of(PointId{*signpost});
 }
 

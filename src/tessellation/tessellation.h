@@ -125,10 +125,9 @@ class Tessellation {
   VertexId locate_from(VertexId hint, const Position& position) const;
   PointId corner_at(VertexId v, const Position& position) const;
   PointId walk_to_nearest(const Position& to, PointId from) const;
-  void expect_sound(std::size_t changes);
   void put_up_signposts(std::span<const PointId> sample);
   void renew_signposts(std::size_t points_each);
-  void note_change();
+  void note_changes(std::size_t changes);
 
   Structure<Dimension> structure_;
   Insertion<Dimension> insertion_;
@@ -161,14 +160,9 @@ void Tessellation<Dimension>::for_each_neighbour(PointId p, Star<Dimension>& sta
                                                  Visit&& visit) const {
   if (topology().dimension() == 0) return;
   if (topology().dimension() == 2) {
-    const VertexId first = topology().vertex_of(p);
-    VertexId v = first;
-    do {
-      const auto& row = topology().row(v);
-      const std::size_t next = row.forming[0] == p ? 1 : row.forming[1] == p ? 2 : 0;
-      if (row.forming[next] != infinite_point) visit(row.forming[next]);
-      v = row.neighbours[next];
-    } while (v != first);
+    walk_round(topology(), p, [&](VertexId, PointId next, VertexId) {
+      if (next != infinite_point) visit(next);
+    });
     return;
   }
   find_star(p, star);

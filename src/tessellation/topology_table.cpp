@@ -24,6 +24,12 @@ template <typename Position>
 void append_position(std::string& line, const Position& position) {
   for (const double coordinate : coordinates(position)) append_number(line, coordinate);
 }
+template <typename Position>
+std::string text_of(const Position& position) {
+  std::string text;
+  append_position(text, position);
+  return text.substr(1);
+}
 void append_count(std::string& line, std::uint64_t number) {
   line += ' ';
   line += std::to_string(number);
@@ -88,6 +94,13 @@ void append_measure(std::string& text, const char* name, double value) {
 }
 
 }  // namespace
+
+std::string position_text(const Point& position) {
+  return text_of(position);
+}
+std::string position_text(const SpacePoint& position) {
+  return text_of(position);
+}
 
 template <int Dimension>
 std::string point_line(const Tessellation<Dimension>& tessellation, const NumberOf& number_of,

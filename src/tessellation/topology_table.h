@@ -1,17 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
 
 #include "tessellation/cell.h"
+#include "tessellation/number_of.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {
 
-/// What a point is called, from 1.
-using NumberOf = std::function<std::uint64_t(PointId)>;
 /// Takes a text piece by piece, a line at a time.
 using TextSink = std::function<void(std::string_view)>;
 
@@ -27,6 +25,10 @@ using TextSink = std::function<void(std::string_view)>;
 template <int Dimension>
 void write_topology_table(const Tessellation<Dimension>& tessellation, const NumberOf& number_of,
                           const TextSink& write);
+
+/// `X Y [Z]`
+std::string position_text(const Point& position);
+std::string position_text(const SpacePoint& position);
 
 /// `point ID X Y [Z]`, with a line end.
 template <int Dimension>
