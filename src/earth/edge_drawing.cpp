@@ -47,7 +47,7 @@ bool meets(const Box& frame, Point centre, double radius) {
 
 }  // namespace
 
-bool may_come_near(const Box& frame, const CellEdge& edge, double from, double to) {
+bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, double to) {
   const double half = (to - from) / 2;
   const double middle = from + half;
   const double radius = half / degree + edge.farthest_off();
@@ -59,7 +59,7 @@ bool may_come_near(const Box& frame, const CellEdge& edge, double from, double t
 EdgeDrawing::EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node)
     : frame_(frame), longitudes_(frame), tolerance_(tolerance), first_node_(first_node) {}
 
-void EdgeDrawing::draw(const CellEdge& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
+void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
                        PlaceIndex right) {
   left_ = left;
   right_ = right;
@@ -74,12 +74,12 @@ void EdgeDrawing::draw(const CellEdge& edge, EdgePoint from, EdgePoint to, Place
   }
 }
 
-EdgePoint EdgeDrawing::point_at(const CellEdge& edge, double angle) const {
+EdgePoint EdgeDrawing::point_at(const GeodesicBisector& edge, double angle) const {
   return {angle, no_node, longitudes_.within(edge.at(angle))};
 }
 
 // Halves the piece until its chord is near enough to it, or all of it is far from the frame.
-void EdgeDrawing::draw_piece(const CellEdge& edge, EdgePoint& start, EdgePoint& end) {
+void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
   const double radius = half / degree + edge.farthest_off();

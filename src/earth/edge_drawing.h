@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "earth/cell_edge.h"
+#include "earth/equidistance.h"
 #include "tessellation/diagram.h"
 
 namespace thiessen {
@@ -41,14 +41,15 @@ class EdgeDrawing {
   EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node);
 
   /// Requires from.angle <= to.angle. Cost: in proportion to the chords.
-  void draw(const CellEdge& edge, EdgePoint from, EdgePoint to, PlaceIndex left, PlaceIndex right);
+  void draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
+            PlaceIndex right);
 
   /// Puts what was drawn behind what the diagram has: the nodes before `first_node` are its own.
   void add_to(Diagram& diagram) const;
 
  private:
-  EdgePoint point_at(const CellEdge& edge, double angle) const;
-  void draw_piece(const CellEdge& edge, EdgePoint& start, EdgePoint& end);
+  EdgePoint point_at(const GeodesicBisector& edge, double angle) const;
+  void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);
   void draw_chord(EdgePoint& start, EdgePoint& end);
   std::uint32_t new_node(Point position);
   std::uint32_t turned(Point position, double degrees);
@@ -64,6 +65,6 @@ class EdgeDrawing {
 };
 
 /// Whether a piece of the edge may come near the frame.
-bool may_come_near(const Box& frame, const CellEdge& edge, double from, double to);
+bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, double to);
 
 }  // namespace thiessen

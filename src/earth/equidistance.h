@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "earth/cell_edge.h"
+#include "earth/bisector_arc.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -16,24 +16,28 @@ std::optional<Point> equidistant_point(Point a, Point b, Point c, Point start);
 /// The edge between the cells of two places: the points at equal geodesic distance of both. Points
 /// on it are told by those of the conformal sphere's bisector, a great circle, from which they are
 /// up to 15 km away.
-class GeodesicBisector : public CellEdge {
+class GeodesicBisector {
  public:
   GeodesicBisector(Point first, Point second, const BisectorArc& arc)
-      : CellEdge(arc), first_(first), second_(second) {}
+      : arc_(arc), first_(first), second_(second) {}
 
-  /// Of the bisector, across from the great circle's point at that angle. Where distances do not
-  /// tell how far it is, near the antipodes of places that are near each other or where the two are
-  /// a few micrometres apart, that of a change of sign of their difference, or the great circle's.
-  /// Accuracy: 1e-5 metres, but for places so near each other that 15 nanometres of distance are
-  /// more. Cost: two geodesics a step, one or two steps.
-  Point at(double angle) const override;
-  double farthest_off() const override { return 0.5; }
+  const BisectorArc& arc() const { return arc_; }
+
+  /// Longitude and latitude in degrees of the bisector's point across from the great circle's point
+  /// at that angle. Where distances do not tell how far it is, near the antipodes of places that
+  /// are near each other or where the two are a few micrometres apart, that of a change of sign of
+  /// their difference, or the great circle's. Accuracy: 1e-5 metres, but for places so near each
+  /// other that 15 nanometres of distance are more. Cost: two geodesics a step, one or two steps.
+  Point at(double angle) const;
+  /// How far the bisector may be from the great circle, and more, in degrees.
+  static double farthest_off() { return 0.5; }
 
  private:
   std::optional<Point> by_newton(Point start) const;
   std::optional<Point> by_bracket(Point start) const;
   double nearer_to_second(Point p) const;
 
+  BisectorArc arc_;
   Point first_;
   Point second_;
 };

@@ -32,7 +32,11 @@ class GeodesicDiagramBuilder {
     diagram_.period = 360;
     diagram_.places.assign(places.begin(), places.end());
     diagram_.cell_of = sphere_->cell_of();
-    diagram_.near = [sphere = sphere_](Point p) { return sphere->nearest(on_sphere(p)); };
+    diagram_.near = [sphere = sphere_](Point p) {
+      std::vector<PlaceIndex> nearest;
+      sphere->find_nearest_on_earth(p, sphere->nearest(on_sphere(p)), nearest);
+      return sphere->cell_of()[index(nearest.front())];
+    };
   }
 
   Diagram build() && {

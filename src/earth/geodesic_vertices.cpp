@@ -70,8 +70,8 @@ void GeodesicVertices::find_near(const Box& frame) {
   }
 }
 
-std::pair<double, double> GeodesicVertices::angles(const CellEdge& edge, std::uint32_t start,
-                                                   std::uint32_t end) const {
+std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
+                                                   std::uint32_t start, std::uint32_t end) const {
   return edge.arc().between(vertices_[group_of(start)].direction,
                             vertices_[group_of(end)].direction);
 }

@@ -31,7 +31,7 @@ class GeodesicVertices {
     return {position(first), position(second), sphere_.bisector(first, second)};
   }
   /// Of the vertices at its ends along an edge, the second not before the first.
-  std::pair<double, double> angles(const CellEdge& edge, std::uint32_t start,
+  std::pair<double, double> angles(const GeodesicBisector& edge, std::uint32_t start,
                                    std::uint32_t end) const;
 
  private:

@@ -1,6 +1,6 @@
 #include "earth/ground.h"
 
-#include "earth/sphere_diagram.h"
+#include "earth/geodesic_diagram.h"
 #include "tessellation/plane_diagram.h"
 
 namespace thiessen {
@@ -11,9 +11,9 @@ constexpr double share_for_chords = 0.5;
 
 }  // namespace
 
-Diagram Ground::diagram(std::span<const Point> places, const Box& frame) const {
+Diagram Ground::diagram(std::span<const Point> places, const Box& frame, unsigned threads) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
-  return sphere_diagram(places, frame, share_for_chords * tolerance);
+  return geodesic_diagram(places, frame, share_for_chords * tolerance, threads);
 }
 
 std::unique_ptr<Surface> Ground::surface() const {

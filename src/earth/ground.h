@@ -18,8 +18,8 @@ struct Ground {
   double tolerance =
       0.1;  ///< geodesic: how far, in metres, a cell's edge may lie from the true one
 
-  /// The cells of `places` near `frame`: see plane_diagram and sphere_diagram.
-  Diagram diagram(std::span<const Point> places, const Box& frame) const;
+  /// The cells of `places` near `frame`: see plane_diagram and geodesic_diagram.
+  Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
   std::unique_ptr<Surface> surface() const;
 };
 

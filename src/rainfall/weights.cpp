@@ -30,7 +30,7 @@ void sort_by_station(std::vector<Part>& parts) {
 /// The places at which a station reports, and their diagram.
 class Weighing::Reporting {
  public:
-  Reporting(const Weighing& weighing, const std::vector<bool>& reports)
+  Reporting(const Weighing& weighing, const std::vector<bool>& reports, unsigned threads)
       : network_(weighing.network_) {
     std::vector<Point> positions;
     for (std::uint32_t p = 0; p < network_.places().size(); ++p) {
@@ -43,7 +43,7 @@ class Weighing::Reporting {
       stations_.push_back(std::move(here));
     }
     if (positions.empty()) return;
-    diagram_ = weighing.ground_.diagram(positions, weighing.frame_);
+    diagram_ = weighing.ground_.diagram(positions, weighing.frame_, threads);
     share_cells();
   }
 
@@ -84,7 +84,7 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, con
 template <typename Take>
 void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads,
                               const Take& take) const {
-  const Reporting reporting(*this, reports);
+  const Reporting reporting(*this, reports, threads);
   if (!reporting.any()) return;
   std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {

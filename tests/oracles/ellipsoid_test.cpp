@@ -13,7 +13,7 @@
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
 #include "earth/ellipsoid_area.h"
-#include "earth/sphere_diagram.h"
+#include "earth/geodesic_diagram.h"
 #include "earth/surface.h"
 #include "geometry/predicates.h"
 #include "geometry/seeded.h"
@@ -171,7 +171,7 @@ class CellsOnTheEarth : public testing::TestWithParam<Setting> {
   static constexpr double tolerance = 0.05;
 
   static std::vector<ClippedCell> cells_of(const std::vector<Point>& places, const Basin& basin) {
-    const Diagram diagram = sphere_diagram(places, shapes::box_of(basin.shape), tolerance);
+    const Diagram diagram = geodesic_diagram(places, shapes::box_of(basin.shape), tolerance, 2);
     const EllipsoidSurface surface;
     return CellClipper(diagram, surface).cells(basin);
   }
@@ -270,7 +270,7 @@ void expect_shares(const std::vector<Point>& places, const Ring& ring, double al
   const Basin basin = shapes::basin({{ring, {}}});
   const EllipsoidSurface surface;
   const Box box = shapes::box_of(basin.shape);
-  const Diagram diagram = sphere_diagram(places, box, 0.05);
+  const Diagram diagram = geodesic_diagram(places, box, 0.05, 2);
   CellClipper clipper(diagram, surface);
   const std::vector<CellShare> shares = clipper.shares(basin);
   const double whole = area_of(basin, surface);
