@@ -22,6 +22,10 @@ Direction BisectorArc::at(double angle) const {
   return std::cos(angle) * middle_ + std::sin(angle) * left_;
 }
 
+Direction BisectorArc::at(double angle, double offset) const {
+  return offset == 0 ? at(angle) : std::cos(offset) * at(angle) + std::sin(offset) * forward();
+}
+
 double BisectorArc::angle_of(Direction p) const {
   return std::atan2(dot(p, left_), dot(p, middle_));
 }

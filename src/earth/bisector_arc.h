@@ -16,6 +16,8 @@ class BisectorArc {
   BisectorArc(Direction first, Direction second) : BisectorArc(first, second, second - first) {}
 
   Direction at(double angle) const;
+  /// Off the circle by an angle, positive to the second's side.
+  Direction at(double angle, double offset) const;
   /// In [-pi, pi].
   double angle_of(Direction p) const;
   /// The angles of an edge's two ends, the second not before the first. Requires that the edge is

@@ -38,6 +38,10 @@ inline Direction unit(Direction a) {
 /// Accuracy: 1e-15. Source: J. P. Snyder, Map projections: a working manual, 1987, equation 3-1.
 Direction on_sphere(Point position);
 
+/// The largest ratio of scales, and some more: a point this many times as far as another on the
+/// sphere, along chords too, is farther on the ellipsoid.
+inline constexpr double scale_variation = 1.004;
+
 /// on_sphere(b) - on_sphere(a), to 1e-14 of its length however near the two are; b's longitude may
 /// be any number of turns away. Cost: 0.3 microseconds where they are near.
 Direction chord_on_sphere(Point a, Point b);

@@ -13,6 +13,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double mean_radius = 6371008.8;  // metres
 // In radians.
 constexpr double longest_piece = std::numbers::pi / 8;
+constexpr double longest_fit = 0.2;
 constexpr double longest_chord = 0.02;
 constexpr double shortest_chord = 1e-10;
 
@@ -23,13 +24,31 @@ double short_way(double difference) {
   return difference;
 }
 
+/// From a to b in metres, east and north, near a latitude.
+struct Way {
+  Way(Point a, Point b, double cosine)
+      : east(short_way(b.x - a.x) * cosine * degree * mean_radius),
+        north((b.y - a.y) * degree * mean_radius) {}
+  double east;
+  double north;
+};
+
 /// How far, in metres, an edge's middle lies from its chord's.
 double bulge(Point start, Point middle, Point end) {
-  const double north = (start.y + end.y) / 2 - middle.y;
-  const double to_start = short_way(start.x - middle.x);
-  const double to_end = short_way(end.x - middle.x);
-  const double east = (to_start + to_end) / 2 * std::cos(middle.y * degree);
-  return std::sqrt(north * north + east * east) * degree * mean_radius;
+  const double cosine = std::cos(middle.y * degree);
+  const Way before(start, middle, cosine);
+  const Way after(middle, end, cosine);
+  return std::hypot(after.east - before.east, after.north - before.north) / 2;
+}
+
+/// How far, in metres, an edge's middle lies from the line of its chord.
+double sagitta(Point start, Point middle, Point end) {
+  const double cosine = std::cos(middle.y * degree);
+  const Way before(start, middle, cosine);
+  const Way after(middle, end, cosine);
+  const double length = std::hypot(before.east + after.east, before.north + after.north);
+  if (length == 0) return std::hypot(before.east, before.north);
+  return std::abs(before.east * after.north - before.north * after.east) / length;
 }
 
 /// Whether the disc round `centre`, `radius` degrees wide on the sphere, meets the frame, or may.
@@ -45,6 +64,12 @@ bool meets(const Box& frame, Point centre, double radius) {
   return distance <= east_west + frame.width() / 2;
 }
 
+/// The longer side, in degrees of a great circle.
+double size_of(const Box& frame) {
+  const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
+  return std::max({frame.height(), frame.width() * std::cos(widest * degree), 1e-7});
+}
+
 }  // namespace
 
 bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, double to) {
@@ -57,7 +82,11 @@ bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, 
 }
 
 EdgeDrawing::EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node)
-    : frame_(frame), longitudes_(frame), tolerance_(tolerance), first_node_(first_node) {}
+    : frame_(frame),
+      frame_size_(size_of(frame)),
+      longitudes_(frame),
+      tolerance_(tolerance),
+      first_node_(first_node) {}
 
 void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
                        PlaceIndex right) {
@@ -75,24 +104,70 @@ void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint t
 }
 
 EdgePoint EdgeDrawing::point_at(const GeodesicBisector& edge, double angle) const {
-  return {angle, no_node, longitudes_.within(edge.at(angle))};
+  return {angle, no_node, longitudes_.within(edge.find(angle).position)};
 }
 
-// Halves the piece until its chord is near enough to it, or all of it is far from the frame.
+EdgePoint EdgeDrawing::point_at(const BisectorOffset& offset, double angle) const {
+  return {angle, no_node, longitudes_.within(offset.at(angle))};
+}
+
+// Halves the piece until a polynomial stands for it, its chord is near enough to it, or all of it
+// is far from the frame.
 void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
-  const double radius = half / degree + edge.farthest_off();
+  const double radius = half / degree + GeodesicBisector::farthest_off();
   if (!meets(frame_, from_sphere(edge.arc().at(angle)), radius)) return;
+  if (2 * half <= longest_fit) {
+    const auto offset =
+        BisectorOffset::fit(edge, start.angle, start.position, end.angle, end.position);
+    if (offset) return draw_piece(*offset, start, end);
+  }
   EdgePoint middle = point_at(edge, angle);
   const bool fine = 2 * half <= longest_chord &&
                     bulge(start.position, middle.position, end.position) <= tolerance_;
-  if (fine || half < shortest_chord) {
-    draw_chord(start, end);
-    return;
-  }
+  if (fine || half < shortest_chord) return draw_chord(start, end);
   draw_piece(edge, start, middle);
   draw_piece(edge, middle, end);
+}
+
+// Chords of equal length, where the curve is as strong in one half as in the other, and what is far
+// from the frame is left out of a piece longer than it.
+void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end) {
+  const double half = (end.angle - start.angle) / 2;
+  EdgePoint middle = point_at(offset, start.angle + half);
+  const bool is_long = half / degree > frame_size_ / 16;
+  if (is_long && !meets(frame_, middle.position, half / degree)) return;
+  const Point first_quarter = longitudes_.within(offset.at(start.angle + half / 2));
+  const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
+  const double first = sagitta(start.position, first_quarter, middle.position);
+  const double last = sagitta(middle.position, last_quarter, end.position);
+  const double most = std::max(first, last);
+  const double whole = sagitta(start.position, middle.position, end.position);
+  const bool is_even = std::abs(first - last) <= most / 2 && whole <= 5 * most;
+  const bool is_fine = std::max(whole, 4 * most) <= tolerance_;
+  if ((is_long || !is_even) && !is_fine && half >= shortest_chord) {
+    draw_piece(offset, start, middle);
+    draw_piece(offset, middle, end);
+    return;
+  }
+  // What bulges by b, in n pieces bulges by b / n^2; at an end of the piece by that much more.
+  const double at_an_end = 1.02 * (most + std::abs(first - last) / 2);
+  const double pieces = 2 * std::sqrt(at_an_end / tolerance_);
+  const int chords = is_fine ? 1 : static_cast<int>(std::ceil(pieces));
+  draw_chords(offset, start, end, chords);
+}
+
+void EdgeDrawing::draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end,
+                              int chords) {
+  EdgePoint before = start;
+  for (int i = 1; i <= chords; ++i) {
+    EdgePoint& from = i == 1 ? start : before;
+    if (i == chords) return draw_chord(from, end);
+    EdgePoint next = point_at(offset, start.angle + (end.angle - start.angle) * i / chords);
+    draw_chord(from, next);
+    before = next;
+  }
 }
 
 void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end) {

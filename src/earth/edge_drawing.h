@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "earth/bisector_offset.h"
 #include "earth/equidistance.h"
 #include "tessellation/diagram.h"
 
@@ -49,12 +50,16 @@ class EdgeDrawing {
 
  private:
   EdgePoint point_at(const GeodesicBisector& edge, double angle) const;
+  EdgePoint point_at(const BisectorOffset& offset, double angle) const;
   void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);
+  void draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end);
+  void draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end, int chords);
   void draw_chord(EdgePoint& start, EdgePoint& end);
   std::uint32_t new_node(Point position);
   std::uint32_t turned(Point position, double degrees);
 
   Box frame_;
+  double frame_size_;
   LongitudeTurn longitudes_;
   double tolerance_;
   std::uint32_t first_node_;

@@ -14,7 +14,9 @@ namespace {
 constexpr double distance_noise = 3e-8;
 constexpr double equal_enough = 1e-7;
 constexpr double fine_step = 1e-5;
+constexpr double finest_step = 1e-6;
 constexpr double longest_step = 2e6;
+constexpr double earth_radius = 6371008.8;
 constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
 
 struct Step {
@@ -29,7 +31,7 @@ Step minus(const Arrival& a, const Arrival& b) {
 
 }  // namespace
 
-std::optional<Point> equidistant_point(Point a, Point b, Point c, Point start) {
+std::optional<Equidistant> equidistant_point(Point a, Point b, Point c, Point start) {
   constexpr int most_steps = 20;
   Point p = start;
   double before = HUGE_VAL;
@@ -40,8 +42,10 @@ std::optional<Point> equidistant_point(Point a, Point b, Point c, Point start) {
     const double ab = from_a.distance - from_b.distance;
     const double ac = from_a.distance - from_c.distance;
     const double wrong = std::max(std::abs(ab), std::abs(ac));
-    if (wrong <= equal_enough / 2) return p;
-    if (i > 3 && wrong > before / 2) return wrong <= equal_enough ? std::optional(p) : std::nullopt;
+    const Equidistant here{p, from_a.distance};
+    if (wrong <= equal_enough / 2) return here;
+    if (i > 3 && wrong > before / 2)
+      return wrong <= equal_enough ? std::optional(here) : std::nullopt;
     before = wrong;
     const Step u = minus(from_a, from_b);
     const Step v = minus(from_a, from_c);
@@ -50,22 +54,26 @@ std::optional<Point> equidistant_point(Point a, Point b, Point c, Point start) {
                     (-ac * u.east + ab * v.east) / determinant};
     if (!(step.length() <= longest_step)) return {};
     p = moved(p, step.east, step.north);
+    // What a step leaves is of the second order in it.
+    const double nearest = std::min({from_a.distance, from_b.distance, from_c.distance});
+    if (step.length() * step.length() <= equal_enough / 20 * nearest && from_a.distance < antipodal)
+      return Equidistant{p, from_a.distance + from_a.east * step.east + from_a.north * step.north};
   }
   return {};
 }
 
-Point GeodesicBisector::at(double angle) const {
-  const Point start = from_sphere(arc().at(angle));
-  if (const auto p = by_newton(start)) return *p;
-  if (const auto p = by_bracket(start)) return *p;
-  return start;
+BisectorPoint GeodesicBisector::find(double angle, double offset) const {
+  const Point start = from_sphere(arc().at(angle, offset));
+  if (const auto found = by_newton(start)) return *found;
+  if (const auto p = by_bracket(start)) return {*p};
+  return {start};
 }
 
 double GeodesicBisector::nearer_to_second(Point p) const {
   return geodesic_distance(first_, p) - geodesic_distance(second_, p);
 }
 
-std::optional<Point> GeodesicBisector::by_newton(Point start) const {
+std::optional<BisectorPoint> GeodesicBisector::by_newton(Point start) const {
   constexpr int most_steps = 8;
   constexpr double farthest = 50e3;
   Point p = start;
@@ -78,13 +86,15 @@ std::optional<Point> GeodesicBisector::by_newton(Point start) const {
     const Step growth = minus(from_first, from_second);
     const double steepness = growth.length();
     const double length = std::abs(difference) / steepness;
-    if (std::abs(difference) <= distance_noise || length <= fine_step) return p;
+    const double uncertainty = distance_noise / (steepness * earth_radius);
+    if (std::abs(difference) <= distance_noise) return BisectorPoint{p, true, uncertainty};
     way += length;
     if (!(way <= farthest)) return {};
     const double scale = -difference / (steepness * steepness);
     p = moved(p, scale * growth.east, scale * growth.north);
     // What is left is of the second order.
-    if (length * length <= fine_step * steepness * from_first.distance) return p;
+    if (length * length <= finest_step * steepness * from_first.distance)
+      return BisectorPoint{p, true, uncertainty};
   }
   return {};
 }

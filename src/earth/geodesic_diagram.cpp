@@ -55,7 +55,7 @@ class GeodesicDiagramBuilder {
     const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
     const GeodesicBisector edge(position(first), position(second),
                                 sphere_->bisector(first, second));
-    const Point start = LongitudeTurn(diagram_.frame).within(edge.at(pi));
+    const Point start = LongitudeTurn(diagram_.frame).within(edge.find(pi).position);
     diagram_.nodes.push_back(start);
     EdgeDrawing drawing(diagram_.frame, tolerance_, 1);
     drawing.draw(edge, {-pi, 0, start}, {pi, 0, start}, first, second);

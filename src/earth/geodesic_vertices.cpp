@@ -43,14 +43,17 @@ void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
 }
 
 void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
-  constexpr double farthest = 3e6;
+  constexpr double farthest = 0.5;  // radians
   const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
   const auto found = equidistant_point(position(a), position(b), position(c), vertex.position);
-  if (!found || geodesic_distance(*found, vertex.position) > farthest) return;
-  vertex.position = *found;
-  vertex.direction = on_sphere(*found);
-  vertex.radius = geodesic_distance(position(a), *found);
+  if (!found) return;
+  const Direction direction = on_sphere(found->position);
+  const Direction moved = direction - vertex.direction;
+  if (dot(moved, moved) > farthest * farthest) return;
+  vertex.position = found->position;
+  vertex.direction = direction;
+  vertex.radius = found->radius;
   vertex.is_exact = true;
 }
 
@@ -79,9 +82,14 @@ std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
 // Whether the point across from the side is nearer to the triangle's vertex than its corners are.
 bool GeodesicVertices::holds_point_across(SideIndex s) const {
   const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
+  const PlaceIndex corner = mesh_.apex(s);
   const PlaceIndex across = mesh_.apex(mesh_.twin(s));
-  return vertex.is_exact && across != mesh_.apex(s) &&
-         geodesic_distance(position(across), vertex.position) < vertex.radius - within_circle;
+  if (!vertex.is_exact || across == corner) return false;
+  // Where it is much farther on the sphere, it is farther on the Earth.
+  const double to_corner = sphere_.square_distance(vertex.direction, corner);
+  const double to_across = sphere_.square_distance(vertex.direction, across);
+  if (to_across > to_corner * scale_variation * scale_variation) return false;
+  return geodesic_distance(position(across), vertex.position) < vertex.radius - within_circle;
 }
 
 void GeodesicVertices::flip_sides() {

@@ -137,7 +137,6 @@ void SphereTessellation::find_nearest_on_earth(Point p, PlaceIndex start,
                                                std::vector<PlaceIndex>& nearest) const {
   const Direction direction = on_sphere(p);
   const PlaceIndex first = this->nearest(direction, start);
-  constexpr double scale_variation = 1.004;
   const double reach = square_distance(direction, first) * scale_variation * scale_variation;
   nearest.assign(1, first);
   for (std::size_t next = 0; next < nearest.size(); ++next) {

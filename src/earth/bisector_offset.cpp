@@ -1,0 +1,65 @@
+#include "earth/bisector_offset.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace thiessen {
+namespace {
+
+// Radians: 1e-5 metres.
+constexpr double near_enough = 1.6e-12;
+// Shares of the piece: the ends of a Chebyshev grid are where polynomials swing.
+constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
+
+}  // namespace
+
+std::optional<BisectorOffset> BisectorOffset::fit(const GeodesicBisector& edge, double from,
+                                                  Point start, double to, Point end) {
+  BisectorOffset offset(edge.arc());
+  const Sample first = offset.sample_at(start, from);
+  const Sample last = offset.sample_at(end, to);
+  if (!(first.angle < last.angle)) return {};
+  offset.take(first);
+  offset.take(last);
+  for (const double share : inner) {
+    const double angle = first.angle + share * (last.angle - first.angle);
+    const BisectorPoint found = edge.find(angle, offset.offset_at(angle));
+    if (!found.is_exact) return {};
+    const Sample sample = offset.sample_at(found.position, angle);
+    if (!(first.angle < sample.angle && sample.angle < last.angle)) return {};
+    const double missed = std::abs(offset.offset_at(sample.angle) - sample.offset);
+    offset.take(sample);
+    // The middle alone would not show an S.
+    const double allowed = offset.samples_ > 3 ? near_enough : near_enough / 10;
+    if (missed <= allowed + 2 * found.uncertainty) return offset;
+  }
+  return {};
+}
+
+// Of the angles that differ by whole turns, the one next to `angle`.
+BisectorOffset::Sample BisectorOffset::sample_at(Point p, double angle) const {
+  const Direction direction = on_sphere(p);
+  const double difference = std::remainder(arc_.angle_of(direction) - angle, 2 * std::numbers::pi);
+  return {angle + difference, std::asin(dot(direction, arc_.forward()))};
+}
+
+void BisectorOffset::take(Sample sample) {
+  double difference = sample.offset;
+  for (std::size_t i = 0; i < samples_; ++i)
+    difference = (difference - differences_[i]) / (sample.angle - angles_[i]);
+  angles_[samples_] = sample.angle;
+  differences_[samples_] = difference;
+  ++samples_;
+}
+
+double BisectorOffset::offset_at(double angle) const {
+  double offset = 0;
+  for (std::size_t i = samples_; i-- > 0;) offset = differences_[i] + (angle - angles_[i]) * offset;
+  return offset;
+}
+
+Point BisectorOffset::at(double angle) const {
+  return from_sphere(arc_.at(angle, offset_at(angle)));
+}
+
+}  // namespace thiessen
