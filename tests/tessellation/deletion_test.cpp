@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "tessellation/audited.h"
 #include "tessellation/simplices.h"
 #include "tessellation/space_families.h"
 #include "tessellation/tessellation.h"
@@ -265,7 +266,7 @@ TEST(DeletionInPlane, frees_rows_that_are_used_again_first) {
   const std::vector<Point> points = families::uniform(seeded, 200);
   Tessellation<2> tessellation = tessellation_of(points);
   EXPECT_EQ(tessellation.topology().size(), 398u);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < often(20000); ++i) {
     PointId p{1 + static_cast<std::uint32_t>(seeded.below(200))};
     tessellation.remove(p);
     EXPECT_EQ(tessellation.add({seeded.uniform(0, 1), seeded.uniform(0, 1)}), p);
@@ -280,7 +281,7 @@ TEST(DeletionInSpace, frees_rows_that_are_used_again_first) {
   Seeded seeded;
   Tessellation<3> tessellation = tessellation_of(families::uniform_in_space(seeded, 200));
   std::size_t most = tessellation.topology().size();
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < often(3000); ++i) {
     PointId p{1 + static_cast<std::uint32_t>(seeded.below(200))};
     const std::size_t used = plain_simplices(tessellation).size();
     tessellation.remove(p);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "tessellation/audited.h"
 #include "tessellation/simplices.h"
 #include "tessellation/space_families.h"
 
@@ -293,7 +294,7 @@ TYPED_TEST(TrialOf, a_million_times_needs_no_more_memory) {
       }
     }
   };
-  const int million = d == 2 ? 1000000 : 100000;
+  const int million = often(d == 2 ? 1000000 : 100000);
   try_often(1000);
   const std::size_t rows = changes.topology.rows.capacity();
   const std::size_t moves = changes.topology.points.capacity();
