@@ -26,6 +26,10 @@ Direction BisectorArc::at(double angle, double offset) const {
   return offset == 0 ? at(angle) : std::cos(offset) * at(angle) + std::sin(offset) * forward();
 }
 
+Direction BisectorArc::across(double angle, double offset) const {
+  return std::cos(offset) * forward() - std::sin(offset) * at(angle);
+}
+
 double BisectorArc::angle_of(Direction p) const {
   return std::atan2(dot(p, left_), dot(p, middle_));
 }

@@ -18,6 +18,8 @@ class BisectorArc {
   Direction at(double angle) const;
   /// Off the circle by an angle, positive to the second's side.
   Direction at(double angle, double offset) const;
+  /// The way on across the circle from there, a unit vector.
+  Direction across(double angle, double offset) const;
   /// In [-pi, pi].
   double angle_of(Direction p) const;
   /// The angles of an edge's two ends, the second not before the first. Requires that the edge is

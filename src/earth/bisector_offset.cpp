@@ -1,7 +1,6 @@
 #include "earth/bisector_offset.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace thiessen {
 namespace {
@@ -16,19 +15,15 @@ constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
 std::optional<BisectorOffset> BisectorOffset::fit(const GeodesicBisector& edge, double from,
                                                   Point start, double to, Point end) {
   BisectorOffset offset(edge.arc());
-  const Sample first = offset.sample_at(start, from);
-  const Sample last = offset.sample_at(end, to);
-  if (!(first.angle < last.angle)) return {};
-  offset.take(first);
-  offset.take(last);
+  if (!(from < to)) return {};
+  offset.take({from, offset.offset_of(start)});
+  offset.take({to, offset.offset_of(end)});
   for (const double share : inner) {
-    const double angle = first.angle + share * (last.angle - first.angle);
+    const double angle = from + share * (to - from);
     const BisectorPoint found = edge.find(angle, offset.offset_at(angle));
     if (!found.is_exact) return {};
-    const Sample sample = offset.sample_at(found.position, angle);
-    if (!(first.angle < sample.angle && sample.angle < last.angle)) return {};
-    const double missed = std::abs(offset.offset_at(sample.angle) - sample.offset);
-    offset.take(sample);
+    const double missed = std::abs(offset.offset_at(angle) - found.offset);
+    offset.take({angle, found.offset});
     // The middle alone would not show an S.
     const double allowed = offset.samples_ > 3 ? near_enough : near_enough / 10;
     if (missed <= allowed + 2 * found.uncertainty) return offset;
@@ -36,11 +31,8 @@ std::optional<BisectorOffset> BisectorOffset::fit(const GeodesicBisector& edge, 
   return {};
 }
 
-// Of the angles that differ by whole turns, the one next to `angle`.
-BisectorOffset::Sample BisectorOffset::sample_at(Point p, double angle) const {
-  const Direction direction = on_sphere(p);
-  const double difference = std::remainder(arc_.angle_of(direction) - angle, 2 * std::numbers::pi);
-  return {angle + difference, std::asin(dot(direction, arc_.forward()))};
+double BisectorOffset::offset_of(Point p) const {
+  return std::asin(dot(on_sphere(p), arc_.forward()));
 }
 
 void BisectorOffset::take(Sample sample) {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "earth/equidistance.h"
+#include "earth/geodesic_bisector.h"
 
 namespace thiessen {
 
@@ -30,7 +30,7 @@ class BisectorOffset {
   static constexpr std::size_t most_samples = 7;
 
   explicit BisectorOffset(const BisectorArc& arc) : arc_(arc) {}
-  Sample sample_at(Point p, double angle) const;
+  double offset_of(Point p) const;
   void take(Sample sample);
   double offset_at(double angle) const;
 

@@ -1,5 +1,8 @@
 #include "earth/cell_mesh.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace thiessen {
 
 CellMesh::CellMesh(const SphereTessellation& sphere) {
@@ -52,6 +55,10 @@ void CellMesh::add_fans(const SphereTessellation& sphere) {
   }
   join(side(0, 2), side(fans, 1));
   join(side(fans - 1, 1), side(2 * fans - 1, 2));
+}
+
+void CellMesh::set_corners(std::uint32_t triangle, const std::array<PlaceIndex, 3>& corners) {
+  std::copy(corners.begin(), corners.end(), corners_.begin() + std::ptrdiff_t{3} * triangle);
 }
 
 void CellMesh::join(SideIndex a, SideIndex b) {

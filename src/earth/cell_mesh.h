@@ -46,6 +46,9 @@ class CellMesh {
   /// Puts the other diagonal into the quadrilateral of the side's two triangles. Requires that
   /// their apexes are different places.
   void flip(SideIndex s);
+  /// For those that lay triangles anew: every side must be joined to another in the end.
+  void set_corners(std::uint32_t triangle, const std::array<PlaceIndex, 3>& corners);
+  void join(SideIndex a, SideIndex b);
 
  private:
   static SideIndex turned(SideIndex s, std::uint32_t by) {
@@ -54,7 +57,6 @@ class CellMesh {
   }
   void take_over(const SphereTessellation& sphere);
   void add_fans(const SphereTessellation& sphere);
-  void join(SideIndex a, SideIndex b);
 
   std::vector<PlaceIndex> corners_;
   std::vector<SideIndex> twin_;

@@ -51,8 +51,15 @@ double sagitta(Point start, Point middle, Point end) {
   return std::abs(before.east * after.north - before.north * after.east) / length;
 }
 
-/// Whether the disc round `centre`, `radius` degrees wide on the sphere, meets the frame, or may.
-bool meets(const Box& frame, Point centre, double radius) {
+/// The longer side, in degrees of a great circle.
+double size_of(const Box& frame) {
+  const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
+  return std::max({frame.height(), frame.width() * std::cos(widest * degree), 1e-7});
+}
+
+}  // namespace
+
+bool may_come_near(const Box& frame, Point centre, double radius) {
   const double stretch = 1.01;  // of latitudes from the sphere to the ellipsoid
   const double south = centre.y - stretch * radius;
   const double north = centre.y + stretch * radius;
@@ -62,23 +69,6 @@ bool meets(const Box& frame, Point centre, double radius) {
   const double east_west = stretch * radius / std::cos(widest);
   const double distance = std::abs(short_way(std::remainder(centre.x - frame.centre().x, 360)));
   return distance <= east_west + frame.width() / 2;
-}
-
-/// The longer side, in degrees of a great circle.
-double size_of(const Box& frame) {
-  const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
-  return std::max({frame.height(), frame.width() * std::cos(widest * degree), 1e-7});
-}
-
-}  // namespace
-
-bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, double to) {
-  const double half = (to - from) / 2;
-  const double middle = from + half;
-  const double radius = half / degree + edge.farthest_off();
-  if (!meets(frame, from_sphere(edge.arc().at(middle)), radius)) return false;
-  if (half <= edge.farthest_off() * degree / 4) return true;
-  return may_come_near(frame, edge, from, middle) || may_come_near(frame, edge, middle, to);
 }
 
 EdgeDrawing::EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node)
@@ -117,7 +107,7 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
   const double radius = half / degree + GeodesicBisector::farthest_off();
-  if (!meets(frame_, from_sphere(edge.arc().at(angle)), radius)) return;
+  if (!may_come_near(frame_, from_sphere(edge.arc().at(angle)), radius)) return;
   if (2 * half <= longest_fit) {
     const auto offset =
         BisectorOffset::fit(edge, start.angle, start.position, end.angle, end.position);
@@ -137,7 +127,7 @@ void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, Edg
   const double half = (end.angle - start.angle) / 2;
   EdgePoint middle = point_at(offset, start.angle + half);
   const bool is_long = half / degree > frame_size_ / 16;
-  if (is_long && !meets(frame_, middle.position, half / degree)) return;
+  if (is_long && !may_come_near(frame_, middle.position, half / degree)) return;
   const Point first_quarter = longitudes_.within(offset.at(start.angle + half / 2));
   const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
   const double first = sagitta(start.position, first_quarter, middle.position);

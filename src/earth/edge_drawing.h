@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "earth/bisector_offset.h"
-#include "earth/equidistance.h"
+#include "earth/geodesic_bisector.h"
 #include "tessellation/diagram.h"
 
 namespace thiessen {
@@ -69,7 +69,7 @@ class EdgeDrawing {
   std::vector<Chord> chords_;
 };
 
-/// Whether a piece of the edge may come near the frame.
-bool may_come_near(const Box& frame, const GeodesicBisector& edge, double from, double to);
+/// Whether the disc round `centre`, `radius` degrees wide on the sphere, meets the frame, or may.
+bool may_come_near(const Box& frame, Point centre, double radius);
 
 }  // namespace thiessen

@@ -43,6 +43,10 @@ class GeodesicDiagramBuilder {
     const Span span = sphere_->tessellation().span();
     if (span == Span::point) add_closed_edge();
     if (span == Span::line || span == Span::plane) add_edges();
+    for (std::uint32_t p = 0; p < diagram_.places.size(); ++p) {
+      const PlaceIndex cell = diagram_.cell_of[p];
+      if (index(cell) != p) diagram_.neighbours.emplace_back(cell, PlaceIndex{p});
+    }
     return std::move(diagram_);
   }
 
@@ -53,6 +57,7 @@ class GeodesicDiagramBuilder {
   void add_closed_edge() {
     const PlaceIndex first = sphere_->pole();
     const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
+    diagram_.neighbours.emplace_back(first, second);
     const GeodesicBisector edge(position(first), position(second),
                                 sphere_->bisector(first, second));
     const Point start = LongitudeTurn(diagram_.frame).within(edge.find(pi).position);
@@ -76,6 +81,8 @@ class GeodesicDiagramBuilder {
       node[t] = node[group];
     }
     draw(vertices, node);
+    vertices.for_each_neighbours(
+        [this](PlaceIndex a, PlaceIndex b) { diagram_.neighbours.emplace_back(a, b); });
   }
 
   // In pieces of a fixed length, so that the nodes' numbers do not depend on the threads.
@@ -103,7 +110,7 @@ class GeodesicDiagramBuilder {
     const CellMesh& mesh = vertices.mesh();
     std::uint32_t start = CellMesh::triangle_of(mesh.twin(s));
     std::uint32_t end = CellMesh::triangle_of(s);
-    if (node[start] == node[end] || !(vertices.is_near(start) || vertices.is_near(end))) return;
+    if (node[start] == node[end]) return;
     PlaceIndex left = mesh.from(s);
     PlaceIndex right = mesh.to(s);
     // One way only, so that rounding is the same for any order of places.

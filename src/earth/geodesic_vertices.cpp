@@ -1,9 +1,12 @@
 #include "earth/geodesic_vertices.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/parallel.h"
 #include "earth/edge_drawing.h"
+#include "earth/equidistance.h"
+#include "earth/far_side.h"
 #include "earth/geodesic.h"
 #include "geometry/disjoint_sets.h"
 
@@ -21,13 +24,19 @@ constexpr double indistinct = 3e-13;
 GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
                                    const Box& frame, unsigned threads)
     : sphere_(sphere), places_(places), mesh_(sphere), vertices_(mesh_.triangles()) {
-  for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) place_on_sphere(t);
-  find_near(frame);
+  // More than the ellipsoid moves a vertex.
+  constexpr double margin = 1;  // degree
+  for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
+    place_on_sphere(t);
+    vertices_[t].is_near = may_come_near(frame, vertices_[t].position, margin);
+  }
+  lay_far_side_anew();
   constexpr std::size_t some = 256;
   in_parallel((vertices_.size() + some - 1) / some, threads, [&](std::size_t, std::size_t piece) {
     const std::size_t end = std::min(vertices_.size(), (piece + 1) * some);
     for (std::size_t t = piece * some; t < end; ++t) {
-      if (vertices_[t].is_near) place_on_earth(static_cast<std::uint32_t>(t));
+      if (vertices_[t].is_near && !vertices_[t].is_far)
+        place_on_earth(static_cast<std::uint32_t>(t));
     }
   });
   flip_sides();
@@ -40,6 +49,24 @@ void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
   vertex.direction = sphere_.centre(a, b, c);
   vertex.position = from_sphere(vertex.direction);
   vertex.is_exact = false;
+}
+
+// Those with circles of nearly half the Earth, where one of them is near the frame.
+void GeodesicVertices::lay_far_side_anew() {
+  const double cosine = -std::cos(0.06);  // 380 km from the antipode
+  std::vector<std::uint32_t> far;
+  bool any_near = false;
+  for (std::uint32_t t = 0; t < vertices_.size(); ++t) {
+    const Direction corner = sphere_.direction(mesh_.corners(t)[0]);
+    if (dot(vertices_[t].direction, corner) > cosine) continue;
+    far.push_back(t);
+    any_near = any_near || vertices_[t].is_near;
+  }
+  if (!any_near) return;
+  const auto direction_of = [&](std::uint32_t t) { return vertices_[t].direction; };
+  for (const std::uint32_t t : far) vertices_[t].is_far = true;
+  for (const auto& [t, at] : FarSide(sphere_, places_, mesh_).lay_anew(far, direction_of))
+    vertices_[t] = {at.position, on_sphere(at.position), at.radius, true, true, true};
 }
 
 void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
@@ -57,30 +84,15 @@ void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   vertex.is_exact = true;
 }
 
-void GeodesicVertices::find_near(const Box& frame) {
-  for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
-    const SideIndex s{i};
-    if (mesh_.twin(s) < s) continue;
-    const std::uint32_t start = CellMesh::triangle_of(mesh_.twin(s));
-    const std::uint32_t end = CellMesh::triangle_of(s);
-    if (vertices_[start].is_near && vertices_[end].is_near) continue;
-    const GeodesicBisector between = edge(mesh_.from(s), mesh_.to(s));
-    const auto [from, to] = angles(between, start, end);
-    if (may_come_near(frame, between, from, to)) {
-      vertices_[start].is_near = true;
-      vertices_[end].is_near = true;
-    }
-  }
-}
-
 std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
                                                    std::uint32_t start, std::uint32_t end) const {
   return edge.arc().between(vertices_[group_of(start)].direction,
                             vertices_[group_of(end)].direction);
 }
 
-// Whether the point across from the side is nearer to the triangle's vertex than its corners are.
-bool GeodesicVertices::holds_point_across(SideIndex s) const {
+// Whether the point across from the side is nearer to the triangle's vertex than its corners are,
+// by more than `margin` metres.
+bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
   const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
   const PlaceIndex corner = mesh_.apex(s);
   const PlaceIndex across = mesh_.apex(mesh_.twin(s));
@@ -89,7 +101,18 @@ bool GeodesicVertices::holds_point_across(SideIndex s) const {
   const double to_corner = sphere_.square_distance(vertex.direction, corner);
   const double to_across = sphere_.square_distance(vertex.direction, across);
   if (to_across > to_corner * scale_variation * scale_variation) return false;
-  return geodesic_distance(position(across), vertex.position) < vertex.radius - within_circle;
+  return geodesic_distance(position(across), vertex.position) < vertex.radius - margin;
+}
+
+// The two triangles' circles say the same, but for those at antipodes, which hardly tell one place
+// from another: a circle that can say no is believed.
+bool GeodesicVertices::is_to_be_flipped(SideIndex s) const {
+  const SideIndex beyond = mesh_.twin(s);
+  if (vertices_[CellMesh::triangle_of(s)].is_far || vertices_[CellMesh::triangle_of(beyond)].is_far)
+    return false;
+  return holds_point_across(s, within_circle) &&
+         (!vertices_[CellMesh::triangle_of(beyond)].is_exact ||
+          holds_point_across(beyond, -within_circle));
 }
 
 void GeodesicVertices::flip_sides() {
@@ -106,7 +129,7 @@ void GeodesicVertices::flip_sides() {
     const SideIndex s = open.back();
     open.pop_back();
     const SideIndex beyond = mesh_.twin(s);
-    if (!holds_point_across(s)) continue;
+    if (!is_to_be_flipped(s)) continue;
     const std::uint32_t t = CellMesh::triangle_of(s);
     const std::uint32_t w = CellMesh::triangle_of(beyond);
     if (flips[t] == most_flips || flips[w] == most_flips) continue;
@@ -123,6 +146,14 @@ void GeodesicVertices::flip_sides() {
       }
     }
   }
+}
+
+bool GeodesicVertices::may_be_flipped(SideIndex s) const {
+  const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
+  if (vertex.is_exact && vertices_[CellMesh::triangle_of(mesh_.twin(s))].is_exact) return false;
+  const double to_corner = sphere_.square_distance(vertex.direction, mesh_.apex(s));
+  const double to_across = sphere_.square_distance(vertex.direction, mesh_.apex(mesh_.twin(s)));
+  return to_across <= to_corner * scale_variation * scale_variation;
 }
 
 std::uint32_t GeodesicVertices::group_of(std::uint32_t triangle) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "earth/cell_mesh.h"
-#include "earth/equidistance.h"
+#include "earth/geodesic_bisector.h"
 #include "geometry/box.h"
 
 namespace thiessen {
@@ -20,7 +20,7 @@ class GeodesicVertices {
                    const Box& frame, unsigned threads);
 
   const CellMesh& mesh() const { return mesh_; }
-  /// Whether one of the triangle's edges comes near the frame; others are left as on the sphere.
+  /// Whether the triangle's vertex lies near the frame; others are left as on the sphere.
   bool is_near(std::uint32_t triangle) const { return vertices_[triangle].is_near; }
   Point position(std::uint32_t triangle) const { return vertices_[triangle].position; }
   /// Triangles whose centres are less than 2 micrometres apart, hand to hand, have one vertex, and
@@ -29,6 +29,18 @@ class GeodesicVertices {
   /// The edge between the cells of two places.
   GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
     return {position(first), position(second), sphere_.bisector(first, second)};
+  }
+  /// Calls visit(a, b) for every pair of places whose cells have an edge in common. Far from the
+  /// frame and at antipodes, where the vertices are the sphere's, also for those next to a side
+  /// that the ellipsoid may have flipped.
+  template <typename Visit>
+  void for_each_neighbours(Visit&& visit) const {
+    for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
+      const SideIndex s{i};
+      if (mesh_.twin(s) < s) continue;
+      visit(mesh_.from(s), mesh_.to(s));
+      if (may_be_flipped(s)) visit(mesh_.apex(s), mesh_.apex(mesh_.twin(s)));
+    }
   }
   /// Of the vertices at its ends along an edge, the second not before the first.
   std::pair<double, double> angles(const GeodesicBisector& edge, std::uint32_t start,
@@ -41,14 +53,17 @@ class GeodesicVertices {
     double radius = 0;
     bool is_near = false;
     bool is_exact = false;
+    bool is_far = false;  ///< at the antipode of the places: see FarSide
   };
 
   Point position(PlaceIndex p) const { return places_[index(p)]; }
   void place_on_sphere(std::uint32_t triangle);
   void place_on_earth(std::uint32_t triangle);
-  void find_near(const Box& frame);
+  void lay_far_side_anew();
   void flip_sides();
-  bool holds_point_across(SideIndex s) const;
+  bool holds_point_across(SideIndex s, double margin) const;
+  bool is_to_be_flipped(SideIndex s) const;
+  bool may_be_flipped(SideIndex s) const;
   void unite();
 
   const SphereTessellation& sphere_;

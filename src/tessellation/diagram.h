@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -37,6 +38,9 @@ struct Diagram {
   /// For each place the place whose cell it has: itself, but where rounding cannot tell it from
   /// another, less than a micrometre away, with which it shares one cell.
   std::vector<PlaceIndex> cell_of;
+  /// Pairs of places whose cells have an edge in common; also some, far from the frame, whose cells
+  /// may. Those that share a cell have pairs too.
+  std::vector<std::pair<PlaceIndex, PlaceIndex>> neighbours;
 };
 
 }  // namespace thiessen

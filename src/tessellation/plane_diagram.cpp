@@ -179,8 +179,10 @@ class PlaneDiagramBuilder {
 
   void add_parallel_edges() {
     const std::vector<PointId> line = tessellation_->along_line();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      add_neighbours(line[i], line[i + 1]);
       add_edge(line[i], line[i + 1], no_vertex, no_vertex);
+    }
   }
 
   void add_edges() {
@@ -191,9 +193,15 @@ class PlaneDiagramBuilder {
         const PointId a = topology().forming(v)[(side + 1) % 3];
         const PointId b = topology().forming(v)[(side + 2) % 3];
         // v lies to the left of a→b: the edge runs from w's centre to v's.
-        if (a != infinite_point && b != infinite_point) add_edge(a, b, w, v);
+        if (a == infinite_point || b == infinite_point) continue;
+        add_neighbours(a, b);
+        add_edge(a, b, w, v);
       }
     });
+  }
+
+  void add_neighbours(PointId a, PointId b) {
+    diagram_.neighbours.emplace_back((*place_of_)[index(a)], (*place_of_)[index(b)]);
   }
 
   // The edge between the cells of a and b, from `start` to `end` (vertices to the right and the

@@ -1,0 +1,130 @@
+#include "earth/geodesic_bisector.h"
+
+#include <GeographicLib/Constants.hpp>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "earth/geodesic.h"
+
+namespace thiessen {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double mean_radius = 6371008.8;  // metres
+// Metres.
+constexpr double distance_noise = 3e-8;
+constexpr double finest_step = 1e-6;
+constexpr double farthest = 60e3;
+constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
+// Radians: 1e-5 metres.
+constexpr double fine_offset = 1.6e-12;
+
+struct Step {
+  double east;
+  double north;
+};
+
+/// A tangent vector at a point of the sphere.
+Step east_and_north(Direction at, Direction tangent) {
+  const double radius = std::hypot(at.x, at.y);
+  const Direction east = radius > 0 ? Direction{-at.y / radius, at.x / radius, 0}
+                                    : Direction{0, 1, 0};  // as on the meridian 0
+  return {dot(tangent, east), dot(tangent, cross(at, east))};
+}
+
+/// Metres on the ellipsoid for a radian on the sphere, at a point of both.
+double scale_at(Point position, Direction direction) {
+  const double radius = std::hypot(direction.x, direction.y);
+  constexpr double nearly_pole = 1e-6;
+  if (radius < nearly_pole) return mean_radius;
+  const double e2 = GeographicLib::Constants::WGS84_f() * (2 - GeographicLib::Constants::WGS84_f());
+  const double sine = std::sin(position.y * degree);
+  return GeographicLib::Constants::WGS84_a() * std::cos(position.y * degree) /
+         (std::sqrt(1 - e2 * sine * sine) * radius);
+}
+
+struct Sample {
+  double at;
+  double value;
+};
+
+/// Where the function changes its sign, to fine_offset. By secants, each next to one that halves
+/// (M. Dowell and P. Jarratt, the Illinois algorithm, 1971), and by halves where they are slow.
+template <typename Function>
+double change_of_sign(Sample low, Sample high, Function&& function) {
+  constexpr int most_secants = 30;
+  for (int i = 0; std::abs(high.at - low.at) > fine_offset; ++i) {
+    const double secant = high.at - high.value * (high.at - low.at) / (high.value - low.value);
+    const double half = low.at + (high.at - low.at) / 2;
+    const double at = i < most_secants && std::isfinite(secant) ? secant : half;
+    const Sample sample{at, function(at)};
+    if (sample.value == 0) return at;
+    if (std::signbit(sample.value) != std::signbit(high.value)) {
+      low = high;
+    } else {
+      low.value /= 2;
+    }
+    high = sample;
+  }
+  return high.at;
+}
+
+}  // namespace
+
+BisectorPoint GeodesicBisector::find(double angle, double offset) const {
+  if (const auto found = by_newton(angle, offset)) return *found;
+  const double by_sign = by_bracket(angle).value_or(0);
+  return {by_sign, at(angle, by_sign)};
+}
+
+double GeodesicBisector::nearer_to_second(Point p) const {
+  return geodesic_distance(first_, p) - geodesic_distance(second_, p);
+}
+
+std::optional<BisectorPoint> GeodesicBisector::by_newton(double angle, double offset) const {
+  constexpr int most_steps = 8;
+  for (int i = 0; i < most_steps; ++i) {
+    const Direction here = arc_.at(angle, offset);
+    const Point p = from_sphere(here);
+    const Arrival from_first = arrival(first_, p);
+    const Arrival from_second = arrival(second_, p);
+    if (from_first.distance > antipodal) return {};
+    const double difference = from_first.distance - from_second.distance;
+    const Step across = east_and_north(here, arc_.across(angle, offset));
+    const double growth = (from_first.east - from_second.east) * across.east +
+                          (from_first.north - from_second.north) * across.north;
+    const double scale = scale_at(p, here);
+    const double step = -difference / (growth * scale);
+    if (!(growth > 0) || !(std::abs(offset + step) * mean_radius <= farthest)) return {};
+    const double uncertainty = distance_noise / (growth * scale);
+    if (std::abs(difference) <= distance_noise) return BisectorPoint{offset, p, true, uncertainty};
+    offset += step;
+    // What is left is of the second order.
+    const double length = step * scale;
+    if (length * length <= finest_step * growth * from_first.distance)
+      return BisectorPoint{offset, at(angle, offset), true, uncertainty};
+  }
+  return {};
+}
+
+// To either side of the great circle, until the difference changes its sign.
+std::optional<double> GeodesicBisector::by_bracket(double angle) const {
+  constexpr double first_reach = 500 / mean_radius;
+  constexpr double last_reach = 200e3 / mean_radius;
+  const auto sample_at = [&](double offset) {
+    return Sample{offset, nearer_to_second(at(angle, offset))};
+  };
+  const Sample middle = sample_at(0);
+  if (middle.value == 0) return 0;
+  for (double reach = first_reach; reach <= last_reach; reach *= 2) {
+    for (const double offset : {reach, -reach}) {
+      const Sample end = sample_at(offset);
+      if (std::signbit(end.value) == std::signbit(middle.value) && end.value != 0) continue;
+      return change_of_sign(middle, end, [&](double at) { return sample_at(at).value; });
+    }
+  }
+  return {};
+}
+
+}  // namespace thiessen
