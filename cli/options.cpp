@@ -143,15 +143,18 @@ ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
 void GapOptions::add_to(CLI::App& app) {
   app.option_defaults()->group("Method");
   add_choice<Gaps>(
-      app, "--gaps", gaps,
+      app, "--gaps", settings_.gaps,
       {{"retessellate", Gaps::retessellate},
        {"renormalise", Gaps::renormalise},
        {"strict", Gaps::strict}},
       "retessellate|renormalise|strict",
       "what a step with silent gauges gets: the cells of the gauges that report (default), the "
       "full network's weights scaled to them, or no value");
-  add_count(app, "--min-gauges", min_gauges, 1, 1'000'000'000,
+  add_count(app, "--min-gauges", settings_.min_gauges, 1, 1'000'000'000,
             "leave a value empty where fewer gauges weigh; default 1");
+  add_count(app, "--cache", cache_, 0, 1'000'000,
+            "MB of memory for what silent gauges' neighbours take over; default 256. It changes "
+            "no value");
 }
 
 void RainFormatOptions::add_to(CLI::App& app) {

@@ -56,10 +56,16 @@ struct RainfallOptions {
 
 /// How steps with silent gauges are treated.
 struct GapOptions {
-  Gaps gaps = Gaps::retessellate;
-  std::size_t min_gauges = 1;
-
   void add_to(CLI::App& app);
+  ArealRainfallSettings settings() const {
+    ArealRainfallSettings settings = settings_;
+    settings.remembered_bytes = cache_ << 20U;
+    return settings;
+  }
+
+ private:
+  ArealRainfallSettings settings_;
+  std::size_t cache_ = 256;  // MB
 };
 
 /// How rain.csv looks.

@@ -31,8 +31,9 @@ class RainCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     Session session(study_, 0, warnings);
     const auto readings = session.open_readings(study_, rainfall_, warnings);
-    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges,
-                                 ArealRainfall::usual_memory,
+    ArealRainfallSettings settings = gaps_.settings();
+    settings.accounts = format_.format().rows_for_basins;
+    const ArealRainfall rainfall(session.weighing(), settings,
                                  static_cast<unsigned>(common_.threads));
     RainFile series(file, session.basins(), format_.format());
     Progress progress("time steps", common_.quiet);

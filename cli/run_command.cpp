@@ -47,9 +47,9 @@ class RunCommand : public Command {
 
     Session session(study_, 0, warnings);
     const auto readings = session.open_readings(study_, rainfall_, warnings);
-    const ArealRainfall rainfall(session.weighing(), gaps_.gaps, gaps_.min_gauges,
-                                 ArealRainfall::usual_memory,
-                                 static_cast<unsigned>(common_.threads));
+    ArealRainfallSettings settings = gaps_.settings();
+    settings.accounts = format_.format().rows_for_basins;
+    const ArealRainfall rainfall(session.weighing(), settings, threads);
     write_weights(weights_file, session.weighing(), rainfall.full_weights(), session.area_unit());
 
     RainFile series(rain_file, session.basins(), format_.format());

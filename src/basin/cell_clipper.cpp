@@ -1,6 +1,9 @@
 #include "basin/cell_clipper.h"
 
 #include <algorithm>
+#include <map>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "basin/ring_linking.h"
@@ -41,6 +44,28 @@ void cancel_opposite_pieces(std::vector<BoundaryPiece>& pieces) {
     }
   }
   pieces = std::move(kept);
+}
+
+/// For each ring and edge of a shape the bulge of the piece that it came from.
+std::vector<std::vector<double>> bulges_of(const MultiPolygon& shape,
+                                           std::span<const BoundaryPiece> pieces) {
+  std::map<std::pair<Point, Point>, double> bulge;
+  for (const BoundaryPiece& piece : pieces) {
+    if (piece.bulge != 0) bulge[{piece.from, piece.to}] = piece.bulge;
+  }
+  std::vector<std::vector<double>> bulges;
+  const auto add = [&](const Ring& ring) {
+    std::vector<double>& of_ring = bulges.emplace_back(ring.size(), 0);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto found = bulge.find({ring[i], ring[(i + 1) % ring.size()]});
+      if (found != bulge.end()) of_ring[i] = found->second;
+    }
+  };
+  for (const Polygon& part : shape) {
+    add(part.outer);
+    for (const Ring& hole : part.holes) add(hole);
+  }
+  return bulges;
 }
 
 }  // namespace
@@ -124,9 +149,12 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
     for (; end < cut.pieces.size() && cut.pieces[end].place == place; ++end) {
       edges.push_back({cut.pieces[end].from, cut.pieces[end].to});
     }
+    const std::span pieces(cut.pieces.data() + first, end - first);
     first = end;
     const double area = area_[index(place)].value();
-    if (area > smallest) cells.push_back({place, area, link_rings(std::move(edges))});
+    if (area <= smallest) continue;
+    cells.push_back({place, area, link_rings(std::move(edges)), {}});
+    if (!basin.bulges.empty()) cells.back().bulges = bulges_of(cells.back().shape, pieces);
   }
   return cells;
 }

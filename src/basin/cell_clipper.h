@@ -19,6 +19,7 @@ struct ClippedCell {
   PlaceIndex place;
   double area;
   MultiPolygon shape;
+  std::vector<std::vector<double>> bulges;  ///< of the basin's edges in it: see Basin::bulges
 };
 
 /// The basin's area. Requires a basin whose rings run as Polygon says.

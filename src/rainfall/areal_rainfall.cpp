@@ -1,7 +1,9 @@
 #include "rainfall/areal_rainfall.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "geometry/long_sum.h"
 
@@ -9,13 +11,6 @@ namespace thiessen {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
-std::size_t bytes_of(const std::vector<BasinWeights>& weights) {
-  std::size_t bytes = weights.size() * sizeof(BasinWeights);
-  for (const BasinWeights& basin : weights)
-    bytes += basin.stations.capacity() * sizeof(StationWeight);
-  return bytes;
-}
 
 double coverage(const BasinWeights& full, std::span<const double> readings) {
   LongSum sum;
@@ -32,37 +27,106 @@ double coverage(const BasinWeights& full, std::span<const double> readings) {
 
 }  // namespace
 
-ArealRainfall::ArealRainfall(const Weighing& weighing, Gaps gaps, std::size_t min_gauges,
-                             std::size_t remembered_bytes, unsigned threads)
-    : weighing_(weighing),
-      gaps_(gaps),
-      min_gauges_(min_gauges),
-      remembered_bytes_(remembered_bytes),
-      full_(weighing.weights(std::vector<bool>(weighing.network().stations().size(), true),
-                             threads)) {}
-
-ArealRainfall::Weights ArealRainfall::weights_of(const std::vector<bool>& reports) const {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto found = remembered_.find(reports);
-    if (found != remembered_.end()) return found->second;
+ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings,
+                             unsigned threads)
+    : weighing_(weighing), settings_(settings) {
+  if (settings.gaps == Gaps::retessellate) {
+    handovers_ = std::make_unique<const Handovers>(weighing, threads);
+    remembered_ = std::make_unique<HandoverCache>(*handovers_, settings.remembered_bytes);
+    full_ = handovers_->full_weights();
+  } else {
+    full_ =
+        weighing.weights(std::vector<bool>(weighing.network().stations().size(), true), threads);
   }
-  auto weights = std::make_shared<const std::vector<BasinWeights>>(weighing_.weights(reports, 1));
-  const std::size_t bytes = bytes_of(*weights) + reports.size() / 8;
-  const std::lock_guard lock(mutex_);
-  if (bytes_ + bytes <= remembered_bytes_ && remembered_.emplace(reports, weights).second)
-    bytes_ += bytes;
+}
+
+std::size_t ArealRainfall::reporting_in(PlaceIndex cell, std::span<const double> readings) const {
+  const auto& stations = handovers_->cells().stations_of(cell);
+  return static_cast<std::size_t>(
+      std::count_if(stations.begin(), stations.end(),
+                    [&](StationIndex s) { return !std::isnan(readings[index(s)]); }));
+}
+
+ArealRainfall::State ArealRainfall::state_of(std::span<const double> readings) const {
+  const NetworkCells& cells = handovers_->cells();
+  State state;
+  state.of_cell.assign(handovers_->adjacency().cells(), no_value);
+  std::vector<PlaceIndex> silent;
+  for (std::uint32_t p = 0; p < state.of_cell.size(); ++p) {
+    const auto& stations = cells.stations_of(PlaceIndex{p});
+    if (stations.empty()) continue;
+    LongSum sum;
+    std::size_t count = 0;
+    for (const StationIndex s : stations) {
+      const double reading = readings[index(s)];
+      if (std::isnan(reading)) continue;
+      sum.add(reading);
+      ++count;
+    }
+    if (count == 0) {
+      silent.push_back(PlaceIndex{p});
+    } else {
+      state.of_cell[p] = sum.value() / static_cast<double>(count);
+      state.any = true;
+    }
+  }
+  if (!state.any) return state;
+  for (const auto& component : components_of(silent, handovers_->adjacency()))
+    state.handovers.push_back(remembered_->of(component));
+  return state;
+}
+
+std::vector<BasinRainfall> ArealRainfall::retessellated(std::span<const double> readings) const {
+  const State state = state_of(readings);
+  std::vector<LongSum> sums(full_.size());
+  for (const CellWeight& full : handovers_->full()) {
+    const double reading = state.of_cell[index(full.cell)];
+    if (!std::isnan(reading)) sums[full.basin].add(full.weight * reading);
+  }
+  for (const auto& handover : state.handovers) {
+    for (const CellWeight& share : *handover)
+      sums[share.basin].add(share.weight * state.of_cell[index(share.cell)]);
+  }
+  std::vector<BasinRainfall> result;
+  result.reserve(sums.size());
+  for (const LongSum& sum : sums) result.push_back({state.any ? sum.value() : no_value, 0, 0});
+  if (settings_.accounts || settings_.min_gauges > 1) count_gauges(state, readings, result);
+  return result;
+}
+
+// The weights of those that report, by basin, then by cell.
+std::vector<CellWeight> ArealRainfall::weights_of(const State& state) const {
+  std::vector<CellWeight> weights;
+  for (const CellWeight& full : handovers_->full()) {
+    if (!std::isnan(state.of_cell[index(full.cell)])) weights.push_back(full);
+  }
+  for (const auto& handover : state.handovers)
+    weights.insert(weights.end(), handover->begin(), handover->end());
+  std::stable_sort(weights.begin(), weights.end(), [](const CellWeight& a, const CellWeight& b) {
+    return std::pair(a.basin, a.cell) < std::pair(b.basin, b.cell);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < weights.size();) {
+    CellWeight& whole = weights[kept++];
+    LongSum sum;
+    const CellWeight first = weights[i];
+    for (; i < weights.size() && weights[i].basin == first.basin && weights[i].cell == first.cell;
+         ++i) {
+      sum.add(weights[i].weight);
+    }
+    whole = {first.basin, first.cell, sum.value()};
+  }
+  weights.resize(kept);
   return weights;
 }
 
-BasinRainfall ArealRainfall::retessellated(const BasinWeights& weights,
-                                           std::span<const double> readings) const {
-  BasinRainfall result{0, weights.stations.size(), 0};
-  LongSum sum;
-  for (const StationWeight& s : weights.stations) sum.add(s.weight * readings[index(s.station)]);
-  result.rainfall = sum.value();
-  if (result.gauges == 0 || result.gauges < min_gauges_) result.rainfall = no_value;
-  return result;
+void ArealRainfall::count_gauges(const State& state, std::span<const double> readings,
+                                 std::vector<BasinRainfall>& result) const {
+  for (const CellWeight& w : weights_of(state))
+    result[w.basin].gauges += reporting_in(w.cell, readings);
+  for (BasinRainfall& basin : result) {
+    if (basin.gauges < settings_.min_gauges) basin.rainfall = no_value;
+  }
 }
 
 BasinRainfall ArealRainfall::from_full_network(const BasinWeights& weights,
@@ -79,32 +143,53 @@ BasinRainfall ArealRainfall::from_full_network(const BasinWeights& weights,
   }
   const bool complete = result.gauges == weights.stations.size();
   result.rainfall = complete ? sum.value() : sum.value() / reporting.value();
-  const bool refused = gaps_ == Gaps::strict && !complete;
-  if (result.gauges == 0 || result.gauges < min_gauges_ || refused) result.rainfall = no_value;
+  const bool refused = settings_.gaps == Gaps::strict && !complete;
+  if (result.gauges == 0 || result.gauges < settings_.min_gauges || refused)
+    result.rainfall = no_value;
   return result;
 }
 
 std::vector<BasinRainfall> ArealRainfall::at(std::span<const double> readings) const {
-  Weights retessellation;
-  if (gaps_ == Gaps::retessellate) {
-    std::vector<bool> reports(readings.size());
-    bool all = true;
-    for (std::size_t i = 0; i < readings.size(); ++i) {
-      reports[i] = !std::isnan(readings[i]);
-      all = all && reports[i];
-    }
-    if (!all) retessellation = weights_of(reports);
-  }
   std::vector<BasinRainfall> result;
-  result.reserve(full_.size());
-  for (std::size_t b = 0; b < full_.size(); ++b) {
-    const bool from_full = gaps_ != Gaps::retessellate;
-    const BasinWeights& weights = retessellation ? (*retessellation)[b] : full_[b];
-    result.push_back(from_full ? from_full_network(weights, readings)
-                               : retessellated(weights, readings));
-    result.back().coverage = coverage(full_[b], readings);
+  if (settings_.gaps == Gaps::retessellate) {
+    result = retessellated(readings);
+  } else {
+    for (const BasinWeights& weights : full_)
+      result.push_back(from_full_network(weights, readings));
   }
+  for (std::size_t b = 0; settings_.accounts && b < full_.size(); ++b)
+    result[b].coverage = coverage(full_[b], readings);
   return result;
+}
+
+std::vector<BasinWeights> ArealRainfall::weights_at(std::span<const double> readings) const {
+  std::vector<BasinWeights> weights(full_.size());
+  for (std::size_t b = 0; b < full_.size(); ++b) weights[b].area = full_[b].area;
+  const auto reports = [&](StationIndex s) { return !std::isnan(readings[index(s)]); };
+  if (settings_.gaps == Gaps::retessellate) {
+    for (const CellWeight& w : weights_of(state_of(readings))) {
+      std::vector<StationIndex> stations = handovers_->cells().stations_of(w.cell);
+      std::erase_if(stations, [&](StationIndex s) { return !reports(s); });
+      add_shares(weights[w.basin], stations, w.weight * weights[w.basin].area);
+    }
+    for (BasinWeights& basin : weights) sort_by_station(basin.stations);
+  } else {
+    for (std::size_t b = 0; b < full_.size(); ++b) {
+      LongSum reporting;
+      for (const StationWeight& s : full_[b].stations) {
+        if (!reports(s.station)) continue;
+        weights[b].stations.push_back(s);
+        reporting.add(s.weight);
+      }
+      if (weights[b].stations.size() == full_[b].stations.size()) continue;
+      for (StationWeight& s : weights[b].stations) s.weight /= reporting.value();
+    }
+  }
+  const std::vector<BasinRainfall> values = at(readings);
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    if (std::isnan(values[b].rainfall)) weights[b].stations.clear();
+  }
+  return weights;
 }
 
 }  // namespace thiessen

@@ -2,11 +2,11 @@
 
 #include <cstddef>
 #include <memory>
-#include <mutex>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
+#include "rainfall/handover.h"
+#include "rainfall/handover_cache.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {
@@ -25,16 +25,20 @@ struct BasinRainfall {
   double coverage;     ///< share of the basin that the full network gives to gauges that report
 };
 
-/// Turns readings into areal rainfall. Safe for several threads at once. Weights of a set of
-/// reporting gauges are remembered as long as they fit into `remembered_bytes`, the sets seen
-/// first. Cost of a step: its gauges and the weights; for a new set of reporting gauges also
-/// Weighing::weights.
+struct ArealRainfallSettings {
+  Gaps gaps = Gaps::retessellate;
+  std::size_t min_gauges = 1;  ///< fewer that weigh give no value
+  bool accounts = true;        ///< whether `gauges` and `coverage` are wanted, else they are 0
+  std::size_t remembered_bytes = std::size_t{256} << 20;  ///< of handovers
+};
+
+/// Turns readings into areal rainfall. Safe for several threads at once. What it gives depends on
+/// the readings alone, not on what it remembers. Cost of a step: its gauges, the full network's
+/// weights and the silent cells' neighbours; for each component of silent cells that is not
+/// remembered also Handovers::of.
 class ArealRainfall {
  public:
-  static constexpr std::size_t usual_memory = std::size_t{256} << 20;
-
-  ArealRainfall(const Weighing& weighing, Gaps gaps, std::size_t min_gauges,
-                std::size_t remembered_bytes = usual_memory, unsigned threads = 1);
+  ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);
 
   /// The full network's weights.
   const std::vector<BasinWeights>& full_weights() const { return full_; }
@@ -42,27 +46,32 @@ class ArealRainfall {
   /// By basin. `readings`: one a station, NaN where it is silent.
   std::vector<BasinRainfall> at(std::span<const double> readings) const;
 
+  /// By basin, with what weights: a basin without a value has none. The sum of weight x reading is
+  /// the value, to rounding.
+  std::vector<BasinWeights> weights_at(std::span<const double> readings) const;
+
  private:
-  using Weights = std::shared_ptr<const std::vector<BasinWeights>>;
-  struct BitsHash {
-    std::size_t operator()(const std::vector<bool>& bits) const {
-      return std::hash<std::vector<bool>>{}(bits);
-    }
+  /// What the cells read and hand over at one time.
+  struct State {
+    std::vector<double> of_cell;  ///< the mean of those in the cell that report; NaN: none does
+    std::vector<std::shared_ptr<const Handover>> handovers;
+    bool any = false;
   };
 
-  Weights weights_of(const std::vector<bool>& reports) const;
-  BasinRainfall retessellated(const BasinWeights& weights, std::span<const double> readings) const;
+  State state_of(std::span<const double> readings) const;
+  std::vector<BasinRainfall> retessellated(std::span<const double> readings) const;
+  void count_gauges(const State& state, std::span<const double> readings,
+                    std::vector<BasinRainfall>& result) const;
+  std::vector<CellWeight> weights_of(const State& state) const;
+  std::size_t reporting_in(PlaceIndex cell, std::span<const double> readings) const;
   BasinRainfall from_full_network(const BasinWeights& weights,
                                   std::span<const double> readings) const;
 
   const Weighing& weighing_;
-  Gaps gaps_;
-  std::size_t min_gauges_;
-  std::size_t remembered_bytes_;
+  ArealRainfallSettings settings_;
+  std::unique_ptr<const Handovers> handovers_;  // to retessellate
+  mutable std::unique_ptr<HandoverCache> remembered_;
   std::vector<BasinWeights> full_;
-  mutable std::mutex mutex_;
-  mutable std::size_t bytes_ = 0;
-  mutable std::unordered_map<std::vector<bool>, Weights, BitsHash> remembered_;
 };
 
 }  // namespace thiessen

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "rainfall/network_cells.h"
 
 namespace thiessen {
 namespace {
@@ -19,56 +20,12 @@ Box box_of_all(const std::vector<Basin>& basins) {
   return box;
 }
 
-template <typename Part>
-void sort_by_station(std::vector<Part>& parts) {
-  std::sort(parts.begin(), parts.end(),
-            [](const Part& a, const Part& b) { return a.station < b.station; });
-}
-
 }  // namespace
 
-/// The places at which a station reports, and their diagram.
-class Weighing::Reporting {
- public:
-  Reporting(const Weighing& weighing, const std::vector<bool>& reports, unsigned threads)
-      : network_(weighing.network_) {
-    std::vector<Point> positions;
-    for (std::uint32_t p = 0; p < network_.places().size(); ++p) {
-      std::vector<StationIndex> here;
-      for (const StationIndex s : network_.stations_at(PlaceIndex{p})) {
-        if (reports[index(s)]) here.push_back(s);
-      }
-      if (here.empty()) continue;
-      positions.push_back(network_.places()[p]);
-      stations_.push_back(std::move(here));
-    }
-    if (positions.empty()) return;
-    diagram_ = weighing.ground_.diagram(positions, weighing.frame_, threads);
-    share_cells();
-  }
-
-  bool any() const { return !stations_.empty(); }
-  const Diagram& diagram() const { return diagram_; }
-  /// The stations that share the cell, in file order.
-  const std::vector<StationIndex>& stations_of(PlaceIndex cell) const {
-    return stations_[index(cell)];
-  }
-
- private:
-  // Places that rounding cannot tell apart have one cell together.
-  void share_cells() {
-    for (std::size_t p = 0; p < stations_.size(); ++p) {
-      const std::size_t cell = index(diagram_.cell_of[p]);
-      if (cell == p) continue;
-      stations_[cell].insert(stations_[cell].end(), stations_[p].begin(), stations_[p].end());
-      std::sort(stations_[cell].begin(), stations_[cell].end());
-    }
-  }
-
-  const Network& network_;
-  Diagram diagram_;
-  std::vector<std::vector<StationIndex>> stations_;  // by cell
-};
+void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area) {
+  const double share = area / static_cast<double>(stations.size());
+  for (const StationIndex s : stations) basin.stations.push_back({s, share, share / basin.area});
+}
 
 Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, const Ground& ground)
     : network_(network),
@@ -84,7 +41,7 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, con
 template <typename Take>
 void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads,
                               const Take& take) const {
-  const Reporting reporting(*this, reports, threads);
+  const NetworkCells reporting(network_, reports, ground_, frame_, threads);
   if (!reporting.any()) return;
   std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
@@ -99,13 +56,9 @@ std::vector<BasinWeights> Weighing::weights(const std::vector<bool>& reports,
   std::vector<BasinWeights> all(basins_.size());
   for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
   for_each_basin(reports, threads,
-                 [&](std::size_t b, CellClipper& clipper, const Reporting& reporting) {
-                   for (const CellShare& share : clipper.shares(basins_[b])) {
-                     const auto& stations = reporting.stations_of(share.place);
-                     const double area = share.area / static_cast<double>(stations.size());
-                     for (const StationIndex s : stations)
-                       all[b].stations.push_back({s, area, area / areas_[b]});
-                   }
+                 [&](std::size_t b, CellClipper& clipper, const NetworkCells& reporting) {
+                   for (const CellShare& share : clipper.shares(basins_[b]))
+                     add_shares(all[b], reporting.stations_of(share.place), share.area);
                    sort_by_station(all[b].stations);
                  });
   return all;
@@ -115,7 +68,7 @@ std::vector<std::vector<StationCell>> Weighing::cells(const std::vector<bool>& r
                                                       unsigned threads) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
   for_each_basin(reports, threads,
-                 [&](std::size_t b, CellClipper& clipper, const Reporting& reporting) {
+                 [&](std::size_t b, CellClipper& clipper, const NetworkCells& reporting) {
                    for (const ClippedCell& cell : clipper.cells(basins_[b])) {
                      const auto& stations = reporting.stations_of(cell.place);
                      const double area = cell.area / static_cast<double>(stations.size());

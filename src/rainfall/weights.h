@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "basin/basin.h"
@@ -23,6 +26,15 @@ struct BasinWeights {
   std::vector<StationWeight> stations;
 };
 
+/// Adds a cell's area in equal shares to the stations that share it.
+void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area);
+
+template <typename Part>
+void sort_by_station(std::vector<Part>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return a.station < b.station; });
+}
+
 /// A station's cell within a basin.
 struct StationCell {
   StationIndex station;
@@ -41,6 +53,7 @@ class Weighing {
   const std::vector<Basin>& basins() const { return basins_; }
   const Ground& ground() const { return ground_; }
   const Box& frame() const { return frame_; }
+  const Surface& surface() const { return *surface_; }
   double basin_area(std::size_t basin) const { return areas_[basin]; }
 
   /// The weights in every basin, by basin. `reports` has one entry a station; a place whose
@@ -54,8 +67,6 @@ class Weighing {
                                               unsigned threads) const;
 
  private:
-  class Reporting;
-
   template <typename Take>
   void for_each_basin(const std::vector<bool>& reports, unsigned threads, const Take& take) const;
 

@@ -132,7 +132,7 @@ void rainfall_step(benchmark::State& state, std::size_t remembered_bytes) {
   const Study study = random_study(400, 60, 50, true);
   const Network network(study.stations, Metric::geodesic);
   const Weighing weighing(network, study.basins, Ground{Metric::geodesic, 1, 0.1});
-  const ArealRainfall rainfall(weighing, Gaps::retessellate, 1, remembered_bytes);
+  const ArealRainfall rainfall(weighing, {Gaps::retessellate, 1, true, remembered_bytes}, 1);
   std::vector<double> readings(400, 1.5);
   for (std::size_t i = 0; i < readings.size(); i += 3) readings[i] = std::nan("");
   for (auto _ : state) benchmark::DoNotOptimize(rainfall.at(readings));

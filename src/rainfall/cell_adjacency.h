@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "tessellation/diagram.h"
+
+namespace thiessen {
+
+/// Which cells of a diagram are next to each other. Memory: 4 bytes a pair and direction.
+class CellAdjacency {
+ public:
+  explicit CellAdjacency(const Diagram& diagram);
+
+  std::size_t cells() const { return first_.size() - 1; }
+  /// In rising order; none for a place without a cell of its own.
+  std::span<const PlaceIndex> neighbours(PlaceIndex cell) const {
+    return std::span(neighbours_)
+        .subspan(first_[index(cell)], first_[index(cell) + 1] - first_[index(cell)]);
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<PlaceIndex> neighbours_;
+};
+
+/// Some cells' connected components, each in rising order, and they in the order of their first.
+/// `cells`: in rising order. Cost: the cells' neighbours.
+std::vector<std::vector<PlaceIndex>> components_of(std::span<const PlaceIndex> cells,
+                                                   const CellAdjacency& adjacency);
+
+}  // namespace thiessen

@@ -1,0 +1,72 @@
+#include "rainfall/handover_cache.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace thiessen {
+namespace {
+
+// A node, a bucket, the counters of the pointer.
+constexpr std::size_t bytes_of_an_entry = 160;
+
+std::size_t bytes_of(std::span<const PlaceIndex> component, const Handover& handover) {
+  return bytes_of_an_entry + component.size_bytes() + handover.capacity() * sizeof(CellWeight);
+}
+
+}  // namespace
+
+HandoverCache::HandoverCache(const Handovers& handovers, std::size_t bytes)
+    : handovers_(handovers), generation_bytes_(bytes / shard_count / 2) {}
+
+std::size_t HandoverCache::Hash::operator()(std::span<const PlaceIndex> component) const {
+  std::uint64_t hash = component.size();
+  for (const PlaceIndex cell : component) {
+    hash = (hash ^ index(cell)) * 0x9E3779B97F4A7C15u;
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+bool HandoverCache::Equal::operator()(std::span<const PlaceIndex> a,
+                                      std::span<const PlaceIndex> b) const {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+
+std::shared_ptr<const Handover> HandoverCache::of(std::span<const PlaceIndex> component) {
+  Shard& shard = shards_[(Hash{}(component) >> 32) % shard_count];
+  {
+    const std::lock_guard lock(shard.mutex);
+    if (auto found = find(shard, component)) return found;
+  }
+  auto handover = std::make_shared<const Handover>(handovers_.of(component));
+  const std::lock_guard lock(shard.mutex);
+  keep(shard, component, handover);
+  return handover;
+}
+
+std::shared_ptr<const Handover> HandoverCache::find(Shard& shard,
+                                                    std::span<const PlaceIndex> component) {
+  const auto young = shard.young.find(component);
+  if (young != shard.young.end()) return young->second;
+  const auto old = shard.old.find(component);
+  if (old == shard.old.end()) return nullptr;
+  const auto handover = old->second;
+  shard.old.erase(old);
+  keep(shard, component, handover);
+  return handover;
+}
+
+void HandoverCache::keep(Shard& shard, std::span<const PlaceIndex> component,
+                         const std::shared_ptr<const Handover>& handover) {
+  const std::size_t bytes = bytes_of(component, *handover);
+  if (bytes > generation_bytes_) return;
+  if (shard.young_bytes + bytes > generation_bytes_) {
+    shard.old = std::move(shard.young);
+    shard.young.clear();
+    shard.young_bytes = 0;
+  }
+  if (shard.young.emplace(Component(component.begin(), component.end()), handover).second)
+    shard.young_bytes += bytes;
+}
+
+}  // namespace thiessen
