@@ -1,9 +1,15 @@
+#include <optional>
+#include <string>
+
 #include "base/outputs.h"
 #include "cli/commands.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/session.h"
 #include "io/rain_file.h"
+#include "io/weights_log.h"
+#include "rainfall/gauge_patterns.h"
 
 namespace thiessen::cli {
 namespace {
@@ -23,25 +29,44 @@ class RainCommand : public Command {
     format_.add_to(app);
     output_.add_to(app, Need::optional, "rain.csv",
                    "where the series goes; default standard output");
+    add_text(app, "--weights-log", weights_log_, "FILE",
+             "the account: CSV pattern,first_time,basin,station,weight, a block for each set of "
+             "reporting gauges; --long then has a column pattern");
     common_.add_to(app);
   }
 
   void run(Warnings& warnings) override {
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
+    OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
+    const auto threads = static_cast<unsigned>(common_.threads);
     Session session(study_, 0, warnings);
     const auto readings = session.open_readings(study_, rainfall_, warnings);
+    RainFormat format = format_.format();
+    format.patterns = log_file != nullptr;
     ArealRainfallSettings settings = gaps_.settings();
-    settings.accounts = format_.format().rows_for_basins;
-    const ArealRainfall rainfall(session.weighing(), settings,
-                                 static_cast<unsigned>(common_.threads));
-    RainFile series(file, session.basins(), format_.format());
+    settings.accounts = format.rows_for_basins;
+    const ArealRainfall rainfall(session.weighing(), settings, threads);
+    RainFile series(file, session.basins(), format);
+    std::optional<WeightsLog> log;
+    if (log_file != nullptr) log.emplace(*log_file, session.weighing());
+    GaugePatterns patterns;
     Progress progress("time steps", common_.quiet);
-    for_each_step(*readings, rainfall, static_cast<unsigned>(common_.threads),
-                  [&](const RainStep& step) {
-                    series.add(step);
-                    progress.advance();
-                  });
+    for_each_step(
+        *readings, rainfall, {threads},
+        [&](RainStep& step) {
+          if (!log) step.text = series.text_of(step);
+        },
+        [&](const RainStep& step) {
+          if (log) {
+            const auto [number, is_fresh] = patterns.of(step.readings);
+            if (is_fresh) log->add(number, step.time, rainfall.weights_at(step.readings));
+            series.append(series.text_of(step, number));
+          } else {
+            series.append(step.text);
+          }
+          progress.advance();
+        });
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
@@ -52,6 +77,7 @@ class RainCommand : public Command {
   GapOptions gaps_;
   RainFormatOptions format_;
   OutputOptions output_;
+  std::string weights_log_;
   CommonOptions common_;
 };
 

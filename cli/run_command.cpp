@@ -57,12 +57,14 @@ class RunCommand : public Command {
     Summary summary(session, rainfall.full_weights());
     {
       Progress progress("time steps", common_.quiet);
-      for_each_step(*readings, rainfall, threads, [&](const RainStep& step) {
-        series.add(step);
-        means.add(step.readings);
-        summary.add(step);
-        progress.advance();
-      });
+      for_each_step(
+          *readings, rainfall, {threads}, [&](RainStep& step) { step.text = series.text_of(step); },
+          [&](const RainStep& step) {
+            series.append(step.text);
+            means.add(step.readings);
+            summary.add(step);
+            progress.advance();
+          });
     }
     const GaugeReadings mean = means.result();
     const auto cells = cells_of(session, &mean, threads);

@@ -10,47 +10,46 @@ namespace thiessen {
 RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format)
     : file_(file), basins_(basins), format_(format) {
   if (format_.rows_for_basins) {
-    file_.append("time,basin,rainfall,gauges,coverage\n");
+    file_.append(format_.patterns ? "time,basin,rainfall,gauges,coverage,pattern\n"
+                                  : "time,basin,rainfall,gauges,coverage\n");
     return;
   }
-  row_ = "time";
+  std::string row = "time";
   for (const Basin& basin : basins_) {
-    row_ += ',';
-    append_csv_field(row_, basin.id);
+    row += ',';
+    append_csv_field(row, basin.id);
   }
-  row_ += '\n';
-  file_.append(row_);
+  row += '\n';
+  file_.append(row);
 }
 
-void RainFile::add(const RainStep& step) {
-  if (format_.rows_for_basins) {
-    add_row_for_each_basin(step);
-    return;
-  }
-  row_.clear();
-  append_csv_field(row_, step.time);
+std::string RainFile::text_of(const RainStep& step, std::size_t pattern) const {
+  if (format_.rows_for_basins) return row_for_each_basin(step, pattern);
+  std::string row;
+  append_csv_field(row, step.time);
   for (const BasinRainfall& basin : step.basins) {
-    row_ += ',';
-    if (!std::isnan(basin.rainfall)) append_fixed(row_, basin.rainfall, format_.decimals);
+    row += ',';
+    if (!std::isnan(basin.rainfall)) append_fixed(row, basin.rainfall, format_.decimals);
   }
-  row_ += '\n';
-  file_.append(row_);
+  row += '\n';
+  return row;
 }
 
-void RainFile::add_row_for_each_basin(const RainStep& step) {
+std::string RainFile::row_for_each_basin(const RainStep& step, std::size_t pattern) const {
+  std::string rows;
   for (std::size_t b = 0; b < step.basins.size(); ++b) {
     const BasinRainfall& basin = step.basins[b];
-    row_.clear();
-    append_csv_field(row_, step.time);
-    row_ += ',';
-    append_csv_field(row_, basins_[b].id);
-    row_ += ',';
-    if (!std::isnan(basin.rainfall)) append_fixed(row_, basin.rainfall, format_.decimals);
-    row_ += ',' + std::to_string(basin.gauges) + ',';
-    append_shortest(row_, basin.coverage);
-    row_ += '\n';
-    file_.append(row_);
+    append_csv_field(rows, step.time);
+    rows += ',';
+    append_csv_field(rows, basins_[b].id);
+    rows += ',';
+    if (!std::isnan(basin.rainfall)) append_fixed(rows, basin.rainfall, format_.decimals);
+    rows += ',' + std::to_string(basin.gauges) + ',';
+    append_shortest(rows, basin.coverage);
+    if (format_.patterns) rows += ',' + std::to_string(pattern);
+    rows += '\n';
   }
+  return rows;
 }
 
 }  // namespace thiessen

@@ -12,23 +12,25 @@ namespace thiessen {
 struct RainFormat {
   bool rows_for_basins = false;  ///< a row a basin and step (--long), and not a column a basin
   int decimals = 3;
+  bool patterns = false;  ///< rows for basins have a column `pattern`: see WeightsLog
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...`, or
-/// `time,basin,rainfall,gauges,coverage`. A value that cannot be had is empty.
+/// `time,basin,rainfall,gauges,coverage[,pattern]`. A value that cannot be had is empty.
 class RainFile {
  public:
   /// Writes the header. The file and the basins must outlive it.
   RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format);
-  void add(const RainStep& step);
+  /// A step's rows. Safe for several threads at once.
+  std::string text_of(const RainStep& step, std::size_t pattern = 0) const;
+  void append(std::string_view text) { file_.append(text); }
 
  private:
-  void add_row_for_each_basin(const RainStep& step);
+  std::string row_for_each_basin(const RainStep& step, std::size_t pattern) const;
 
   OutputFile& file_;
   const std::vector<Basin>& basins_;
   RainFormat format_;
-  std::string row_;
 };
 
 }  // namespace thiessen

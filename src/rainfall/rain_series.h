@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,12 +14,21 @@ struct RainStep {
   std::string time;
   std::vector<double> readings;       ///< by station; NaN where silent
   std::vector<BasinRainfall> basins;  ///< by basin
+  std::string text;                   ///< what `prepare` makes of it
 };
 
-/// Reads step after step, computes them on up to `threads` threads and hands them on in their
-/// order. Memory: a block of a few hundred steps, whatever their number. Throws what reading or
-/// `take` throws. Returns the number of steps.
-std::size_t for_each_step(Readings& readings, const ArealRainfall& rainfall, unsigned threads,
+/// How a series is computed: what comes out does not depend on it.
+struct SeriesWork {
+  unsigned threads = 1;
+  std::size_t steps_in_a_block = 256;  ///< of which two are in memory
+};
+
+/// Reads step after step, computes them and calls `prepare` for each on several threads, then hands
+/// them on to `take` in their order. With more threads than one it reads ahead. Memory: two blocks,
+/// whatever their number. Throws what reading, `prepare` or `take` throws. Returns the number of
+/// steps.
+std::size_t for_each_step(Readings& readings, const ArealRainfall& rainfall, const SeriesWork& work,
+                          const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take);
 
 }  // namespace thiessen

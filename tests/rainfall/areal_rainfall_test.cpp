@@ -187,6 +187,8 @@ TEST_F(RandomRainfall, retessellated_is_that_of_the_network_without_its_silent_g
   }
 }
 
+void ignore(RainStep&) {}
+
 class Table : public Readings {
  public:
   explicit Table(const std::vector<std::vector<double>>& steps) : steps_(steps) {}
@@ -206,15 +208,17 @@ TEST_F(RandomRainfall, series_comes_in_order_and_does_not_depend_on_the_number_o
   const Weighing weighing(*network_, basins_, plane);
   const auto steps = gappy_steps(seeded_, 61, 700);
   const ArealRainfall once(weighing, {}, 1);
-  for (const unsigned threads : {1u, 3u, 8u}) {
-    const ArealRainfall rainfall(weighing, {}, 1);
+  for (const SeriesWork work : {SeriesWork{1, 256}, SeriesWork{2, 1}, SeriesWork{7, 100}}) {
+    const std::size_t cache = 100000 * work.threads - 100000;
+    const ArealRainfall rainfall(weighing, {Gaps::retessellate, 1, true, cache}, 1);
     Table table(steps);
     std::size_t next = 0;
-    const std::size_t count = for_each_step(table, rainfall, threads, [&](const RainStep& step) {
-      ASSERT_EQ(step.time, std::to_string(next));
-      expect_same(step.basins, once.at(steps[next]));
-      ++next;
-    });
+    const std::size_t count =
+        for_each_step(table, rainfall, work, ignore, [&](const RainStep& step) {
+          ASSERT_EQ(step.time, std::to_string(next));
+          expect_same(step.basins, once.at(steps[next]));
+          ++next;
+        });
     EXPECT_EQ(count, 700u);
     EXPECT_EQ(next, 700u);
   }
@@ -225,10 +229,11 @@ TEST_F(RandomRainfall, series_hands_on_what_its_taker_throws) {
   const ArealRainfall rainfall(weighing, {}, 1);
   const auto steps = gappy_steps(seeded_, 61, 10);
   Table table(steps);
-  EXPECT_THROW(for_each_step(table, rainfall, 2, [](const RainStep&) { throw 7; }), int);
+  EXPECT_THROW(for_each_step(table, rainfall, {2, 3}, ignore, [](const RainStep&) { throw 7; }),
+               int);
   const std::vector<std::vector<double>> none;
   Table empty(none);
-  EXPECT_EQ(for_each_step(empty, rainfall, 2, [](const RainStep&) {}), 0u);
+  EXPECT_EQ(for_each_step(empty, rainfall, {2, 3}, ignore, [](const RainStep&) {}), 0u);
 }
 
 }  // namespace
