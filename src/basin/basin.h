@@ -20,4 +20,9 @@ struct Basin {
   std::vector<std::vector<double>> bulges;
 };
 
+/// The share of an edge's bulge that lies before `along` (0 to 1 along its chord): a parabola's.
+constexpr double bulge_share(double along) {
+  return along * along * (3 - 2 * along);
+}
+
 }  // namespace thiessen

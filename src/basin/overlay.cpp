@@ -48,11 +48,6 @@ void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place,
   presence.emplace_back(place, step);
 }
 
-/// The share of a parabola's area over its chord that lies before `along`.
-double parabola_share(double along) {
-  return along * along * (3 - 2 * along);
-}
-
 /// Along an edge or a chord, from 0 to 1: what rounding may change in the place of a crossing.
 constexpr double rounding = 1e-9;
 
@@ -257,7 +252,7 @@ void Overlay::put_next_in_order(std::size_t next) {
 void Overlay::emit_edge_piece(const Edge& edge, double begin, Point from, double end, Point to) {
   if (from == to) return;
   const double bulge =
-      edge.bulge == 0 ? 0 : edge.bulge * (parabola_share(end) - parabola_share(begin));
+      edge.bulge == 0 ? 0 : edge.bulge * (bulge_share(end) - bulge_share(begin));
   for (const auto& [place, count] : presence_) {
     for (int i = 0; i < count; ++i) result_.pieces.push_back({place, from, to, bulge});
     for (int i = count; i < 0; ++i) result_.pieces.push_back({place, to, from, -bulge});

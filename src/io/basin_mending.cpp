@@ -1,21 +1,18 @@
 #include "io/basin_mending.h"
 
-#include <ogr_geometry.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
 
-#include "io/gdal_errors.h"
-#include "io/geometry_conversion.h"
+#include "base/number.h"
+#include "io/polygon_validity.h"
 #include "io/ring_direction.h"
 
 namespace thiessen {
 namespace {
 
+// Of the basin's area: what rounding may leave in dispute, and what a mending may.
 constexpr double same_area = 1e-9;
+constexpr double nearly_same_area = 1e-5;
 
 /// What was mended in a basin.
 struct Mended {
@@ -25,6 +22,7 @@ struct Mended {
   std::size_t parts = 0;
   std::size_t holes = 0;
   bool redrawn = false;
+  double disputed = 0;  ///< share of the area
 
   bool any() const { return repeated + spikes + open + parts + holes > 0 || redrawn; }
 };
@@ -43,7 +41,12 @@ std::string sentence(const Mended& mended, const std::string& reason) {
     what.push_back(counted(mended.parts, "part without area", "parts without area"));
   if (mended.holes > 0)
     what.push_back(counted(mended.holes, "hole without area", "holes without area"));
-  if (mended.redrawn) what.push_back("where it meets itself (" + reason + ")");
+  if (mended.redrawn && mended.disputed <= same_area) {
+    what.push_back("where it meets itself (" + reason + ")");
+  } else if (mended.redrawn) {
+    what.push_back("where it crosses itself (" + reason + "): each piece of ground counts once, " +
+                   fixed_text(100 * mended.disputed, 7) + " % of its area is in dispute");
+  }
   std::string text;
   for (std::size_t i = 0; i < what.size(); ++i) text += (i == 0 ? "" : ", ") + what[i];
   return text;
@@ -119,66 +122,6 @@ MultiPolygon cleaned(const MultiPolygon& raw, Mended& mended) {
   return shape;
 }
 
-double area(const MultiPolygon& shape) {
-  double sum = 0;
-  for (const Polygon& polygon : shape) {
-    sum += std::abs(signed_area(polygon.outer));
-    for (const Ring& hole : polygon.holes) sum -= std::abs(signed_area(hole));
-  }
-  return sum;
-}
-
-/// Empty where the shape is valid, else what GEOS finds wrong and where.
-std::string fault_of(const MultiPolygon& shape) {
-  const auto geometry = ogr_shape(shape);
-  const GdalErrors errors;
-  if (geometry->IsValid() != FALSE) return {};
-  std::string reason = errors.text();
-  for (char& c : reason) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return reason;
-}
-
-/// GEOS's two ways to a valid shape: `LINEWORK` is the even-odd rule for a single ring; `STRUCTURE`
-/// is the union of the shells less the union of the holes.
-MultiPolygon made_valid(const MultiPolygon& shape, const char* method) {
-  const std::string option = std::string("METHOD=") + method;
-  const char* options[] = {option.c_str(), nullptr};
-  const auto geometry = ogr_shape(shape);
-  const GdalErrors errors;
-  const std::unique_ptr<OGRGeometry> valid(geometry->MakeValid(options));
-  return valid ? polygons_of(*valid) : MultiPolygon{};
-}
-
-/// Whether a union covers as much as its rings together: then none of them overlap.
-bool disjoint(const MultiPolygon& rings, double tolerance) {
-  return fault_of(rings).empty() ||
-         std::abs(area(made_valid(rings, "STRUCTURE")) - area(rings)) <= tolerance;
-}
-
-/// Whether a ring goes round each of its points once, and never the other way.
-bool simple(const Polygon& ring, double tolerance) {
-  const MultiPolygon one = {ring};
-  return fault_of(one).empty() ||
-         (std::abs(area(made_valid(one, "LINEWORK")) - area(one)) <= tolerance &&
-          std::abs(area(made_valid(one, "STRUCTURE")) - area(one)) <= tolerance);
-}
-
-/// Whether the winding number is 0 or 1 wherever it covers an area: each ring is simple, shells do
-/// not overlap and nor do holes, and (by the area of the whole) holes lie within shells.
-bool winds_once(const MultiPolygon& shape, double tolerance) {
-  MultiPolygon shells;
-  MultiPolygon holes;
-  for (const Polygon& polygon : shape) {
-    shells.push_back({polygon.outer, {}});
-    for (const Ring& hole : polygon.holes) holes.push_back({hole, {}});
-  }
-  const auto is_simple = [&](const Polygon& ring) { return simple(ring, tolerance); };
-  return std::all_of(shells.begin(), shells.end(), is_simple) &&
-         std::all_of(holes.begin(), holes.end(), is_simple) &&
-         (shells.size() < 2 || disjoint(shells, tolerance)) &&
-         (holes.size() < 2 || disjoint(holes, tolerance));
-}
-
 }  // namespace
 
 std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file, Warnings& warnings,
@@ -190,15 +133,14 @@ std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file,
   Mended mended;
   MultiPolygon shape = cleaned(basin.polygons, mended);
   if (shape.empty()) return refuse("has no area");
-  const std::string fault = fault_of(shape);
+  const std::string fault = validity_fault(shape);
   if (!fault.empty()) {
-    MultiPolygon redrawn = made_valid(shape, "STRUCTURE");
-    const double whole = area(redrawn);
-    const double tolerance = same_area * whole;
+    MultiPolygon redrawn = made_valid(shape);
+    const double whole = plane_area(redrawn);
     if (!(whole > 0)) return refuse("has no area: " + fault);
-    if (std::abs(whole - area(shape)) > tolerance || !winds_once(shape, tolerance)) {
+    mended.disputed = disputed_area(shape, redrawn) / whole;
+    if (!(mended.disputed <= nearly_same_area))
       return refuse("crosses or overlaps itself: " + fault);
-    }
     shape = std::move(redrawn);
     mended.redrawn = true;
   }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "geometry/ring_location.h"
-#include "io/antimeridian.h"
 
 namespace thiessen {
 namespace {
@@ -48,13 +47,6 @@ std::optional<double> start_of_turn(std::vector<Reach> reaches) {
   return start;
 }
 
-bool is_cut(const MultiPolygon& shape) {
-  return std::all_of(shape.begin(), shape.end(), [](const Polygon& part) {
-    const Box box = box_of(part.outer);
-    return box.low.x >= -180 && box.high.x <= 180;
-  });
-}
-
 double eastward_from(double start, const Polygon& part) {
   const double west = box_of(part.outer).low.x;
   return -360 * std::floor((west - start) / 360);
@@ -62,38 +54,33 @@ double eastward_from(double start, const Polygon& part) {
 
 }  // namespace
 
-bool bring_to_common_turn(std::span<MultiPolygon* const> shapes, bool may_cut) {
+void bring_to_common_turn(std::span<CurvedShape* const> shapes) {
   std::vector<Reach> reaches;
   Box as_they_are;
-  for (const MultiPolygon* shape : shapes) {
-    for (const Polygon& part : *shape) {
+  for (const CurvedShape* shape : shapes) {
+    for (const Polygon& part : shape->shape) {
       reaches.push_back(reach_of(part));
       as_they_are.take_in(box_of(part.outer));
     }
   }
   const std::optional<double> start = start_of_turn(reaches);
   if (!start) {
-    for (MultiPolygon* shape : shapes) {
-      if (is_cut(*shape)) continue;
-      if (!may_cut) return false;
-      *shape = cut_at_antimeridian(*shape);
-    }
-    return true;
+    for (CurvedShape* shape : shapes) cut_at_antimeridian(*shape);
+    return;
   }
   Box together;
-  for (const MultiPolygon* shape : shapes) {
-    for (const Polygon& part : *shape) {
+  for (const CurvedShape* shape : shapes) {
+    for (const Polygon& part : shape->shape) {
       const Box box = box_of(part.outer);
       const double move = eastward_from(*start, part);
       together.take_in(Box{{box.low.x + move, box.low.y}, {box.high.x + move, box.high.y}});
     }
   }
   constexpr double rounding = 1e-9;
-  if (as_they_are.width() <= together.width() + rounding) return true;
-  for (MultiPolygon* shape : shapes) {
-    for (Polygon& part : *shape) move_by(part, eastward_from(*start, part));
+  if (as_they_are.width() <= together.width() + rounding) return;
+  for (CurvedShape* shape : shapes) {
+    for (Polygon& part : shape->shape) move_by(part, eastward_from(*start, part));
   }
-  return true;
 }
 
 }  // namespace thiessen

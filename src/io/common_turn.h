@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "geometry/polygon.h"
+#include "io/antimeridian.h"
 
 namespace thiessen {
 
@@ -10,8 +10,8 @@ namespace thiessen {
 /// degrees that begins in the widest gap which none covers: what lies on both sides of the
 /// antimeridian comes together. Shapes that already span no more than they would then stay as they
 /// are, bit for bit. Where shapes reach all round the Earth, those that cross the antimeridian are
-/// cut there, into [-180, 180]; false where `may_cut` does not allow that. Requires polygons no
-/// wider than 360 degrees. Cost: n log n in the polygons.
-bool bring_to_common_turn(std::span<MultiPolygon* const> shapes, bool may_cut);
+/// cut there, into [-180, 180]. Requires polygons no wider than 360 degrees. Cost: n log n in the
+/// polygons.
+void bring_to_common_turn(std::span<CurvedShape* const> shapes);
 
 }  // namespace thiessen

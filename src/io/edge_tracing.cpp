@@ -6,14 +6,19 @@
 #include <numbers>
 
 #include "earth/ellipsoid_area.h"
+#include "geometry/ring_location.h"
 
 namespace thiessen {
 namespace {
 
 constexpr double metres_per_degree = 111320;
 constexpr double least_chord_error = 1e-6;  // finer than projections are
-constexpr int most_rounds = 24;
+constexpr int most_rounds = 50;
 constexpr std::size_t most_chords = std::size_t{1} << 24U;
+// A straight edge past a pole turns by up to 180 degrees: its bulges are right to 1e-6 with chords
+// of 5.
+constexpr double widest_in_plane = 5;
+constexpr double widest_in_degrees = 90;
 
 Point middle(Point a, Point b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -25,9 +30,13 @@ Point near(Point point, Point by) {
   return {turns == 0 ? point.x : point.x - 360 * turns, point.y};
 }
 
+int turns_between(Point a, Point b) {
+  return std::abs(b.x - a.x) > 180 ? -static_cast<int>(std::round((b.x - a.x) / 360)) : 0;
+}
+
 /// What the true edge through three quarter points cuts off, from the areas of two and of four
 /// chords by Richardson's rule: the error falls with the fourth power of the chord.
-double bulge(Point a, const std::array<Point, 3>& on, Point b) {
+double bulge(Point a, const Point* on, Point b) {
   const double latitude = on[1].y;
   const double chord = area_under(a, b, latitude);
   const double two = chord - area_under(a, on[1], latitude) - area_under(on[1], b, latitude);
@@ -36,23 +45,55 @@ double bulge(Point a, const std::array<Point, 3>& on, Point b) {
   return (4 * four - two) / 3;
 }
 
+double distance(Point a, Point b) {
+  return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+double distance_from_edge(Point a, Point b, Point p) {
+  const double length = distance(a, b);
+  if (length == 0) return distance(a, p);
+  const double along = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length / length;
+  const double share = std::clamp(along, 0.0, 1.0);
+  return distance(p, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+}
+
+/// Where the plane has a pole, as far as its projection reaches it.
+std::optional<Point> pole_of(const Crs& plane, double latitude) {
+  return Transformation(Crs::wgs84(), plane)({0, latitude});
+}
+
 }  // namespace
+
+struct EdgeTracer::Node {
+  Point at;     ///< in `from`
+  Point seen;   ///< the same in `to`
+  double pole;  ///< its latitude, where the node is at a pole of a plane; else 0
+};
 
 struct EdgeTracer::Chord {
   Point from;  ///< where it begins, in `from`
   Point from_end;
   Point to;  ///< the same in `to`
   Point to_end;
+  std::size_t edge;  ///< which it is a part of
+  int turned = 0;    ///< turns to its end, of a longitude
   bool settled = false;
   double bulge = 0;
 };
 
-EdgeTracer::EdgeTracer(const Crs& from, const Crs& to, double chord_error, bool bulges)
+EdgeTracer::EdgeTracer(const Crs& from, const Crs& to, double chord_error, Course course)
     : transformation_(from, to),
+      from_(from),
       to_(to),
       chord_error_(std::max(chord_error, least_chord_error)),
-      bulges_(bulges),
-      wraps_(to.geographic() && to.degrees_per_unit() == 1) {}
+      course_(course),
+      wraps_(to.geographic() && to.degrees_per_unit() == 1),
+      widest_(from.geographic() ? widest_in_degrees : widest_in_plane) {
+  if (!wraps_ || from.geographic()) return;
+  for (const double latitude : {-90.0, 90.0}) {
+    if (const auto pole = pole_of(from, latitude)) poles_.push_back({*pole, latitude});
+  }
+}
 
 double EdgeTracer::metres_off(Point a, Point b, Point on) const {
   double east = to_.metres_per_unit();
@@ -67,6 +108,29 @@ double EdgeTracer::metres_off(Point a, Point b, Point on) const {
   const double v = (on.y - a.y) * north;
   const double length = std::hypot(x, y);
   return length == 0 ? std::hypot(u, v) : std::abs(x * v - y * u) / length;
+}
+
+/// Whether the chord lies near enough to the true edge, which passes three quarter points; if so it
+/// is settled.
+bool EdgeTracer::fits(Chord& chord, const Point* seen) const {
+  std::array<Point, 3> quarters = {seen[0], seen[1], seen[2]};
+  Point end = chord.to_end;
+  if (wraps_) {
+    Point before = chord.to;
+    for (Point* point : {&quarters[0], &quarters[1], &quarters[2], &end}) {
+      *point = near(*point, before);
+      if (std::abs(point->x - before.x) > widest_) return false;
+      before = *point;
+    }
+    if (std::abs(end.x - chord.to.x) > widest_) return false;
+  }
+  for (const Point point : quarters) {
+    if (metres_off(chord.to, end, point) > chord_error_) return false;
+  }
+  chord.settled = true;
+  chord.turned = static_cast<int>(std::round((end.x - chord.to_end.x) / 360));
+  if (course_ == Course::chords_and_bulges) chord.bulge = bulge(chord.to, quarters.data(), end);
+  return true;
 }
 
 /// Tries every chord that is not settled, and halves those that lie too far off. False where a
@@ -88,65 +152,173 @@ bool EdgeTracer::cut(std::vector<Chord>& chords) {
       next.push_back(chord);
       continue;
     }
-    std::array<Point, 3> quarters;
-    double off = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      quarters[i] = wraps_ ? near(seen[at + i], chord.to) : seen[at + i];
-      const double here = metres_off(chord.to, chord.to_end, quarters[i]);
-      if (!std::isfinite(here)) {
-        outside_ = on[at + i];
-        return false;
-      }
-      off = std::max(off, here);
+    for (std::size_t i = at; i < at + 3; ++i) {
+      if (std::isfinite(seen[i].x) && std::isfinite(seen[i].y)) continue;
+      outside_ = on[i];
+      return false;
     }
-    const Point half = on[at + 1];
-    at += 3;
-    if (off <= chord_error_) {
-      chord.settled = true;
-      if (bulges_) chord.bulge = bulge(chord.to, quarters, chord.to_end);
+    if (fits(chord, &seen[at])) {
       next.push_back(chord);
     } else {
-      next.push_back({chord.from, half, chord.to, quarters[1]});
-      next.push_back({half, chord.from_end, quarters[1], chord.to_end});
+      next.push_back({chord.from, on[at + 1], chord.to, seen[at + 1], chord.edge});
+      next.push_back({on[at + 1], chord.from_end, seen[at + 1], chord.to_end, chord.edge});
     }
+    at += 3;
   }
   chords = std::move(next);
   return true;
 }
 
-std::optional<TracedRing> EdgeTracer::trace(const Ring& ring) {
-  TracedRing traced;
-  if (transformation_.identity()) {
-    traced.ring = ring;
-    if (bulges_) traced.bulges.assign(ring.size(), 0);
-    return traced;
-  }
-  std::vector<Point> seen = ring;
-  const std::vector<bool> inside = transformation_.apply(seen);
-  const auto out = std::find(inside.begin(), inside.end(), false);
-  if (out != inside.end()) {
-    outside_ = ring[static_cast<std::size_t>(out - inside.begin())];
-    return std::nullopt;
-  }
-  for (std::size_t i = 1; wraps_ && i < seen.size(); ++i) seen[i] = near(seen[i], seen[i - 1]);
-  std::vector<Chord> chords;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const std::size_t j = (i + 1) % ring.size();
-    chords.push_back({ring[i], ring[j], seen[i], wraps_ ? near(seen[j], seen[i]) : seen[j]});
-  }
+bool EdgeTracer::settle(std::vector<Chord>& chords) {
   const auto settled = [](const Chord& chord) { return chord.settled; };
   for (int round = 0; round < most_rounds && chords.size() < most_chords; ++round) {
-    if (!cut(chords)) return std::nullopt;
-    if (std::all_of(chords.begin(), chords.end(), settled)) break;
+    if (!cut(chords)) return false;
+    if (std::all_of(chords.begin(), chords.end(), settled)) return true;
   }
-  const auto wild = std::find_if_not(chords.begin(), chords.end(), settled);
-  if (wild != chords.end()) {
-    outside_ = wild->from;
-    return std::nullopt;
+  outside_ = std::find_if_not(chords.begin(), chords.end(), settled)->from;
+  return false;
+}
+
+const EdgeTracer::Pole* EdgeTracer::pole_at(Point point) const {
+  const double reach = least_chord_error / from_.metres_per_unit();
+  for (const Pole& pole : poles_) {
+    if (distance(point, pole.at) <= reach) return &pole;
   }
-  for (const Chord& chord : chords) {
-    traced.ring.push_back(chord.to);
-    if (bulges_) traced.bulges.push_back(chord.bulge);
+  return nullptr;
+}
+
+/// The ring's vertices, and the poles that its edges pass.
+std::vector<EdgeTracer::Node> EdgeTracer::nodes_of(const Ring& ring) const {
+  std::vector<Node> nodes;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i];
+    const Point b = ring[i + 1 < ring.size() ? i + 1 : 0];
+    const Pole* at_a = pole_at(a);
+    nodes.push_back({a, {}, at_a == nullptr ? 0 : at_a->latitude});
+    if (poles_.empty()) continue;
+    const double reach = least_chord_error / from_.metres_per_unit();
+    const Pole* at_b = pole_at(b);
+    std::vector<const Pole*> passed;
+    for (const Pole& pole : poles_) {
+      if (&pole != at_a && &pole != at_b && distance_from_edge(a, b, pole.at) <= reach)
+        passed.push_back(&pole);
+    }
+    std::sort(passed.begin(), passed.end(), [&](const Pole* p, const Pole* q) {
+      return distance(a, p->at) < distance(a, q->at);
+    });
+    for (const Pole* pole : passed) nodes.push_back({pole->at, {}, pole->latitude});
+  }
+  return nodes;
+}
+
+/// Where the nodes are in `to`. False where one lies outside the projection's area.
+bool EdgeTracer::see(std::vector<Node>& nodes) {
+  std::vector<Point> seen;
+  for (const Node& node : nodes) {
+    if (node.pole == 0) seen.push_back(node.at);
+  }
+  const std::vector<bool> inside = transformation_.apply(seen);
+  std::size_t next = 0;
+  for (Node& node : nodes) {
+    if (node.pole != 0) continue;
+    if (!inside[next]) {
+      outside_ = node.at;
+      return false;
+    }
+    node.seen = seen[next++];
+  }
+  return true;
+}
+
+/// The closed line through the nodes. At a pole each chord has the longitude on which it gets
+/// there.
+std::optional<std::vector<EdgeTracer::Chord>> EdgeTracer::chords_between(
+    const std::vector<Node>& nodes) {
+  const auto seen_from = [&](const Node& node, const Node& other) {
+    if (node.pole == 0) return node.seen;
+    const double metre = 1 / from_.metres_per_unit();
+    const double share = std::min(metre / distance(node.at, other.at), 0.5);
+    std::vector<Point> beside = {{node.at.x + share * (other.at.x - node.at.x),
+                                  node.at.y + share * (other.at.y - node.at.y)}};
+    transformation_.apply_unproved(beside);
+    return Point{beside[0].x, node.pole};
+  };
+  std::vector<Chord> chords;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    const Node& a = nodes[i];
+    const Node& b = nodes[i + 1 < nodes.size() ? i + 1 : 0];
+    chords.push_back({a.at, b.at, seen_from(a, b), seen_from(b, a), i});
+  }
+  if (!settle(chords)) return std::nullopt;
+  return chords;
+}
+
+std::optional<WindingRing> EdgeTracer::trace(const Ring& ring) {
+  if (transformation_.identity()) {
+    WindingRing same = wraps_ ? ring_as_written(ring) : WindingRing{ring, {}, {}};
+    same.turns.resize(ring.size(), 0);
+    if (course_ == Course::chords_and_bulges) same.bulges.assign(ring.size(), 0);
+    return same;
+  }
+  std::vector<Node> nodes = nodes_of(ring);
+  if (!see(nodes)) return std::nullopt;
+  const auto chords = chords_between(nodes);
+  if (!chords) return std::nullopt;
+  WindingRing traced;
+  int turn = 0;
+  const auto add = [&](Point point, int turns_on, double bulge) {
+    if (wraps_) {
+      traced.push_back(point, turn);
+    } else {
+      traced.points.push_back(point);
+      traced.turns.push_back(0);
+    }
+    if (course_ == Course::chords_and_bulges) traced.bulges.push_back(bulge);
+    turn += turns_on;
+  };
+  for (std::size_t i = 0; i < chords->size(); ++i) {
+    const Chord& chord = (*chords)[i];
+    const Chord& next = (*chords)[i + 1 < chords->size() ? i + 1 : 0];
+    const bool within = i > 0 && chord.edge == (*chords)[i - 1].edge;
+    if (within && course_ == Course::ends) {
+      turn += chord.turned;
+    } else {
+      add(chord.to, chord.turned, chord.bulge);
+    }
+    if (wraps_ && chord.to_end != next.to)
+      add(chord.to_end, turns_between(chord.to_end, next.to), 0);
+  }
+  traced.winding = turn;
+  for (const Pole& pole : poles_) {
+    const auto at_pole = [&](const Node& node) { return node.pole == pole.latitude; };
+    if (std::any_of(nodes.begin(), nodes.end(), at_pole)) continue;
+    if (locate(ring, pole.at) == Where::inside)
+      (pole.latitude > 0 ? traced.holds_north : traced.holds_south) = true;
+  }
+  return traced;
+}
+
+std::optional<std::vector<DirectedEdge>> EdgeTracer::trace(const std::vector<DirectedEdge>& edges) {
+  std::vector<Node> nodes;
+  for (const DirectedEdge& edge : edges) {
+    for (const Point point : {edge.from, edge.to}) {
+      const double longitude = point.x == -180 ? 180 : point.x;
+      nodes.push_back({{std::abs(point.y) == 90 ? 0 : longitude, point.y}, {}, 0});
+    }
+  }
+  if (!see(nodes)) return std::nullopt;
+  std::vector<Chord> chords;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    chords.push_back({edges[i].from, edges[i].to, nodes[2 * i].seen, nodes[2 * i + 1].seen, i});
+  if (!settle(chords)) return std::nullopt;
+  std::vector<DirectedEdge> traced;
+  for (std::size_t i = 0; i < chords.size(); ++i) {
+    const bool within = i > 0 && chords[i].edge == chords[i - 1].edge;
+    if (within && course_ == Course::ends) {
+      traced.back().to = chords[i].to_end;
+    } else {
+      traced.push_back({chords[i].to, chords[i].to_end});
+    }
   }
   return traced;
 }

@@ -3,44 +3,64 @@
 #include <optional>
 #include <vector>
 
+#include "basin/ring_linking.h"
 #include "geometry/polygon.h"
 #include "io/crs.h"
+#include "io/winding_ring.h"
 
 namespace thiessen {
 
-/// A ring whose edges are straight in one CRS, as it runs in another.
-struct TracedRing {
-  Ring ring;
-  /// For each edge of `ring`, the area in square metres between the true edge and the chord,
-  /// positive where the true edge lies to the chord's right. Only where it was asked for.
-  std::vector<double> bulges;
+/// What is wanted of an edge's course.
+enum class Course {
+  chords,
+  chords_and_bulges,  ///< and the areas between them and the true edges (to 1e-6 of each)
+  ends,               ///< its ends alone; but an edge that the projection tears apart is told
 };
 
 /// Follows edges that are straight in `from` with chords in `to`.
 class EdgeTracer {
  public:
-  /// `chord_error`: metres that a chord may lie from the true edge. `bulges`: `to` is WGS 84
-  /// longitude and latitude, and the areas between are wanted (to 1e-6 of each).
-  EdgeTracer(const Crs& from, const Crs& to, double chord_error, bool bulges);
+  /// `chord_error`: metres that a chord may lie from the true edge. Bulges require that `to` is
+  /// WGS 84 longitude and latitude.
+  EdgeTracer(const Crs& from, const Crs& to, double chord_error, Course course);
 
-  /// Nothing where a vertex, or a point on an edge, lies outside the projection's area: then
-  /// `outside()` is the first such point, in `from`. Longitudes run on over the antimeridian. An
-  /// edge that two rings share is cut at the same points in both, whichever way they run. Cost: for
-  /// each vertex two projections, for each chord three more.
-  std::optional<TracedRing> trace(const Ring& ring);
+  /// The ring as it runs in `to`; in degrees, with its turns and the poles that it goes round. A
+  /// ring through a pole (within 1e-6 metres) has two points there, at the longitudes on which it
+  /// comes and goes. Nothing where a vertex, or a point on an edge, lies outside the projection's
+  /// area: then `outside()` is the first such point, in `from`. An edge that two rings share is cut
+  /// at the same points in both, whichever way they run. Cost: for each vertex two projections, for
+  /// each chord three more.
+  std::optional<WindingRing> trace(const Ring& ring);
+  /// Edges in degrees within [-180, 180], none along a pole. What is one point of the Earth (on
+  /// either side of the antimeridian, at a pole) is one point of `to`.
+  std::optional<std::vector<DirectedEdge>> trace(const std::vector<DirectedEdge>& edges);
   Point outside() const { return outside_; }
 
  private:
   struct Chord;
+  struct Node;
+  struct Pole {
+    Point at;  ///< in `from`
+    double latitude;
+  };
 
+  std::vector<Node> nodes_of(const Ring& ring) const;
+  const Pole* pole_at(Point point) const;
+  bool see(std::vector<Node>& nodes);
+  std::optional<std::vector<Chord>> chords_between(const std::vector<Node>& nodes);
+  bool settle(std::vector<Chord>& chords);
   bool cut(std::vector<Chord>& chords);
+  bool fits(Chord& chord, const Point* quarters) const;
   double metres_off(Point a, Point b, Point on) const;
 
   Transformation transformation_;
+  Crs from_;
   Crs to_;
   double chord_error_;
-  bool bulges_;
+  Course course_;
   bool wraps_;
+  double widest_;  ///< degrees of longitude that a chord may span
+  std::vector<Pole> poles_;
   Point outside_;
 };
 

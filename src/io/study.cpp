@@ -11,8 +11,7 @@
 #include "io/common_turn.h"
 #include "io/coordinate_checks.h"
 #include "io/crs_agreement.h"
-#include "io/edge_tracing.h"
-#include "io/ring_direction.h"
+#include "io/shape_tracing.h"
 
 namespace thiessen {
 namespace {
@@ -109,8 +108,9 @@ class StudyMaker {
     const bool wraps = basins_->crs && basins_->crs->geographic() &&
                        basins_->crs->degrees_per_unit() == 1 && !planar_degrees();
     for (RawBasin& basin : basins_->basins) {
-      if (wraps && !unwrap_longitudes(basin.polygons)) {
-        complain_of_winding(basin, complaints);
+      const std::string fault = wraps ? unwrap_longitudes(basin.polygons) : "";
+      if (!fault.empty()) {
+        complaints.add({basins_->file, basin.line, basin.place + ": " + fault, {}});
         continue;
       }
       auto mended = mend(basin, basins_->file, warnings_, complaints);
@@ -118,13 +118,6 @@ class StudyMaker {
       basin.polygons.clear();
     }
     complaints.throw_if_any();
-  }
-
-  void complain_of_winding(const RawBasin& basin, Complaints& complaints) const {
-    complaints.add({basins_->file,
-                    basin.line,
-                    basin.place + ": a ring that winds round the Earth is not supported yet",
-                    {}});
   }
 
   void bring_stations() {
@@ -192,75 +185,53 @@ class StudyMaker {
                     {}});
   }
 
-  /// Every vertex into the plane, vertices only.
-  void project(std::size_t i, Basin& basin, Complaints& complaints) {
-    if (!projection_) projection_.emplace(*basins_->crs, *study_.crs);
-    basin.shape = study_.native_basins[i];
-    const auto ring = [&](Ring& points) {
-      const Ring native = points;
-      const std::vector<bool> inside = projection_->apply(points);
-      const auto out = std::find(inside.begin(), inside.end(), false);
-      if (out == inside.end()) return true;
-      complain_of_area(i, native[static_cast<std::size_t>(out - inside.begin())], complaints);
-      return false;
-    };
-    for (Polygon& polygon : basin.shape) {
-      if (!ring(polygon.outer)) return;
-      if (!std::all_of(polygon.holes.begin(), polygon.holes.end(), ring)) return;
-    }
-    turn_rings(basin.shape);
-  }
-
   /// Every edge along its true course over the ellipsoid.
   void trace(std::size_t i, Basin& basin, Complaints& complaints) {
-    if (!tracer_) tracer_.emplace(*basins_->crs, *study_.crs, request_.tolerance / 4, true);
-    const auto ring = [&](const Ring& native, Ring& into, bool counter_clockwise) {
-      auto traced = tracer_->trace(native);
-      if (!traced) return false;
-      if ((signed_area(traced->ring) > 0) != counter_clockwise) reverse(*traced);
-      into = std::move(traced->ring);
-      basin.bulges.push_back(std::move(traced->bulges));
-      return true;
-    };
-    for (const Polygon& native : study_.native_basins[i]) {
-      Polygon polygon;
-      bool inside = ring(native.outer, polygon.outer, true);
-      for (std::size_t h = 0; inside && h < native.holes.size(); ++h) {
-        inside = ring(native.holes[h], polygon.holes.emplace_back(), false);
-      }
-      if (!inside) return complain_of_area(i, tracer_->outside(), complaints);
-      basin.shape.push_back(std::move(polygon));
+    if (!tracer_) {
+      tracer_.emplace(*basins_->crs, *study_.crs, request_.tolerance / 4,
+                      Course::chords_and_bulges);
     }
-    if (!unwrap_longitudes(basin.shape)) complain_of_winding(basins_->basins[i], complaints);
+    bring(i, basin, complaints);
   }
 
-  /// The other way round: edge k of the reversed ring is edge n - 1 - k of the first, seen from
-  /// behind.
-  static void reverse(TracedRing& traced) {
-    std::reverse(traced.ring.begin() + 1, traced.ring.end());
-    std::reverse(traced.bulges.begin(), traced.bulges.end());
-    for (double& bulge : traced.bulges) bulge = -bulge;
+  /// Every vertex into the plane, vertices only.
+  void project(std::size_t i, Basin& basin, Complaints& complaints) {
+    constexpr double untorn = 1e5;  // metres
+    if (!tracer_) tracer_.emplace(*basins_->crs, *study_.crs, untorn, Course::ends);
+    bring(i, basin, complaints);
+  }
+
+  void bring(std::size_t i, Basin& basin, Complaints& complaints) {
+    auto brought = tracer_->trace(study_.native_basins[i], Longitudes::run_on);
+    if (!brought) return complain_of_area(i, tracer_->outside(), complaints);
+    basin.shape = std::move(brought->shape);
+    basin.bulges = std::move(brought->bulges);
   }
 
   // On both sides of the antimeridian basins would be far apart.
   void bring_basins_together() {
-    std::vector<MultiPolygon*> shapes;
-    bool straight = true;
-    for (Basin& basin : study_.basins) {
-      shapes.push_back(&basin.shape);
-      straight = straight && basin.bulges.empty();
-    }
-    if (study_.metric == Metric::geodesic && !bring_to_common_turn(shapes, straight)) {
-      throw Error(
-          {basins_->file, 0,
-           "the basins reach all round the Earth, and over the antimeridian: in a projected "
-           "CRS that is not supported yet",
-           "give them in longitude and latitude"});
+    if (study_.metric == Metric::geodesic) {
+      std::vector<CurvedShape> shapes;
+      for (Basin& basin : study_.basins)
+        shapes.push_back({std::move(basin.shape), std::move(basin.bulges)});
+      bring_together(shapes);
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        study_.basins[i].shape = std::move(shapes[i].shape);
+        study_.basins[i].bulges = std::move(shapes[i].bulges);
+      }
     }
     if (!basins_ || !basins_->crs || basins_->crs->degrees_per_unit() != 1) return;
-    std::vector<MultiPolygon*> native;
-    for (MultiPolygon& shape : study_.native_basins) native.push_back(&shape);
-    bring_to_common_turn(native, true);
+    std::vector<CurvedShape> native;
+    for (MultiPolygon& shape : study_.native_basins) native.push_back({std::move(shape), {}});
+    bring_together(native);
+    for (std::size_t i = 0; i < native.size(); ++i)
+      study_.native_basins[i] = std::move(native[i].shape);
+  }
+
+  static void bring_together(std::vector<CurvedShape>& shapes) {
+    std::vector<CurvedShape*> all;
+    for (CurvedShape& shape : shapes) all.push_back(&shape);
+    bring_to_common_turn(all);
   }
 
   void finish() {
@@ -282,8 +253,7 @@ class StudyMaker {
   StationsFile stations_;
   std::optional<BasinsFile> basins_;
   Study study_;
-  std::optional<Transformation> projection_;
-  std::optional<EdgeTracer> tracer_;
+  std::optional<ShapeTracer> tracer_;
 };
 
 }  // namespace

@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Longitudes, run_on_over_the_antimeridian) {
   MultiPolygon shape = {
       {{{170, 0}, {-170, 0}, {-170, 10}, {170, 10}}, {{{-175, 2}, {-172, 2}, {-172, 4}}}}};
-  ASSERT_TRUE(unwrap_longitudes(shape));
+  ASSERT_EQ(unwrap_longitudes(shape), "");
   EXPECT_EQ(shape[0].outer, (Ring{{170, 0}, {190, 0}, {190, 10}, {170, 10}}));
   EXPECT_EQ(shape[0].holes[0], (Ring{{185, 2}, {188, 2}, {188, 4}}));
 }
@@ -145,7 +145,7 @@ TEST(Longitudes, run_on_over_the_antimeridian) {
 TEST(Longitudes, begin_in_the_first_turn) {
   MultiPolygon shape = {{{{355, 0}, {365, 0}, {365, 10}}, {}},
                         {{{-179, 0}, {175, 0}, {175, 5}}, {}}};
-  ASSERT_TRUE(unwrap_longitudes(shape));
+  ASSERT_EQ(unwrap_longitudes(shape), "");
   EXPECT_EQ(shape[0].outer, (Ring{{-5, 0}, {5, 0}, {5, 10}}));
   EXPECT_EQ(shape[1].outer, (Ring{{181, 0}, {175, 0}, {175, 5}}));
 }
@@ -155,15 +155,10 @@ TEST(Longitudes, go_all_round_along_a_pole) {
   const Ring cap = {{-180, 60}, {0, 60}, {180, 60}, {180, 90}, {-180, 90}};
   MultiPolygon shape = {
       {earth, {}}, {cap, {}}, {{{170, 60}, {-170, 60}, {-170, 90}, {170, 90}}, {}}};
-  ASSERT_TRUE(unwrap_longitudes(shape));
+  ASSERT_EQ(unwrap_longitudes(shape), "");
   EXPECT_EQ(shape[0].outer, earth);
   EXPECT_EQ(shape[1].outer, cap);
   EXPECT_EQ(shape[2].outer, (Ring{{170, 60}, {190, 60}, {190, 90}, {170, 90}}));
-}
-
-TEST(Longitudes, that_wind_round_the_Earth_are_told) {
-  MultiPolygon shape = {{{{0, 80}, {90, 80}, {180, 80}, {-90, 80}}, {}}};
-  EXPECT_FALSE(unwrap_longitudes(shape));
 }
 
 }  // namespace

@@ -1,0 +1,82 @@
+#include "io/polygon_validity.h"
+
+#include <ogr_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "io/gdal_errors.h"
+#include "io/geometry_conversion.h"
+#include "io/ring_direction.h"
+
+namespace thiessen {
+namespace {
+
+/// GEOS's two ways to a valid shape: `LINEWORK` is the even-odd rule for a single ring; `STRUCTURE`
+/// is the union of the shells less the union of the holes.
+MultiPolygon made_valid(const MultiPolygon& shape, const char* method) {
+  const std::string option = std::string("METHOD=") + method;
+  const char* options[] = {option.c_str(), nullptr};
+  const auto geometry = ogr_shape(shape);
+  const GdalErrors errors;
+  const std::unique_ptr<OGRGeometry> valid(geometry->MakeValid(options));
+  return valid ? polygons_of(*valid) : MultiPolygon{};
+}
+
+/// By how much rings together cover more or less than their union.
+double overlap(const MultiPolygon& rings) {
+  if (rings.size() < 2 || validity_fault(rings).empty()) return 0;
+  return std::abs(plane_area(made_valid(rings)) - plane_area(rings));
+}
+
+/// The area round which a ring does not go once.
+double disputed_area(const Polygon& ring) {
+  const MultiPolygon one = {ring};
+  if (validity_fault(one).empty()) return 0;
+  const double area = plane_area(one);
+  return std::max(std::abs(plane_area(made_valid(one, "LINEWORK")) - area),
+                  std::abs(plane_area(made_valid(one)) - area));
+}
+
+}  // namespace
+
+double plane_area(const MultiPolygon& shape) {
+  double sum = 0;
+  for (const Polygon& polygon : shape) {
+    sum += std::abs(signed_area(polygon.outer));
+    for (const Ring& hole : polygon.holes) sum -= std::abs(signed_area(hole));
+  }
+  return sum;
+}
+
+std::string validity_fault(const MultiPolygon& shape) {
+  const auto geometry = ogr_shape(shape);
+  const GdalErrors errors;
+  if (geometry->IsValid() != FALSE) return {};
+  std::string reason = errors.text();
+  for (char& c : reason) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return reason;
+}
+
+MultiPolygon made_valid(const MultiPolygon& shape) {
+  return made_valid(shape, "STRUCTURE");
+}
+
+double disputed_area(const MultiPolygon& shape, const MultiPolygon& valid) {
+  MultiPolygon shells;
+  MultiPolygon holes;
+  double rings = 0;
+  for (const Polygon& polygon : shape) {
+    shells.push_back({polygon.outer, {}});
+    rings += disputed_area(shells.back());
+    for (const Ring& hole : polygon.holes) {
+      holes.push_back({hole, {}});
+      rings += disputed_area(holes.back());
+    }
+  }
+  const double whole = std::abs(plane_area(valid) - plane_area(shape));
+  return std::max({whole, rings, overlap(shells), overlap(holes)});
+}
+
+}  // namespace thiessen

@@ -1,0 +1,179 @@
+#include "io/shape_tracing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "basin/ring_linking.h"
+#include "io/ring_direction.h"
+
+namespace thiessen {
+namespace {
+
+bool in_degrees(const Crs& crs) {
+  return crs.geographic() && crs.degrees_per_unit() == 1;
+}
+
+template <typename Visit>
+void for_each_ring(MultiPolygon& shape, const Visit& visit) {
+  for (Polygon& polygon : shape) {
+    visit(polygon.outer, true);
+    for (Ring& hole : polygon.holes) visit(hole, false);
+  }
+}
+
+template <typename Visit>
+void for_each_edge(const MultiPolygon& shape, const Visit& visit) {
+  const auto ring = [&](const Ring& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      visit(points[i], points[i + 1 < points.size() ? i + 1 : 0]);
+  };
+  for (const Polygon& polygon : shape) {
+    ring(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), ring);
+  }
+}
+
+/// Outer rings counter-clockwise and holes clockwise, with their bulges.
+void direct(CurvedShape& shape) {
+  std::size_t number = 0;
+  for_each_ring(shape.shape, [&](Ring& ring, bool outer) {
+    const std::size_t i = number++;
+    if ((signed_area(ring) > 0) == outer) return;
+    std::reverse(ring.begin() + 1, ring.end());
+    if (shape.bulges.empty()) return;
+    std::reverse(shape.bulges[i].begin(), shape.bulges[i].end());
+    for (double& bulge : shape.bulges[i]) bulge = -bulge;
+  });
+}
+
+/// Which poles a shape in degrees has edges along, and whether it lies on both sides of the
+/// antimeridian, cut there.
+struct Seam {
+  bool south = false;
+  bool north = false;
+  bool antimeridian = false;
+
+  bool any() const { return south || north || antimeridian; }
+};
+
+Seam seam_of(const MultiPolygon& shape) {
+  Seam seam;
+  bool east = false;
+  bool west = false;
+  for_each_edge(shape, [&](Point a, Point b) {
+    seam.south = seam.south || (a.y == -90 && b.y == -90);
+    seam.north = seam.north || (a.y == 90 && b.y == 90);
+    east = east || a.x == 180;
+    west = west || a.x == -180;
+  });
+  seam.antimeridian = east && west;
+  return seam;
+}
+
+/// The edges of a shape cut at the antimeridian but for its seam.
+std::vector<DirectedEdge> edges_without_seam(const MultiPolygon& shape) {
+  std::vector<DirectedEdge> edges;
+  std::map<double, int> northward;  // along the antimeridian: edges that begin less those that end
+  for_each_edge(shape, [&](Point a, Point b) {
+    if (a.y == b.y && std::abs(a.y) == 90) return;
+    if (a.x == b.x && std::abs(a.x) == 180) {
+      ++northward[a.y];
+      --northward[b.y];
+    } else {
+      edges.push_back({a, b});
+      for (const Point point : {a, b}) {
+        if (std::abs(point.x) == 180) northward[point.y] += 0;
+      }
+    }
+  });
+  int times = 0;
+  for (auto at = northward.begin(); at != northward.end() && std::next(at) != northward.end();
+       ++at) {
+    times += at->second;
+    const Point low{180, at->first};
+    const Point high{180, std::next(at)->first};
+    for (int i = 0; i < times; ++i) edges.push_back({low, high});
+    for (int i = times; i < 0; ++i) edges.push_back({high, low});
+  }
+  return edges;
+}
+
+double doubled_area(const std::vector<DirectedEdge>& edges) {
+  double sum = 0;
+  const Point origin = edges.front().from;
+  for (const auto& [a, b] : edges)
+    sum += (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
+  return sum;
+}
+
+}  // namespace
+
+ShapeTracer::ShapeTracer(const Crs& from, const Crs& to, double chord_error, Course course)
+    : tracer_(from, to, chord_error, course),
+      transformation_(from, to),
+      from_degrees_(in_degrees(from)),
+      to_degrees_(in_degrees(to)) {}
+
+std::optional<CurvedShape> ShapeTracer::trace(const MultiPolygon& shape, Longitudes longitudes) {
+  if (to_degrees_) return to_degrees(shape, longitudes);
+  if (!from_degrees_) return ring_by_ring(shape);
+  CurvedShape cut{shape, {}};
+  cut_at_antimeridian(cut);
+  if (!seam_of(cut.shape).any()) return ring_by_ring(shape);
+  auto whole = joined(cut.shape);
+  return whole ? std::move(whole) : ring_by_ring(cut.shape);
+}
+
+std::optional<CurvedShape> ShapeTracer::to_degrees(const MultiPolygon& shape,
+                                                   Longitudes longitudes) {
+  CurvedShape result;
+  for (const Polygon& polygon : shape) {
+    std::vector<WindingRing> rings;
+    const auto add = [&](const Ring& ring) {
+      auto traced = tracer_.trace(ring);
+      if (traced) rings.push_back(*std::move(traced));
+      outside_ = traced ? ring.front() : tracer_.outside();
+      return traced.has_value();
+    };
+    if (!add(polygon.outer) || !std::all_of(polygon.holes.begin(), polygon.holes.end(), add))
+      return std::nullopt;
+    if (!add_polygon(std::move(rings), longitudes, result).empty()) return std::nullopt;
+  }
+  direct(result);
+  return result;
+}
+
+std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape) {
+  const Seam seam = seam_of(shape);
+  for (const double pole : {-90.0, 90.0}) {
+    const bool held = pole < 0 ? seam.south : seam.north;
+    if (held && !transformation_(Point{0, pole})) return std::nullopt;
+  }
+  auto edges = tracer_.trace(edges_without_seam(shape));
+  if (!edges || edges->empty()) return std::nullopt;
+  if (doubled_area(*edges) < 0) {
+    for (DirectedEdge& edge : *edges) std::swap(edge.from, edge.to);
+  }
+  std::erase_if(*edges, [](const DirectedEdge& edge) { return edge.from == edge.to; });
+  return CurvedShape{link_rings(*std::move(edges)), {}};
+}
+
+std::optional<CurvedShape> ShapeTracer::ring_by_ring(const MultiPolygon& shape) {
+  CurvedShape result{shape, {}};
+  bool inside = true;
+  for_each_ring(result.shape, [&](Ring& ring, bool) {
+    auto traced = inside ? tracer_.trace(ring) : std::nullopt;
+    inside = traced.has_value();
+    if (inside) ring = std::move(traced->points);
+  });
+  if (!inside) {
+    outside_ = tracer_.outside();
+    return std::nullopt;
+  }
+  turn_rings(result.shape);
+  return result;
+}
+
+}  // namespace thiessen

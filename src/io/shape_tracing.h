@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+
+#include "io/antimeridian.h"
+#include "io/crs.h"
+#include "io/edge_tracing.h"
+#include "io/winding_polygon.h"
+
+namespace thiessen {
+
+/// Takes shapes whose edges are straight in one CRS to another, wherever on the Earth they are.
+class ShapeTracer {
+ public:
+  /// As EdgeTracer.
+  ShapeTracer(const Crs& from, const Crs& to, double chord_error, Course course);
+
+  /// The shape with outer rings counter-clockwise. In degrees, polygons that hold a pole, and with
+  /// Longitudes::cut all that cross the antimeridian, are cut there; from degrees, what is cut
+  /// there is joined again, unless the projection itself is cut there. Nothing where the shape
+  /// reaches outside the projection's area: then `outside()` is where, in `from`. Requires a valid
+  /// shape with outer rings counter-clockwise. Cost: as EdgeTracer.
+  std::optional<CurvedShape> trace(const MultiPolygon& shape, Longitudes longitudes);
+  Point outside() const { return outside_; }
+
+ private:
+  std::optional<CurvedShape> to_degrees(const MultiPolygon& shape, Longitudes longitudes);
+  std::optional<CurvedShape> joined(const MultiPolygon& shape);
+  std::optional<CurvedShape> ring_by_ring(const MultiPolygon& shape);
+
+  EdgeTracer tracer_;
+  Transformation transformation_;
+  bool from_degrees_;
+  bool to_degrees_;
+  Point outside_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,136 @@
+#include "io/winding_ring.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thiessen {
+namespace {
+
+bool at_one_pole(Point a, Point b) {
+  return std::abs(a.y) == 90 && a.y == b.y;
+}
+
+std::size_t next(std::size_t i, std::size_t size) {
+  return i + 1 < size ? i + 1 : 0;
+}
+
+/// Whole turns from a point to the next one, the short way.
+int short_step(Point a, Point b) {
+  const double span = b.x - a.x;
+  return std::abs(span) > 180 ? -static_cast<int>(std::round(span / 360)) : 0;
+}
+
+/// The edges of each stretch along a pole, as they follow each other round the ring: none for a
+/// point that stands there alone.
+std::vector<std::vector<std::size_t>> polar_stretches(const Ring& ring) {
+  const std::size_t size = ring.size();
+  const auto along = [&](std::size_t i) { return at_one_pole(ring[i], ring[next(i, size)]); };
+  std::size_t start = 0;
+  while (start < size && along(start)) ++start;
+  std::vector<std::vector<std::size_t>> stretches;
+  bool before = false;
+  for (std::size_t k = 0; start < size && k < size; ++k) {
+    const std::size_t edge = (start + k) % size;
+    if (along(edge) && !before) stretches.emplace_back();
+    if (along(edge)) stretches.back().push_back(edge);
+    before = along(edge);
+  }
+  return stretches;
+}
+
+}  // namespace
+
+Point WindingRing::at(std::size_t i) const {
+  const Point point = points[i < size() ? i : 0];
+  const int turn = turn_at(i);
+  return turn == 0 ? point : Point{point.x + 360 * turn, point.y};
+}
+
+void WindingRing::push_back(Point point, int turn) {
+  const double turned = std::abs(point.x) <= 180 ? 0 : std::round(point.x / 360);
+  points.push_back({turned == 0 ? point.x : point.x - 360 * turned, point.y});
+  turns.push_back(turn + static_cast<int>(turned));
+}
+
+WindingRing ring_as_written(const Ring& ring) {
+  WindingRing result;
+  for (const Point point : ring) result.push_back(point, 0);
+  return result;
+}
+
+WindingRing ring_the_short_way(const Ring& ring) {
+  std::vector<int> steps;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    steps.push_back(short_step(ring[i], ring[next(i, ring.size())]));
+  }
+  for (const auto& stretch : polar_stretches(ring)) {
+    const double written = ring[next(stretch.back(), ring.size())].x - ring[stretch.front()].x;
+    if (std::abs(written) != 360) continue;
+    for (const std::size_t edge : stretch) steps[edge] = 0;
+  }
+  WindingRing result;
+  int turn = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    result.push_back(ring[i], turn);
+    turn += steps[i];
+  }
+  result.winding = turn;
+  return result;
+}
+
+WindingRing reversed(const WindingRing& ring) {
+  WindingRing result = ring;
+  if (ring.points.empty()) return result;
+  std::reverse(result.points.begin() + 1, result.points.end());
+  std::reverse(result.turns.begin() + 1, result.turns.end());
+  for (auto turn = result.turns.begin() + 1; turn != result.turns.end(); ++turn)
+    *turn -= ring.winding;
+  std::reverse(result.bulges.begin(), result.bulges.end());
+  for (double& bulge : result.bulges) bulge = -bulge;
+  result.winding = -ring.winding;
+  return result;
+}
+
+Ring unwrapped(const WindingRing& ring) {
+  Ring result;
+  result.reserve(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) result.push_back(ring.at(i));
+  return result;
+}
+
+double mean_latitude(const WindingRing& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring.at(i);
+    const Point b = ring.at(i + 1);
+    sum += (a.y + b.y) / 2 * (b.x - a.x);
+  }
+  return sum / (360 * ring.winding);
+}
+
+bool lead_back_along(double pole, WindingRing& ring) {
+  const auto found = std::find_if(ring.points.begin(), ring.points.end(),
+                                  [&](Point point) { return point.y == pole; });
+  if (found == ring.points.end()) return false;
+  const Point point = *found;
+  const auto i = found - ring.points.begin();
+  const int turn = ring.turns[static_cast<std::size_t>(i)];
+  ring.points.insert(found, point);
+  ring.turns.insert(ring.turns.begin() + i, turn);
+  if (!ring.bulges.empty()) ring.bulges.insert(ring.bulges.begin() + i, 0);
+  for (auto after = ring.turns.begin() + i + 1; after != ring.turns.end(); ++after)
+    *after -= ring.winding;
+  ring.winding = 0;
+  return true;
+}
+
+bool runs_along_a_pole(const WindingRing& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring.at(i);
+    const Point b = ring.at(i + 1);
+    if (at_one_pole(a, b) && a.x != b.x) return true;
+  }
+  return false;
+}
+
+}  // namespace thiessen
