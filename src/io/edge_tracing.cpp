@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "earth/ellipsoid_area.h"
 #include "geometry/ring_location.h"
@@ -55,6 +56,15 @@ double distance_from_edge(Point a, Point b, Point p) {
   const double along = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length / length;
   const double share = std::clamp(along, 0.0, 1.0);
   return distance(p, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
+}
+
+/// Whether a step between the points of an edge, equally far from each other in its own CRS, is so
+/// much longer than the others that the projection may be torn apart there.
+bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
+  const std::array<double, 4> steps = {distance(a, on[0]), distance(on[0], on[1]),
+                                       distance(on[1], on[2]), distance(on[2], b)};
+  const double all = std::accumulate(steps.begin(), steps.end(), 0.0);
+  return all > least && *std::max_element(steps.begin(), steps.end()) > 0.7 * all;
 }
 
 /// Where the plane has a pole, as far as its projection reaches it.
@@ -124,6 +134,9 @@ bool EdgeTracer::fits(Chord& chord, const Point* seen) const {
     }
     if (std::abs(end.x - chord.to.x) > widest_) return false;
   }
+  if (!to_.geographic() &&
+      torn(chord.to, quarters, end, 1000 * least_chord_error / to_.metres_per_unit()))
+    return false;
   for (const Point point : quarters) {
     if (metres_off(chord.to, end, point) > chord_error_) return false;
   }
@@ -187,7 +200,7 @@ const EdgeTracer::Pole* EdgeTracer::pole_at(Point point) const {
   return nullptr;
 }
 
-/// The ring's vertices, and the poles that its edges pass.
+/// The ring's vertices, and the poles that its edges pass, each once.
 std::vector<EdgeTracer::Node> EdgeTracer::nodes_of(const Ring& ring) const {
   std::vector<Node> nodes;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -208,6 +221,11 @@ std::vector<EdgeTracer::Node> EdgeTracer::nodes_of(const Ring& ring) const {
     });
     for (const Pole* pole : passed) nodes.push_back({pole->at, {}, pole->latitude});
   }
+  const auto same_pole = [](const Node& a, const Node& b) {
+    return a.pole != 0 && a.pole == b.pole;
+  };
+  nodes.erase(std::unique(nodes.begin(), nodes.end(), same_pole), nodes.end());
+  while (nodes.size() > 1 && same_pole(nodes.front(), nodes.back())) nodes.pop_back();
   return nodes;
 }
 

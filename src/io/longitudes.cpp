@@ -1,4 +1,7 @@
+#include <algorithm>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "io/basin_mending.h"
 #include "io/winding_polygon.h"
@@ -6,31 +9,46 @@
 namespace thiessen {
 namespace {
 
-bool is_closed(const Ring& ring) {
-  return !ring.empty() && ring.front() == ring.back();
+/// Takes off the last point of a closed ring, which repeats the first. False where it is open.
+bool take_off_last(Ring& ring) {
+  if (ring.size() < 2 || ring.front() != ring.back()) return false;
+  ring.pop_back();
+  return true;
 }
 
 void close(Ring& ring) {
-  if (!is_closed(ring)) ring.push_back(ring.front());
+  if (!ring.empty()) ring.push_back(ring.front());
+}
+
+template <typename Visit>
+void for_each_ring(std::span<Polygon> polygons, const Visit& visit) {
+  for (Polygon& polygon : polygons) {
+    visit(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), visit);
+  }
 }
 
 }  // namespace
 
 std::string unwrap_longitudes(MultiPolygon& shape) {
   CurvedShape result;
-  for (const Polygon& polygon : shape) {
-    std::vector<WindingRing> rings = {ring_the_short_way(polygon.outer)};
-    for (const Ring& hole : polygon.holes) rings.push_back(ring_the_short_way(hole));
+  for (Polygon& polygon : shape) {
+    std::vector<WindingRing> rings;
+    std::vector<bool> was_closed;
+    for_each_ring({&polygon, 1}, [&](Ring& ring) {
+      was_closed.push_back(take_off_last(ring));
+      rings.push_back(ring_the_short_way(ring));
+    });
     const std::size_t first = result.shape.size();
     std::string fault = add_polygon(std::move(rings), Longitudes::run_on, result);
     if (!fault.empty()) return fault;
-    // What was cut has open rings, and whether a file's rings are closed is for mend() to see.
-    const bool opened = result.shape.size() > first && is_closed(polygon.outer) &&
-                        !is_closed(result.shape[first].outer);
-    for (std::size_t i = first; opened && i < result.shape.size(); ++i) {
-      close(result.shape[i].outer);
-      for (Ring& hole : result.shape[i].holes) close(hole);
-    }
+    // An open ring is for mend() to see, unless it was cut into others.
+    const std::span<Polygon> added = std::span(result.shape).subspan(first);
+    const bool same = added.size() == 1 && added[0].holes.size() == polygon.holes.size();
+    std::size_t number = 0;
+    for_each_ring(added, [&](Ring& ring) {
+      if (!same || was_closed[number++]) close(ring);
+    });
   }
   shape = std::move(result.shape);
   return {};

@@ -48,8 +48,8 @@ void direct(CurvedShape& shape) {
   });
 }
 
-/// Which poles a shape in degrees has edges along, and whether it lies on both sides of the
-/// antimeridian, cut there.
+/// What of a shape in degrees, cut at the antimeridian, is one place of the Earth and several
+/// points.
 struct Seam {
   bool south = false;
   bool north = false;
@@ -60,15 +60,11 @@ struct Seam {
 
 Seam seam_of(const MultiPolygon& shape) {
   Seam seam;
-  bool east = false;
-  bool west = false;
-  for_each_edge(shape, [&](Point a, Point b) {
-    seam.south = seam.south || (a.y == -90 && b.y == -90);
-    seam.north = seam.north || (a.y == 90 && b.y == 90);
-    east = east || a.x == 180;
-    west = west || a.x == -180;
+  for_each_edge(shape, [&](Point a, Point) {
+    seam.south = seam.south || a.y == -90;
+    seam.north = seam.north || a.y == 90;
+    seam.antimeridian = seam.antimeridian || std::abs(a.x) == 180;
   });
-  seam.antimeridian = east && west;
   return seam;
 }
 
@@ -114,14 +110,16 @@ ShapeTracer::ShapeTracer(const Crs& from, const Crs& to, double chord_error, Cou
     : tracer_(from, to, chord_error, course),
       transformation_(from, to),
       from_degrees_(in_degrees(from)),
-      to_degrees_(in_degrees(to)) {}
+      to_degrees_(in_degrees(to)),
+      metres_per_unit_(to.metres_per_unit()) {}
 
 std::optional<CurvedShape> ShapeTracer::trace(const MultiPolygon& shape, Longitudes longitudes) {
   if (to_degrees_) return to_degrees(shape, longitudes);
   if (!from_degrees_) return ring_by_ring(shape);
   CurvedShape cut{shape, {}};
   cut_at_antimeridian(cut);
-  if (!seam_of(cut.shape).any()) return ring_by_ring(shape);
+  if (!seam_of(cut.shape).any()) return ring_by_ring(cut.shape);
+  if (!reaches_poles(cut.shape)) return std::nullopt;
   auto whole = joined(cut.shape);
   return whole ? std::move(whole) : ring_by_ring(cut.shape);
 }
@@ -145,12 +143,23 @@ std::optional<CurvedShape> ShapeTracer::to_degrees(const MultiPolygon& shape,
   return result;
 }
 
-std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape) {
+/// Whether the projection reaches the poles that a shape in degrees has. Mercator's gives a finite
+/// point for them, far beyond all others.
+bool ShapeTracer::reaches_poles(const MultiPolygon& shape) {
   const Seam seam = seam_of(shape);
-  for (const double pole : {-90.0, 90.0}) {
-    const bool held = pole < 0 ? seam.south : seam.north;
-    if (held && !transformation_(Point{0, pole})) return std::nullopt;
+  for (const double sign : {-1.0, 1.0}) {
+    if (!(sign < 0 ? seam.south : seam.north)) continue;
+    const auto pole = transformation_(Point{0, 90 * sign});
+    const auto beside = transformation_(Point{0, 89.9999999 * sign});
+    constexpr double far = 1000;  // metres, where 0.01 would be true to scale
+    outside_ = {0, 90 * sign};
+    if (!pole || !beside) return false;
+    if (std::hypot(pole->x - beside->x, pole->y - beside->y) * metres_per_unit_ > far) return false;
   }
+  return true;
+}
+
+std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape) {
   auto edges = tracer_.trace(edges_without_seam(shape));
   if (!edges || edges->empty()) return std::nullopt;
   if (doubled_area(*edges) < 0) {

@@ -25,6 +25,7 @@ class ShapeTracer {
 
  private:
   std::optional<CurvedShape> to_degrees(const MultiPolygon& shape, Longitudes longitudes);
+  bool reaches_poles(const MultiPolygon& shape);
   std::optional<CurvedShape> joined(const MultiPolygon& shape);
   std::optional<CurvedShape> ring_by_ring(const MultiPolygon& shape);
 
@@ -32,6 +33,7 @@ class ShapeTracer {
   Transformation transformation_;
   bool from_degrees_;
   bool to_degrees_;
+  double metres_per_unit_;  ///< of the CRS to which shapes are taken
   Point outside_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thiessen {
 namespace {
@@ -109,18 +110,28 @@ double mean_latitude(const WindingRing& ring) {
 }
 
 bool lead_back_along(double pole, WindingRing& ring) {
-  const auto found = std::find_if(ring.points.begin(), ring.points.end(),
-                                  [&](Point point) { return point.y == pole; });
-  if (found == ring.points.end()) return false;
-  const Point point = *found;
-  const auto i = found - ring.points.begin();
-  const int turn = ring.turns[static_cast<std::size_t>(i)];
-  ring.points.insert(found, point);
-  ring.turns.insert(ring.turns.begin() + i, turn);
-  if (!ring.bulges.empty()) ring.bulges.insert(ring.bulges.begin() + i, 0);
-  for (auto after = ring.turns.begin() + i + 1; after != ring.turns.end(); ++after)
-    *after -= ring.winding;
-  ring.winding = 0;
+  const std::size_t size = ring.size();
+  const auto at_pole = [&](std::size_t i) { return ring.points[i % size].y == pole; };
+  std::size_t first = 0;
+  while (first < size && !(at_pole(first) && !at_pole(first + size - 1))) ++first;
+  if (first == size) return false;
+  std::size_t last = first;
+  while (at_pole(last + 1)) ++last;
+  // From where it comes to where it goes, whatever steps lie between.
+  WindingRing result;
+  result.holds_south = ring.holds_south;
+  result.holds_north = ring.holds_north;
+  const auto add = [&](std::size_t i, int turn, bool along_pole) {
+    result.points.push_back(ring.points[i % size]);
+    result.turns.push_back(turn);
+    if (!ring.bulges.empty()) result.bulges.push_back(along_pole ? 0 : ring.bulges[i % size]);
+  };
+  const auto turn_at = [&](std::size_t i) {
+    return i < size ? ring.turns[i] : ring.turns[i - size] + ring.winding;
+  };
+  add(first, turn_at(first), true);
+  for (std::size_t i = last; i < first + size; ++i) add(i, turn_at(i) - ring.winding, false);
+  ring = std::move(result);
   return true;
 }
 
