@@ -14,6 +14,7 @@ namespace {
 
 constexpr double metres_per_degree = 111320;
 constexpr double least_chord_error = 1e-6;  // finer than projections are
+constexpr double step_of_projections = 1;   // metres
 constexpr int most_rounds = 50;
 constexpr std::size_t most_chords = std::size_t{1} << 24U;
 // A straight edge past a pole turns by up to 180 degrees: its bulges are right to 1e-6 with chords
@@ -67,9 +68,16 @@ bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
   return all > least && *std::max_element(steps.begin(), steps.end()) > 0.7 * all;
 }
 
-/// Where the plane has a pole, as far as its projection reaches it.
+/// Where the plane has a pole, as far as its projection reaches it. Some fail at the pole itself,
+/// and not a metre beside it: the middle of two such points is the pole to 1e-6 metres.
 std::optional<Point> pole_of(const Crs& plane, double latitude) {
-  return Transformation(Crs::wgs84(), plane)({0, latitude});
+  const Transformation to_plane(Crs::wgs84(), plane);
+  if (const auto pole = to_plane({0, latitude})) return pole;
+  const double beside = latitude * (1 - 1e-7);
+  const auto here = to_plane({0, beside});
+  const auto there = to_plane({180, beside});
+  if (!here || !there) return std::nullopt;
+  return middle(*here, *there);
 }
 
 }  // namespace
@@ -105,17 +113,24 @@ EdgeTracer::EdgeTracer(const Crs& from, const Crs& to, double chord_error, Cours
   }
 }
 
+/// How long a unit to the east and one to the north are in metres, at a point of `to`.
+Point EdgeTracer::metres_at(Point point) const {
+  if (!to_.geographic()) return {to_.metres_per_unit(), to_.metres_per_unit()};
+  const double north = metres_per_degree * to_.degrees_per_unit();
+  return {north * std::cos(point.y * to_.degrees_per_unit() * std::numbers::pi / 180), north};
+}
+
+double EdgeTracer::metres_between(Point a, Point b) const {
+  const Point metres = metres_at(a);
+  return std::hypot((b.x - a.x) * metres.x, (b.y - a.y) * metres.y);
+}
+
 double EdgeTracer::metres_off(Point a, Point b, Point on) const {
-  double east = to_.metres_per_unit();
-  double north = east;
-  if (to_.geographic()) {
-    north = metres_per_degree * to_.degrees_per_unit();
-    east = north * std::cos(on.y * to_.degrees_per_unit() * std::numbers::pi / 180);
-  }
-  const double x = (b.x - a.x) * east;
-  const double y = (b.y - a.y) * north;
-  const double u = (on.x - a.x) * east;
-  const double v = (on.y - a.y) * north;
+  const Point metres = metres_at(on);
+  const double x = (b.x - a.x) * metres.x;
+  const double y = (b.y - a.y) * metres.y;
+  const double u = (on.x - a.x) * metres.x;
+  const double v = (on.y - a.y) * metres.y;
   const double length = std::hypot(x, y);
   return length == 0 ? std::hypot(u, v) : std::abs(x * v - y * u) / length;
 }
@@ -134,8 +149,7 @@ bool EdgeTracer::fits(Chord& chord, const Point* seen) const {
     }
     if (std::abs(end.x - chord.to.x) > widest_) return false;
   }
-  if (!to_.geographic() &&
-      torn(chord.to, quarters, end, 1000 * least_chord_error / to_.metres_per_unit()))
+  if (!to_.geographic() && torn(chord.to, quarters, end, chord_error_ / to_.metres_per_unit()))
     return false;
   for (const Point point : quarters) {
     if (metres_off(chord.to, end, point) > chord_error_) return false;
@@ -182,13 +196,19 @@ bool EdgeTracer::cut(std::vector<Chord>& chords) {
   return true;
 }
 
+/// Within a metre of a pole projections may be a step function: what is left there stays as it is.
 bool EdgeTracer::settle(std::vector<Chord>& chords) {
   const auto settled = [](const Chord& chord) { return chord.settled; };
   for (int round = 0; round < most_rounds && chords.size() < most_chords; ++round) {
     if (!cut(chords)) return false;
     if (std::all_of(chords.begin(), chords.end(), settled)) return true;
   }
-  outside_ = std::find_if_not(chords.begin(), chords.end(), settled)->from;
+  const auto wild = std::find_if(chords.begin(), chords.end(), [&](const Chord& chord) {
+    const Point end = wraps_ ? near(chord.to_end, chord.to) : chord.to_end;
+    return !chord.settled && !(metres_between(chord.to, end) <= step_of_projections);
+  });
+  if (wild == chords.end()) return true;
+  outside_ = wild->from;
   return false;
 }
 
@@ -229,6 +249,16 @@ std::vector<EdgeTracer::Node> EdgeTracer::nodes_of(const Ring& ring) const {
   return nodes;
 }
 
+/// Whether a point of `from` lies so near a pole that the way back proves nothing.
+bool EdgeTracer::is_beside_pole(Point point) const {
+  if (from_.geographic())
+    return (90 - std::abs(point.y * from_.degrees_per_unit())) * metres_per_degree <=
+           step_of_projections;
+  return std::any_of(poles_.begin(), poles_.end(), [&](const Pole& pole) {
+    return distance(point, pole.at) * from_.metres_per_unit() <= step_of_projections;
+  });
+}
+
 /// Where the nodes are in `to`. False where one lies outside the projection's area.
 bool EdgeTracer::see(std::vector<Node>& nodes) {
   std::vector<Point> seen;
@@ -239,7 +269,11 @@ bool EdgeTracer::see(std::vector<Node>& nodes) {
   std::size_t next = 0;
   for (Node& node : nodes) {
     if (node.pole != 0) continue;
-    if (!inside[next]) {
+    if (!inside[next] && is_beside_pole(node.at)) {
+      std::vector<Point> unproved = {node.at};
+      transformation_.apply_unproved(unproved);
+      seen[next] = unproved[0];
+    } else if (!inside[next]) {
       outside_ = node.at;
       return false;
     }

@@ -46,11 +46,14 @@ class EdgeTracer {
 
   std::vector<Node> nodes_of(const Ring& ring) const;
   const Pole* pole_at(Point point) const;
+  bool is_beside_pole(Point point) const;
   bool see(std::vector<Node>& nodes);
   std::optional<std::vector<Chord>> chords_between(const std::vector<Node>& nodes);
   bool settle(std::vector<Chord>& chords);
   bool cut(std::vector<Chord>& chords);
   bool fits(Chord& chord, const Point* quarters) const;
+  Point metres_at(Point point) const;
+  double metres_between(Point a, Point b) const;
   double metres_off(Point a, Point b, Point on) const;
 
   Transformation transformation_;

@@ -20,19 +20,32 @@ bool knows_its_pole(const WindingRing& ring) {
   return ring.holds_south || ring.holds_north;
 }
 
-std::string fault_of(const WindingRing& ring) {
-  if (ring.winding == 0) return {};
-  const std::string whose = "the ring that begins at " + shortest_text(ring.at(0).x) + " " +
-                            shortest_text(ring.at(0).y) + " winds round the Earth ";
-  const int times = std::abs(ring.winding);
-  if (times > 1) return whose + std::to_string(times) + " times";
-  if (!knows_its_pole(ring) && std::abs(mean_latitude(ring)) < no_latitude)
-    return whose + "along the equator: neither pole is nearer";
+bool winds(const WindingRing& ring) {
+  return ring.winding != 0;
+}
+
+std::string begins_and_winds(const WindingRing& ring) {
+  return "the ring that begins at " + shortest_text(ring.at(0).x) + " " +
+         shortest_text(ring.at(0).y) + " winds round the Earth ";
+}
+
+/// What keeps the rings from being a polygon, or nothing.
+std::string fault_of(const std::vector<WindingRing>& rings) {
+  for (const WindingRing& ring : rings) {
+    const int times = std::abs(ring.winding);
+    if (times > 1) return begins_and_winds(ring) + std::to_string(times) + " times";
+  }
+  const bool band = winds(rings.front()) && std::any_of(rings.begin() + 1, rings.end(), winds);
+  for (const WindingRing& ring : rings) {
+    if (band || !winds(ring) || knows_its_pole(ring)) continue;
+    if (std::abs(mean_latitude(ring)) < no_latitude)
+      return begins_and_winds(ring) + "along the equator: neither pole is nearer";
+  }
   return {};
 }
 
 void find_pole(WindingRing& ring) {
-  if (ring.winding == 0 || knows_its_pole(ring)) return;
+  if (!winds(ring) || knows_its_pole(ring)) return;
   ring.holds_north = mean_latitude(ring) > 0;
   ring.holds_south = !ring.holds_north;
 }
@@ -41,33 +54,32 @@ void find_poles(std::vector<WindingRing>& rings) {
   WindingRing& outer = rings.front();
   const bool known = knows_its_pole(outer);
   std::for_each(rings.begin(), rings.end(), find_pole);
-  const auto hole = std::find_if(rings.begin() + 1, rings.end(),
-                                 [](const WindingRing& ring) { return ring.winding != 0; });
-  if (known || outer.winding == 0 || hole == rings.end()) return;
+  const auto hole = std::find_if(rings.begin() + 1, rings.end(), winds);
+  if (known || !winds(outer) || hole == rings.end()) return;
   outer.holds_north = hole->holds_north;
   outer.holds_south = hole->holds_south;
 }
 
 /// A ring with points at the pole that it holds needs no seam.
 void lead_back(WindingRing& ring) {
-  if (ring.winding == 0 || !lead_back_along(ring.holds_north ? 90 : -90, ring)) return;
+  if (!winds(ring) || !lead_back_along(ring.holds_north ? 90 : -90, ring)) return;
   ring.holds_north = false;
   ring.holds_south = false;
 }
 
 /// Interior to the left of the outer ring, to the right within a hole.
 void direct(WindingRing& ring, bool outer) {
-  if (ring.winding == 0 && ring.holds_south && ring.holds_north) return;
+  if (!winds(ring) && ring.holds_south && ring.holds_north) return;
   const bool left =
       ring.winding == 0 ? signed_area(unwrapped(ring)) > 0 : (ring.winding > 0) == ring.holds_north;
   if (left != outer) ring = reversed(ring);
 }
 
 bool needs_seam(const std::vector<WindingRing>& rings) {
-  const auto winds = [](const WindingRing& ring) {
-    return ring.winding != 0 || (ring.holds_south && ring.holds_north);
+  const auto holds_a_pole = [](const WindingRing& ring) {
+    return winds(ring) || (ring.holds_south && ring.holds_north);
   };
-  if (std::any_of(rings.begin(), rings.end(), winds) ||
+  if (std::any_of(rings.begin(), rings.end(), holds_a_pole) ||
       std::any_of(rings.begin() + 1, rings.end(), runs_along_a_pole))
     return true;
   const Box box = box_of(unwrapped(rings.front()));
@@ -103,10 +115,8 @@ void place(std::vector<WindingRing>& rings) {
 std::string add_polygon(std::vector<WindingRing> rings, Longitudes longitudes, CurvedShape& into) {
   std::erase_if(rings, [&](const WindingRing& ring) { return ring.points.empty(); });
   if (rings.empty()) return {};
-  for (const WindingRing& ring : rings) {
-    std::string fault = fault_of(ring);
-    if (!fault.empty()) return fault;
-  }
+  std::string fault = fault_of(rings);
+  if (!fault.empty()) return fault;
   find_poles(rings);
   std::for_each(rings.begin(), rings.end(), lead_back);
   const bool crosses = !std::all_of(rings.begin(), rings.end(), stays_on_one_turn);

@@ -93,7 +93,14 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hole_on_a_line", "POLYGON ((0 0,4 0,4 4,0 4,0 0),(1 1,2 2,3 3,1 1))", 16,
              "meets itself"},
         Case{"part_without_area", "MULTIPOLYGON (((0 0,4 0,4 3,0 0)),((7 7,8 8,7 7)))", 6,
-             "1 part without area"}),
+             "1 part without area"},
+        // Two edges cross at (200, 400.5), above and below which they leave half a unit each: 1
+        // part in 160,001 is in dispute.
+        Case{
+            "tiny_crossing",
+            "POLYGON ((0 0,400 0,400 400,201 400,199 401,201 401,199 400,0 400,0 0))", 160001,
+            "where it crosses itself (self-intersection at or near point 200 400.5): each piece of "
+            "ground counts once, 0.0006250 % of its area is in dispute"}),
     name_of);
 
 class Refused : public testing::TestWithParam<Case> {};
@@ -125,6 +132,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hole_equal_to_its_shell", "POLYGON ((0 0,2 0,2 2,0 2,0 0),(0 0,2 0,2 2,0 2,0 0))", 0,
              "at"},
         Case{"ring_wound_twice", "POLYGON ((0 0,4 0,4 4,0 4,0 0,4 0,4 4,0 4,0 0))", 0, "at"},
+        // The same crossing where it is 1 part in 90,001.
+        Case{"crossing_not_tiny_enough",
+             "POLYGON ((0 0,300 0,300 300,151 300,149 301,151 301,149 300,0 300,0 0))", 0,
+             "crosses or overlaps itself: self-intersection at or near point 150 300.5"},
         Case{"too_few_points", "POLYGON ((0 0,1 1,0 0))", 0, "no area"},
         Case{"no_area", "POLYGON ((0 0,1 1,2 2,0 0))", 0, "no area"},
         // Two parts overlap by one unit and a hole of one unit lies outside both: in all, the area
