@@ -18,8 +18,8 @@ constexpr double step_of_projections = 1;   // metres
 constexpr int most_rounds = 50;
 constexpr std::size_t most_chords = std::size_t{1} << 24U;
 // A straight edge past a pole turns by up to 180 degrees: its bulges are right to 1e-6 with chords
-// of 5.
-constexpr double widest_in_plane = 5;
+// of 3.
+constexpr double widest_in_plane = 3;
 constexpr double widest_in_degrees = 90;
 
 Point middle(Point a, Point b) {
@@ -51,14 +51,6 @@ double distance(Point a, Point b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-double distance_from_edge(Point a, Point b, Point p) {
-  const double length = distance(a, b);
-  if (length == 0) return distance(a, p);
-  const double along = ((p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y)) / length / length;
-  const double share = std::clamp(along, 0.0, 1.0);
-  return distance(p, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
-}
-
 /// Whether a step between the points of an edge, equally far from each other in its own CRS, is so
 /// much longer than the others that the projection may be torn apart there.
 bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
@@ -68,24 +60,11 @@ bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
   return all > least && *std::max_element(steps.begin(), steps.end()) > 0.7 * all;
 }
 
-/// Where the plane has a pole, as far as its projection reaches it. Some fail at the pole itself,
-/// and not a metre beside it: the middle of two such points is the pole to 1e-6 metres.
-std::optional<Point> pole_of(const Crs& plane, double latitude) {
-  const Transformation to_plane(Crs::wgs84(), plane);
-  if (const auto pole = to_plane({0, latitude})) return pole;
-  const double beside = latitude * (1 - 1e-7);
-  const auto here = to_plane({0, beside});
-  const auto there = to_plane({180, beside});
-  if (!here || !there) return std::nullopt;
-  return middle(*here, *there);
-}
-
 }  // namespace
 
 struct EdgeTracer::Node {
-  Point at;     ///< in `from`
+  RingNode in;  ///< in `from`
   Point seen;   ///< the same in `to`
-  double pole;  ///< its latitude, where the node is at a pole of a plane; else 0
 };
 
 struct EdgeTracer::Chord {
@@ -107,10 +86,7 @@ EdgeTracer::EdgeTracer(const Crs& from, const Crs& to, double chord_error, Cours
       course_(course),
       wraps_(to.geographic() && to.degrees_per_unit() == 1),
       widest_(from.geographic() ? widest_in_degrees : widest_in_plane) {
-  if (!wraps_ || from.geographic()) return;
-  for (const double latitude : {-90.0, 90.0}) {
-    if (const auto pole = pole_of(from, latitude)) poles_.push_back({*pole, latitude});
-  }
+  if (wraps_) poles_.emplace(from);
 }
 
 /// How long a unit to the east and one to the north are in metres, at a point of `to`.
@@ -212,69 +188,29 @@ bool EdgeTracer::settle(std::vector<Chord>& chords) {
   return false;
 }
 
-const EdgeTracer::Pole* EdgeTracer::pole_at(Point point) const {
-  const double reach = least_chord_error / from_.metres_per_unit();
-  for (const Pole& pole : poles_) {
-    if (distance(point, pole.at) <= reach) return &pole;
-  }
-  return nullptr;
-}
-
-/// The ring's vertices, and the poles that its edges pass, each once.
-std::vector<EdgeTracer::Node> EdgeTracer::nodes_of(const Ring& ring) const {
-  std::vector<Node> nodes;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point a = ring[i];
-    const Point b = ring[i + 1 < ring.size() ? i + 1 : 0];
-    const Pole* at_a = pole_at(a);
-    nodes.push_back({a, {}, at_a == nullptr ? 0 : at_a->latitude});
-    if (poles_.empty()) continue;
-    const double reach = least_chord_error / from_.metres_per_unit();
-    const Pole* at_b = pole_at(b);
-    std::vector<const Pole*> passed;
-    for (const Pole& pole : poles_) {
-      if (&pole != at_a && &pole != at_b && distance_from_edge(a, b, pole.at) <= reach)
-        passed.push_back(&pole);
-    }
-    std::sort(passed.begin(), passed.end(), [&](const Pole* p, const Pole* q) {
-      return distance(a, p->at) < distance(a, q->at);
-    });
-    for (const Pole* pole : passed) nodes.push_back({pole->at, {}, pole->latitude});
-  }
-  const auto same_pole = [](const Node& a, const Node& b) {
-    return a.pole != 0 && a.pole == b.pole;
-  };
-  nodes.erase(std::unique(nodes.begin(), nodes.end(), same_pole), nodes.end());
-  while (nodes.size() > 1 && same_pole(nodes.front(), nodes.back())) nodes.pop_back();
-  return nodes;
-}
-
 /// Whether a point of `from` lies so near a pole that the way back proves nothing.
 bool EdgeTracer::is_beside_pole(Point point) const {
-  if (from_.geographic())
-    return (90 - std::abs(point.y * from_.degrees_per_unit())) * metres_per_degree <=
-           step_of_projections;
-  return std::any_of(poles_.begin(), poles_.end(), [&](const Pole& pole) {
-    return distance(point, pole.at) * from_.metres_per_unit() <= step_of_projections;
-  });
+  if (!from_.geographic()) return poles_ && poles_->any_within(step_of_projections, point);
+  const double degrees = 90 - std::abs(point.y * from_.degrees_per_unit());
+  return degrees * metres_per_degree <= step_of_projections;
 }
 
 /// Where the nodes are in `to`. False where one lies outside the projection's area.
 bool EdgeTracer::see(std::vector<Node>& nodes) {
   std::vector<Point> seen;
   for (const Node& node : nodes) {
-    if (node.pole == 0) seen.push_back(node.at);
+    if (node.in.pole == 0) seen.push_back(node.in.at);
   }
   const std::vector<bool> inside = transformation_.apply(seen);
   std::size_t next = 0;
   for (Node& node : nodes) {
-    if (node.pole != 0) continue;
-    if (!inside[next] && is_beside_pole(node.at)) {
-      std::vector<Point> unproved = {node.at};
+    if (node.in.pole != 0) continue;
+    if (!inside[next] && is_beside_pole(node.in.at)) {
+      std::vector<Point> unproved = {node.in.at};
       transformation_.apply_unproved(unproved);
       seen[next] = unproved[0];
     } else if (!inside[next]) {
-      outside_ = node.at;
+      outside_ = node.in.at;
       return false;
     }
     node.seen = seen[next++];
@@ -287,19 +223,19 @@ bool EdgeTracer::see(std::vector<Node>& nodes) {
 std::optional<std::vector<EdgeTracer::Chord>> EdgeTracer::chords_between(
     const std::vector<Node>& nodes) {
   const auto seen_from = [&](const Node& node, const Node& other) {
-    if (node.pole == 0) return node.seen;
-    const double metre = 1 / from_.metres_per_unit();
-    const double share = std::min(metre / distance(node.at, other.at), 0.5);
-    std::vector<Point> beside = {{node.at.x + share * (other.at.x - node.at.x),
-                                  node.at.y + share * (other.at.y - node.at.y)}};
+    if (node.in.pole == 0) return node.seen;
+    const Point at = node.in.at;
+    const Point to = other.in.at;
+    const double share = std::min(1 / from_.metres_per_unit() / distance(at, to), 0.5);
+    std::vector<Point> beside = {{at.x + share * (to.x - at.x), at.y + share * (to.y - at.y)}};
     transformation_.apply_unproved(beside);
-    return Point{beside[0].x, node.pole};
+    return Point{beside[0].x, node.in.pole};
   };
   std::vector<Chord> chords;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Node& a = nodes[i];
     const Node& b = nodes[i + 1 < nodes.size() ? i + 1 : 0];
-    chords.push_back({a.at, b.at, seen_from(a, b), seen_from(b, a), i});
+    chords.push_back({a.in.at, b.in.at, seen_from(a, b), seen_from(b, a), i});
   }
   if (!settle(chords)) return std::nullopt;
   return chords;
@@ -312,7 +248,12 @@ std::optional<WindingRing> EdgeTracer::trace(const Ring& ring) {
     if (course_ == Course::chords_and_bulges) same.bulges.assign(ring.size(), 0);
     return same;
   }
-  std::vector<Node> nodes = nodes_of(ring);
+  std::vector<Node> nodes;
+  if (poles_) {
+    for (const RingNode& node : poles_->nodes_of(ring)) nodes.push_back({node, {}});
+  } else {
+    for (const Point point : ring) nodes.push_back({{point, 0}, {}});
+  }
   if (!see(nodes)) return std::nullopt;
   const auto chords = chords_between(nodes);
   if (!chords) return std::nullopt;
@@ -341,13 +282,18 @@ std::optional<WindingRing> EdgeTracer::trace(const Ring& ring) {
       add(chord.to_end, turns_between(chord.to_end, next.to), 0);
   }
   traced.winding = turn;
-  for (const Pole& pole : poles_) {
-    const auto at_pole = [&](const Node& node) { return node.pole == pole.latitude; };
+  if (poles_) find_poles_within(ring, nodes, traced);
+  return traced;
+}
+
+void EdgeTracer::find_poles_within(const Ring& ring, const std::vector<Node>& nodes,
+                                   WindingRing& traced) const {
+  for (const PlanePoles::Pole& pole : poles_->all()) {
+    const auto at_pole = [&](const Node& node) { return node.in.pole == pole.latitude; };
     if (std::any_of(nodes.begin(), nodes.end(), at_pole)) continue;
     if (locate(ring, pole.at) == Where::inside)
       (pole.latitude > 0 ? traced.holds_north : traced.holds_south) = true;
   }
-  return traced;
 }
 
 std::optional<std::vector<DirectedEdge>> EdgeTracer::trace(const std::vector<DirectedEdge>& edges) {
@@ -355,7 +301,7 @@ std::optional<std::vector<DirectedEdge>> EdgeTracer::trace(const std::vector<Dir
   for (const DirectedEdge& edge : edges) {
     for (const Point point : {edge.from, edge.to}) {
       const double longitude = point.x == -180 ? 180 : point.x;
-      nodes.push_back({{std::abs(point.y) == 90 ? 0 : longitude, point.y}, {}, 0});
+      nodes.push_back({{{std::abs(point.y) == 90 ? 0 : longitude, point.y}, 0}, {}});
     }
   }
   if (!see(nodes)) return std::nullopt;

@@ -6,6 +6,7 @@
 #include "basin/ring_linking.h"
 #include "geometry/polygon.h"
 #include "io/crs.h"
+#include "io/plane_poles.h"
 #include "io/winding_ring.h"
 
 namespace thiessen {
@@ -39,16 +40,12 @@ class EdgeTracer {
  private:
   struct Chord;
   struct Node;
-  struct Pole {
-    Point at;  ///< in `from`
-    double latitude;
-  };
 
-  std::vector<Node> nodes_of(const Ring& ring) const;
-  const Pole* pole_at(Point point) const;
   bool is_beside_pole(Point point) const;
   bool see(std::vector<Node>& nodes);
   std::optional<std::vector<Chord>> chords_between(const std::vector<Node>& nodes);
+  void find_poles_within(const Ring& ring, const std::vector<Node>& nodes,
+                         WindingRing& traced) const;
   bool settle(std::vector<Chord>& chords);
   bool cut(std::vector<Chord>& chords);
   bool fits(Chord& chord, const Point* quarters) const;
@@ -62,8 +59,8 @@ class EdgeTracer {
   double chord_error_;
   Course course_;
   bool wraps_;
-  double widest_;  ///< degrees of longitude that a chord may span
-  std::vector<Pole> poles_;
+  double widest_;                    ///< degrees of longitude that a chord may span
+  std::optional<PlanePoles> poles_;  ///< of `from`, where `to` is in degrees
   Point outside_;
 };
 

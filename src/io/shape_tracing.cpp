@@ -96,6 +96,12 @@ std::vector<DirectedEdge> edges_without_seam(const MultiPolygon& shape) {
   return edges;
 }
 
+void leave_out(const std::set<Point>& points, MultiPolygon& shape) {
+  for_each_ring(shape, [&](Ring& ring, bool) {
+    std::erase_if(ring, [&](Point point) { return points.contains(point); });
+  });
+}
+
 double doubled_area(const std::vector<DirectedEdge>& edges) {
   double sum = 0;
   const Point origin = edges.front().from;
@@ -115,12 +121,22 @@ ShapeTracer::ShapeTracer(const Crs& from, const Crs& to, double chord_error, Cou
 
 std::optional<CurvedShape> ShapeTracer::trace(const MultiPolygon& shape, Longitudes longitudes) {
   if (to_degrees_) return to_degrees(shape, longitudes);
-  if (!from_degrees_) return ring_by_ring(shape);
+  return from_degrees_ ? from_degrees(shape, nullptr) : ring_by_ring(shape);
+}
+
+std::optional<CurvedShape> ShapeTracer::trace_without_cuts(const MultiPolygon& shape,
+                                                           const std::set<double>& own) {
+  return from_degrees_ && !to_degrees_ ? from_degrees(shape, &own)
+                                       : trace(shape, Longitudes::run_on);
+}
+
+std::optional<CurvedShape> ShapeTracer::from_degrees(const MultiPolygon& shape,
+                                                     const std::set<double>* own) {
   CurvedShape cut{shape, {}};
   cut_at_antimeridian(cut);
   if (!seam_of(cut.shape).any()) return ring_by_ring(cut.shape);
   if (!reaches_poles(cut.shape)) return std::nullopt;
-  auto whole = joined(cut.shape);
+  auto whole = joined(cut.shape, own);
   return whole ? std::move(whole) : ring_by_ring(cut.shape);
 }
 
@@ -159,14 +175,30 @@ bool ShapeTracer::reaches_poles(const MultiPolygon& shape) {
   return true;
 }
 
-std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape) {
-  auto edges = tracer_.trace(edges_without_seam(shape));
+std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape,
+                                               const std::set<double>* own) {
+  const std::vector<DirectedEdge> in_degrees = edges_without_seam(shape);
+  auto edges = tracer_.trace(in_degrees);
   if (!edges || edges->empty()) return std::nullopt;
   if (doubled_area(*edges) < 0) {
     for (DirectedEdge& edge : *edges) std::swap(edge.from, edge.to);
   }
   std::erase_if(*edges, [](const DirectedEdge& edge) { return edge.from == edge.to; });
-  return CurvedShape{link_rings(*std::move(edges)), {}};
+  CurvedShape result{link_rings(*std::move(edges)), {}};
+  if (own != nullptr) leave_out(cuts_of(in_degrees, *own), result.shape);
+  return result;
+}
+
+/// Where the target has the vertices that cutting made.
+std::set<Point> ShapeTracer::cuts_of(const std::vector<DirectedEdge>& edges,
+                                     const std::set<double>& own) const {
+  std::vector<Point> cuts;
+  for (const DirectedEdge& edge : edges) {
+    if (std::abs(edge.from.x) == 180 && !own.contains(edge.from.y))
+      cuts.push_back({180, edge.from.y});
+  }
+  transformation_.apply_unproved(cuts);
+  return {cuts.begin(), cuts.end()};
 }
 
 std::optional<CurvedShape> ShapeTracer::ring_by_ring(const MultiPolygon& shape) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "io/antimeridian.h"
 #include "io/crs.h"
@@ -21,12 +22,19 @@ class ShapeTracer {
   /// reaches outside the projection's area: then `outside()` is where, in `from`. Requires a valid
   /// shape with outer rings counter-clockwise. Cost: as EdgeTracer.
   std::optional<CurvedShape> trace(const MultiPolygon& shape, Longitudes longitudes);
+  /// The same of a shape that cutting gave vertices on the antimeridian: those at other latitudes
+  /// than `own` are left out where it is joined again.
+  std::optional<CurvedShape> trace_without_cuts(const MultiPolygon& shape,
+                                                const std::set<double>& own);
   Point outside() const { return outside_; }
 
  private:
   std::optional<CurvedShape> to_degrees(const MultiPolygon& shape, Longitudes longitudes);
   bool reaches_poles(const MultiPolygon& shape);
-  std::optional<CurvedShape> joined(const MultiPolygon& shape);
+  std::optional<CurvedShape> from_degrees(const MultiPolygon& shape, const std::set<double>* own);
+  std::optional<CurvedShape> joined(const MultiPolygon& shape, const std::set<double>* own);
+  std::set<Point> cuts_of(const std::vector<DirectedEdge>& edges,
+                          const std::set<double>& own) const;
   std::optional<CurvedShape> ring_by_ring(const MultiPolygon& shape);
 
   EdgeTracer tracer_;

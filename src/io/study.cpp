@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <utility>
 
 #include "base/number.h"
@@ -18,6 +19,21 @@ namespace {
 
 std::string coordinates(Point point) {
   return shortest_text(point.x) + " " + shortest_text(point.y);
+}
+
+/// Of the vertices there.
+std::set<double> latitudes_on_antimeridian(const MultiPolygon& shape) {
+  std::set<double> latitudes;
+  const auto ring = [&](const Ring& points) {
+    for (const Point point : points) {
+      if (std::abs(std::remainder(point.x, 360)) == 180) latitudes.insert(point.y);
+    }
+  };
+  for (const Polygon& polygon : shape) {
+    ring(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), ring);
+  }
+  return latitudes;
 }
 
 /// Brings two files into one system of coordinates.
@@ -108,6 +124,8 @@ class StudyMaker {
     const bool wraps = basins_->crs && basins_->crs->geographic() &&
                        basins_->crs->degrees_per_unit() == 1 && !planar_degrees();
     for (RawBasin& basin : basins_->basins) {
+      on_antimeridian_.push_back(wraps ? latitudes_on_antimeridian(basin.polygons)
+                                       : std::set<double>());
       const std::string fault = wraps ? unwrap_longitudes(basin.polygons) : "";
       if (!fault.empty()) {
         complaints.add({basins_->file, basin.line, basin.place + ": " + fault, {}});
@@ -191,18 +209,19 @@ class StudyMaker {
       tracer_.emplace(*basins_->crs, *study_.crs, request_.tolerance / 4,
                       Course::chords_and_bulges);
     }
-    bring(i, basin, complaints);
+    take(i, tracer_->trace(study_.native_basins[i], Longitudes::run_on), basin, complaints);
   }
 
   /// Every vertex into the plane, vertices only.
   void project(std::size_t i, Basin& basin, Complaints& complaints) {
     constexpr double untorn = 1e5;  // metres
     if (!tracer_) tracer_.emplace(*basins_->crs, *study_.crs, untorn, Course::ends);
-    bring(i, basin, complaints);
+    take(i, tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]), basin,
+         complaints);
   }
 
-  void bring(std::size_t i, Basin& basin, Complaints& complaints) {
-    auto brought = tracer_->trace(study_.native_basins[i], Longitudes::run_on);
+  void take(std::size_t i, std::optional<CurvedShape> brought, Basin& basin,
+            Complaints& complaints) const {
     if (!brought) return complain_of_area(i, tracer_->outside(), complaints);
     basin.shape = std::move(brought->shape);
     basin.bulges = std::move(brought->bulges);
@@ -253,6 +272,7 @@ class StudyMaker {
   StationsFile stations_;
   std::optional<BasinsFile> basins_;
   Study study_;
+  std::vector<std::set<double>> on_antimeridian_;  // by basin: latitudes of vertices of its own
   std::optional<ShapeTracer> tracer_;
 };
 

@@ -7,6 +7,7 @@
 #include "base/temporary_folder.h"
 #include "earth/ellipsoid_area.h"
 #include "io/complaints.h"
+#include "io/ellipsoid_strip.h"
 #include "io/ring_direction.h"
 
 namespace thiessen {
@@ -162,6 +163,53 @@ TEST(Study, the_plane_option_takes_vertices_alone) {
   EXPECT_NEAR(study.stations.at(0).position.x, 500000, 1e-6);
   EXPECT_GT(study.stations.at(0).position.y, 5.5e6);
   EXPECT_TRUE(study.basins_crs->is_wgs84());
+}
+
+TEST(Study, the_plane_option_joins_what_the_antimeridian_cuts) {
+  Given given;
+  given.stations = "id,lon,lat\na,10,-70\nb,20,-75\n";
+  given.request.plane = "EPSG:3031";
+  // Round the pole, and over the antimeridian beside it; the latter with a vertex of its own there.
+  for (const char* ring : {"[[-135,-80],[-45,-80],[45,-80],[135,-80],[-135,-80]]",
+                           "[[170,-80],[170,-70],[180,-70],[-170,-80],[170,-80]]"}) {
+    given.basins = geojson(ring);
+    const Study study = given.study();
+    ASSERT_EQ(study.basins.at(0).shape.size(), 1U);
+    EXPECT_EQ(study.basins.at(0).shape.at(0).outer.size(), 4U);
+    EXPECT_TRUE(study.basins.at(0).shape.at(0).holes.empty());
+  }
+}
+
+TEST(Study, a_plane_without_the_pole_that_a_basin_holds_is_told) {
+  Given given;
+  given.request.plane = "EPSG:3857";
+  given.basins = geojson("[[-135,80],[-45,80],[45,80],[135,80],[-135,80]]");
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
+                       "the point 0 90 lies outside the projection's area (EPSG:3857)"));
+}
+
+TEST(Study, basins_all_round_the_earth_in_a_projection) {
+  Given given;
+  given.stations = "id,lon,lat\na,10,70\n";
+  given.basins_name = "b.csv";
+  given.request.basins.emplace();
+  given.request.basins->source.crs = "EPSG:3571";
+  const auto square_at = [](const std::string& id, double x, double y) {
+    return id + square(x, y, 2e6).substr(std::string("id,WKT\nq").size());
+  };
+  // Round the pole, and over the antimeridian, which leads to the left there.
+  given.basins = "id,WKT\n" + square_at("pole", -1e6, -1e6) + square_at("beside", 1e6, -1e6) +
+                 square_at("left", -3e6, -1e6) + square_at("below", -1e6, -3e6) +
+                 square_at("above", -1e6, 1e6);
+  const Study study = given.study();
+  ASSERT_EQ(study.basins.size(), 5U);
+  for (const Basin& basin : study.basins) {
+    for (const Polygon& part : basin.shape) {
+      for (const Point point : part.outer) EXPECT_LE(std::abs(point.x), 180);
+    }
+    // The plane has equal areas; PROJ's series leaves 1e-10.
+    EXPECT_NEAR(area_on_earth({basin.shape, basin.bulges}) / 4e12, 1, 1e-9) << basin.id;
+  }
 }
 
 TEST(Study, planar_on_degrees_warns_with_a_figure) {
