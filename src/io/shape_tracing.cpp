@@ -147,9 +147,13 @@ std::optional<CurvedShape> ShapeTracer::to_degrees(const MultiPolygon& shape,
     std::vector<WindingRing> rings;
     const auto add = [&](const Ring& ring) {
       auto traced = tracer_.trace(ring);
-      if (traced) rings.push_back(*std::move(traced));
-      outside_ = traced ? ring.front() : tracer_.outside();
-      return traced.has_value();
+      if (!traced) {
+        outside_ = tracer_.outside();
+        return false;
+      }
+      outside_ = ring.front();
+      rings.push_back(*std::move(traced));
+      return true;
     };
     if (!add(polygon.outer) || !std::all_of(polygon.holes.begin(), polygon.holes.end(), add))
       return std::nullopt;

@@ -231,6 +231,7 @@ class StudyMaker {
   void bring_basins_together() {
     if (study_.metric == Metric::geodesic) {
       std::vector<CurvedShape> shapes;
+      shapes.reserve(study_.basins.size());
       for (Basin& basin : study_.basins)
         shapes.push_back({std::move(basin.shape), std::move(basin.bulges)});
       bring_together(shapes);
@@ -241,6 +242,7 @@ class StudyMaker {
     }
     if (!basins_ || !basins_->crs || basins_->crs->degrees_per_unit() != 1) return;
     std::vector<CurvedShape> native;
+    native.reserve(study_.native_basins.size());
     for (MultiPolygon& shape : study_.native_basins) native.push_back({std::move(shape), {}});
     bring_together(native);
     for (std::size_t i = 0; i < native.size(); ++i)
@@ -249,6 +251,7 @@ class StudyMaker {
 
   static void bring_together(std::vector<CurvedShape>& shapes) {
     std::vector<CurvedShape*> all;
+    all.reserve(shapes.size());
     for (CurvedShape& shape : shapes) all.push_back(&shape);
     bring_to_common_turn(all);
   }
