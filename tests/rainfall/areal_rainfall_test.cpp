@@ -187,6 +187,70 @@ TEST_F(RandomRainfall, retessellated_is_that_of_the_network_without_its_silent_g
   }
 }
 
+// What --weights-log writes is enough to have any value again by hand.
+TEST_F(RandomRainfall, is_the_sum_of_readings_with_the_weights_that_are_told) {
+  const Weighing weighing(*network_, basins_, plane);
+  for (const Gaps gaps : {Gaps::retessellate, Gaps::renormalise, Gaps::strict}) {
+    const ArealRainfall rainfall(weighing, {gaps, 3}, 1);
+    for (const auto& readings : gappy_steps(seeded_, 61, 30)) {
+      const auto values = rainfall.at(readings);
+      const auto weights = rainfall.weights_at(readings);
+      for (std::size_t b = 0; b < values.size(); ++b) {
+        if (std::isnan(values[b].rainfall)) {
+          EXPECT_TRUE(weights[b].stations.empty());
+          continue;
+        }
+        EXPECT_EQ(weights[b].stations.size(), values[b].gauges);
+        double sum = 0;
+        double whole = 0;
+        for (const StationWeight& s : weights[b].stations) {
+          sum += s.weight * readings[index(s.station)];
+          whole += s.weight;
+        }
+        EXPECT_NEAR(sum, values[b].rainfall, 1e-11);
+        EXPECT_NEAR(whole, 1, 1e-12);
+      }
+    }
+  }
+}
+
+// At 60 % silent, on a lattice too, whole regions hand over together.
+TEST(ManySilentGauges, have_the_values_of_the_network_without_them) {
+  Seeded seeded;
+  for (const bool lattice : {false, true}) {
+    std::vector<Station> stations;
+    for (int i = 0; i < 12; ++i) {
+      for (int j = 0; j < 12; ++j) {
+        const Point at =
+            lattice ? Point{0.5 * i, 0.5 * j} : Point{seeded.uniform(0, 6), seeded.uniform(0, 6)};
+        stations.push_back({std::to_string(12 * i + j), at, 0});
+      }
+    }
+    const Network network(stations, Metric::planar);
+    const std::vector<Basin> basins{shapes::basin({{shapes::star(seeded, {3, 3}, 2.9, 40), {}}}),
+                                    shapes::basin({{shapes::rectangle({-1, -1}, {7, 7}), {}}})};
+    const Weighing weighing(network, basins, plane);
+    const ArealRainfall rainfall(weighing, {}, 1);
+    for (int round = 0; round < 10; ++round) {
+      std::vector<double> readings(stations.size(), silent);
+      std::vector<bool> reports(stations.size(), false);
+      for (std::size_t s = 0; s < stations.size(); ++s) {
+        if (seeded.uniform(0, 1) < 0.6) continue;
+        readings[s] = seeded.uniform(0, 100);
+        reports[s] = true;
+      }
+      const auto expected = weighing.weights(reports, 1);
+      const auto found = rainfall.at(readings);
+      for (std::size_t b = 0; b < basins.size(); ++b) {
+        double sum = 0;
+        for (const StationWeight& s : expected[b].stations)
+          sum += s.weight * readings[index(s.station)];
+        EXPECT_NEAR(found[b].rainfall, sum, 1e-10) << lattice;
+      }
+    }
+  }
+}
+
 void ignore(RainStep&) {}
 
 class Table : public Readings {
