@@ -13,6 +13,7 @@
 #include "io/crs_definition.h"
 #include "io/drivers.h"
 #include "io/gdal_errors.h"
+#include "io/proj_objects.h"
 
 namespace thiessen {
 namespace {
@@ -24,6 +25,7 @@ struct Fault {
 };
 
 bool same_system(const OGRSpatialReference& a, const OGRSpatialReference& b) {
+  const GdalErrors errors;
   static constexpr std::array<const char*, 3> how = {
       "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES", "CRITERION=EQUIVALENT_EXCEPT_AXIS_ORDER_GEOGCRS",
       nullptr};
@@ -34,12 +36,11 @@ bool same_system(const OGRSpatialReference& a, const OGRSpatialReference& b) {
 /// server.
 bool names_outside_file(const std::string& text) {
   const std::string lower = lower_case(text);
-  for (const char* key :
-       {"grids=", "parameterfile[", "+init=", "+file=", "+xy_grids", "+z_grids"}) {
+  for (const char* key : {"grids=", "parameterfile[", "+file=", "+xy_grids", "+z_grids"}) {
     for (std::size_t at = lower.find(key); at != std::string::npos; at = lower.find(key, at + 1)) {
       const std::size_t end = lower.find_first_of(" ]", at);
       const std::string value = lower.substr(at, end == std::string::npos ? end : end - at);
-      if (value.find('/') != std::string::npos || value.starts_with("+init=")) return true;
+      if (value.find('/') != std::string::npos) return true;
     }
   }
   return false;
@@ -73,7 +74,8 @@ void require_earth(const OGRSpatialReference& system) {
   }
 }
 
-Crs define(const OGRSpatialReference& given) {
+/// `otherwise`: what the CRS is called where it has neither code nor name.
+Crs define(const OGRSpatialReference& given, const std::string& otherwise) {
   auto definition = std::make_shared<Crs::Definition>();
   OGRSpatialReference& system = definition->system;
   system = given;
@@ -85,6 +87,7 @@ Crs define(const OGRSpatialReference& given) {
   if (names_outside_file(definition->wkt))
     throw Fault{"names a file; only PROJ's own grids are used"};
   definition->name = code_or_name(system);
+  if (definition->name == "unknown" || definition->name == "unnamed") definition->name = otherwise;
   definition->geographic = system.IsGeographic() != 0;
   definition->unit = definition->geographic
                          ? system.GetAngularUnits(nullptr) * 180 / std::numbers::pi
@@ -104,6 +107,7 @@ Crs define(const OGRSpatialReference& given) {
 }
 
 OGRSpatialReference parse(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
   if (text.empty()) throw Fault{"is empty"};
   if (text.size() > longest_text) throw Fault{"is longer than 65536 bytes"};
   if (text.find('\0') != std::string_view::npos) throw Fault{"holds a NUL byte"};
@@ -113,6 +117,10 @@ OGRSpatialReference parse(std::string_view text) {
       lower.find("+step") != std::string::npos ||
       lower.starts_with("urn:ogc:def:coordinateoperation")) {
     throw Fault{"is a pipeline of operations, and no CRS"};
+  }
+  if (lower.find("+init=") != std::string::npos) {
+    throw Fault{
+        "says +init, which PROJ would read from a file: write EPSG:4326 for +init=epsg:4326"};
   }
   if (names_outside_file(whole)) throw Fault{"names a file; only PROJ's own grids are used"};
   static constexpr std::array<const char*, 3> closed = {"ALLOW_NETWORK_ACCESS=NO",
@@ -129,11 +137,12 @@ OGRSpatialReference parse(std::string_view text) {
 
 Crs Crs::from_text(std::string_view text, std::string_view option) {
   start_gdal();
+  require_proj_database();
   const std::string subject = std::string(option) + " " + quoted(text, 80);
   try {
     const OGRSpatialReference system = parse(text);
     const GdalErrors errors;
-    return define(system);
+    return define(system, quoted(text, 80));
   } catch (const Fault& fault) {
     throw Error(Message{{},
                         0,
@@ -166,17 +175,24 @@ double Crs::metres_per_unit() const {
   return definition_->geographic ? 0 : definition_->unit;
 }
 
+Crs Crs::over(const Box& area) const {
+  Crs used = *this;
+  used.area_ = area;
+  return used;
+}
+
 bool Crs::same_as(const Crs& other) const {
   return definition_ == other.definition_ ||
          same_system(definition_->system, other.definition_->system);
 }
 
 std::optional<Crs> crs_from_system(const OGRSpatialReference& system, const std::string& file) {
+  require_proj_database();
   const std::string name = code_or_name(system);
   if (system.IsLocal() != 0 || name.starts_with("Undefined")) return std::nullopt;
   const GdalErrors errors;
   try {
-    return define(system);
+    return define(system, "unknown");
   } catch (const Fault& fault) {
     throw Error(Message{file, 0, "its CRS " + quoted(name, 80) + " " + fault.text, {}});
   }

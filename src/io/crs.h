@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -34,6 +35,10 @@ class Crs {
   double degrees_per_unit() const;
   /// How long the unit of a projected CRS is in metres; 0 for a geographic one.
   double metres_per_unit() const;
+  /// The same CRS, used in this area: degrees of WGS 84, east possibly beyond 180. The operation
+  /// between its datum and another's is then the one for this area.
+  Crs over(const Box& area) const;
+  const std::optional<Box>& area() const { return area_; }
   /// Whether both place the same coordinates at the same points; names and axis order do not count.
   bool same_as(const Crs& other) const;
 
@@ -43,22 +48,26 @@ class Crs {
 
  private:
   std::shared_ptr<const Definition> definition_;
+  std::optional<Box> area_;
 };
 
-/// Takes points from one CRS to another, vertex by vertex.
+class CoordinateOperation;
+
+/// Takes points from one CRS to another, vertex by vertex, by one operation for all (see
+/// CoordinateOperation): the best for the area over which either CRS is used.
 /// Every answer is proved: a point lies outside the projection's area where the way back misses it
 /// by more than 0.1 m (within the area it misses by less than 1 mm), or where it is further than 20
 /// degrees from the area for which the CRS is made: projections give finite nonsense there. Not
 /// safe for two threads at once.
 class Transformation {
  public:
-  /// Throws Error where no transformation is known, naming both.
+  /// Throws Error where no transformation of datum is known, naming both.
   Transformation(const Crs& from, const Crs& to);
   ~Transformation();
   Transformation(Transformation&&) noexcept;
   Transformation& operator=(Transformation&&) noexcept;
 
-  /// Nothing where the point lies outside the projection's area. Cost: two projections.
+  /// Nothing where the point lies outside the projection's area. Cost: up to four projections.
   std::optional<Point> operator()(Point point) const;
   /// All of them in place; the flag is false for each that lies outside the projection's area, and
   /// its point is then not changed.
@@ -68,6 +77,8 @@ class Transformation {
   void apply_unproved(std::vector<Point>& points) const;
   /// The same CRS on both sides: points stay as they are, bit for bit.
   bool identity() const;
+  /// What takes the points; null for the same CRS on both sides.
+  const CoordinateOperation* operation() const;
 
  private:
   struct Proj;

@@ -12,6 +12,7 @@
 #include "io/common_turn.h"
 #include "io/coordinate_checks.h"
 #include "io/crs_agreement.h"
+#include "io/datums.h"
 #include "io/shape_tracing.h"
 
 namespace thiessen {
@@ -49,6 +50,7 @@ class StudyMaker {
   Study make() {
     agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
     choose_coordinates();
+    settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
     mend_basins();
     bring_stations();
     bring_basins();

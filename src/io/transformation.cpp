@@ -1,22 +1,17 @@
 #include <ogr_spatialref.h>
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
-#include "base/error.h"
+#include "io/coordinate_operation.h"
 #include "io/crs.h"
 #include "io/crs_definition.h"
-#include "io/gdal_errors.h"
 
 namespace thiessen {
 namespace {
 
 constexpr double metres_missed_at_most = 0.1;
 constexpr double metres_per_degree = 111320;
-
-using OgrTransformation = std::unique_ptr<OGRCoordinateTransformation>;
 
 /// How far b lies from a, in metres or nearly so; coordinates in `crs`.
 double metres_apart(const Crs& crs, Point a, Point b) {
@@ -56,67 +51,57 @@ AreaOfUse area_of_use(const Crs& crs) {
   return area;
 }
 
-OgrTransformation to_degrees(const Crs& crs) {
-  const std::unique_ptr<OGRSpatialReference> degrees(crs.definition().system.CloneGeogCS());
-  if (!degrees) return nullptr;
-  degrees->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return OgrTransformation(
-      OGRCreateCoordinateTransformation(&crs.definition().system, degrees.get()));
-}
-
-void transform(OGRCoordinateTransformation& by, std::vector<Point>& points) {
-  std::vector<double> x(points.size());
-  std::vector<double> y(points.size());
-  std::transform(points.begin(), points.end(), x.begin(), [](Point p) { return p.x; });
-  std::transform(points.begin(), points.end(), y.begin(), [](Point p) { return p.y; });
-  std::vector<int> done(points.size(), 0);
-  const GdalErrors errors;
-  // The count is an int: more points than that go in slices.
-  constexpr std::size_t slice = 1U << 20U;
-  for (std::size_t at = 0; at < points.size(); at += slice) {
-    const int count = static_cast<int>(std::min(slice, points.size() - at));
-    by.Transform(count, x.data() + at, y.data() + at, nullptr, done.data() + at);
-  }
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const bool good = done[i] != 0 && std::isfinite(x[i]) && std::isfinite(y[i]);
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    points[i] = good ? Point{x[i], y[i]} : Point{none, none};
-  }
-}
-
 }  // namespace
 
 struct Transformation::Proj {
   Crs from;
   Crs to;
-  OgrTransformation forward;
-  OgrTransformation back;
-  OgrTransformation degrees;  ///< from `from`, where neither side is geographic
+  std::optional<CoordinateOperation> operation;
+  bool reversed = false;
+  std::optional<CoordinateOperation> degrees;  ///< of `from`, where WGS 84 is on neither side
   AreaOfUse from_area;
   AreaOfUse to_area;
 
-  bool in_use(Point degrees_at) const {
-    return from_area.reaches(degrees_at) && to_area.reaches(degrees_at);
+  void go(std::vector<Point>& points) const {
+    if (reversed) {
+      operation->back(points);
+    } else {
+      operation->forth(points);
+    }
   }
+  /// The way back, for a proof.
+  void return_nearly(std::vector<Point>& points) const {
+    if (reversed) {
+      operation->forth(points);
+    } else {
+      operation->back_nearly(points);
+    }
+  }
+  /// Longitudes and latitudes of `here`, which are `there` in `to`; none where they are not known.
+  std::vector<Point> degrees_of(const std::vector<Point>& here,
+                                const std::vector<Point>& there) const {
+    if (from.is_wgs84()) return here;
+    if (to.is_wgs84()) return there;
+    if (!degrees) return {};
+    std::vector<Point> points = here;
+    degrees->forth(points);
+    return points;
+  }
+  bool in_use(Point at) const { return from_area.reaches(at) && to_area.reaches(at); }
 };
 
 Transformation::Transformation(const Crs& from, const Crs& to)
-    : proj_(std::make_unique<Proj>(Proj{from, to, {}, {}, {}, {}, {}})) {
+    : proj_(std::make_unique<Proj>(Proj{from, to, {}, false, {}, {}, {}})) {
   if (from.same_as(to)) return;
-  const GdalErrors errors;
-  proj_->forward.reset(
-      OGRCreateCoordinateTransformation(&from.definition().system, &to.definition().system));
-  if (proj_->forward) proj_->back.reset(proj_->forward->GetInverse());
-  if (!proj_->back) {
-    throw Error(Message{{},
-                        0,
-                        "no transformation from " + from.name() + " to " + to.name() +
-                            " is known: " + errors.text(),
-                        {}});
-  }
+  // Both ways are one operation: PROJ is asked for the one to WGS 84, or else always for the same.
+  proj_->reversed = from.is_wgs84() || (!to.is_wgs84() && to.wkt() < from.wkt());
+  const std::optional<Box>& area = from.area() ? from.area() : to.area();
+  proj_->operation.emplace(proj_->reversed ? to : from, proj_->reversed ? from : to, area);
   proj_->from_area = area_of_use(from);
   proj_->to_area = area_of_use(to);
-  if (!from.geographic() && !to.geographic()) proj_->degrees = to_degrees(from);
+  if (!from.is_wgs84() && !to.is_wgs84()) {
+    proj_->degrees = CoordinateOperation::rough(from);
+  }
 }
 
 Transformation::~Transformation() = default;
@@ -124,28 +109,28 @@ Transformation::Transformation(Transformation&&) noexcept = default;
 Transformation& Transformation::operator=(Transformation&&) noexcept = default;
 
 bool Transformation::identity() const {
-  return proj_->forward == nullptr;
+  return !proj_->operation;
+}
+
+const CoordinateOperation* Transformation::operation() const {
+  return proj_->operation ? &*proj_->operation : nullptr;
 }
 
 void Transformation::apply_unproved(std::vector<Point>& points) const {
-  if (!identity()) transform(*proj_->forward, points);
+  if (!identity()) proj_->go(points);
 }
 
 std::vector<bool> Transformation::apply(std::vector<Point>& points) const {
   std::vector<bool> inside(points.size(), true);
   if (identity()) return inside;
   std::vector<Point> there = points;
-  transform(*proj_->forward, there);
+  proj_->go(there);
   std::vector<Point> returned = there;
-  transform(*proj_->back, returned);
-  std::vector<Point> degrees = proj_->from.geographic() ? points : there;
-  if (proj_->degrees) {
-    degrees = points;
-    transform(*proj_->degrees, degrees);
-  }
+  proj_->return_nearly(returned);
+  const std::vector<Point> degrees = proj_->degrees_of(points, there);
   for (std::size_t i = 0; i < points.size(); ++i) {
     inside[i] = metres_apart(proj_->from, points[i], returned[i]) <= metres_missed_at_most &&
-                proj_->in_use(degrees[i]);
+                (degrees.empty() || proj_->in_use(degrees[i]));
     if (inside[i]) points[i] = there[i];
   }
   return inside;
