@@ -18,6 +18,7 @@ struct Allowed {
   std::optional<Box> area = {};
   bool all_grids = false;  ///< also with grids that are not there
   bool ballpark = false;   ///< also longitudes and latitudes as they are
+  bool grids = true;       ///< also operations that work no farther than a grid
 };
 
 /// Chooses among PROJ's operations between two CRSs.
@@ -29,7 +30,9 @@ class Chooser {
         to_(proj_create(context_.get(), to.wkt().c_str())),
         to_degrees_(to.is_wgs84()) {}
 
-  std::optional<OperationChoice> best(const Allowed& allowed) const;
+  /// `reach`: the operation has to work there.
+  std::optional<OperationChoice> best(const Allowed& allowed,
+                                      const std::optional<Box>& reach) const;
   /// The first grid that is not there of the best operation that needs one and is more accurate
   /// than this; empty: none.
   std::string missing_grid(const std::optional<Box>& area, double accuracy) const;
@@ -66,19 +69,22 @@ ProjList Chooser::candidates(const Allowed& allowed) const {
   return ProjList(proj_create_operations(context, from_.get(), to_.get(), factory.get()));
 }
 
-std::optional<OperationChoice> Chooser::best(const Allowed& allowed) const {
+std::optional<OperationChoice> Chooser::best(const Allowed& allowed,
+                                             const std::optional<Box>& reach) const {
   const ProjList list = candidates(allowed);
   const int count = list ? proj_list_get_count(list.get()) : 0;
   for (int i = 0; i < count; ++i) {
     const ProjObject chosen(proj_list_get(context_.get(), list.get(), i));
     const ProjObject usual(proj_normalize_for_visualization(context_.get(), chosen.get()));
     if (!usual) continue;
+    if (!allowed.grids && proj_coordoperation_get_grid_used_count(context_.get(), chosen.get()) > 0)
+      continue;
     const char* steps = proj_as_proj_string(context_.get(), usual.get(), PJ_PROJ_5, nullptr);
     if (steps == nullptr) continue;
     OperationChoice choice{steps, proj_get_name(chosen.get()), {}, {}};
     // Where a grid is not there nothing comes of the text.
     const ProjObject operation(proj_create(context_.get(), choice.steps.c_str()));
-    if (!operation || !serves(operation.get(), allowed.area)) continue;
+    if (!operation || !serves(operation.get(), reach)) continue;
     const double accuracy = proj_coordoperation_get_accuracy(context_.get(), chosen.get());
     if (accuracy >= 0) choice.accuracy = accuracy;
     return choice;
@@ -127,11 +133,12 @@ std::string Chooser::missing_grid(const std::optional<Box>& area, double accurac
 OperationChoice choose(const Crs& from, const Crs& to, const std::optional<Box>& area) {
   const Chooser chooser(from, to);
   std::optional<OperationChoice> choice;
-  if (area) choice = chooser.best({area});
-  if (!choice) choice = chooser.best({});
+  if (area) choice = chooser.best({area}, area);
+  if (!choice) choice = chooser.best({}, area);
+  if (!choice) choice = chooser.best({}, {});
   if (choice) return *choice;
   const bool stays = may_be_taken_over(from, to);
-  if (stays) choice = chooser.best({{}, false, true});
+  if (stays) choice = chooser.best({{}, false, true}, {});
   if (choice) {
     if (on_sphere(from) != on_sphere(to)) {
       choice->sphere = on_sphere(from) ? from.name() : to.name();
@@ -159,7 +166,9 @@ OperationChoice choose_operation(const Crs& from, const Crs& to, const std::opti
 }
 
 std::optional<OperationChoice> choose_rough_operation(const Crs& from) {
-  return Chooser(from, Crs::wgs84()).best({{}, false, true});
+  const Chooser chooser(from, Crs::wgs84());
+  auto choice = chooser.best({{}, false, true, false}, {});
+  return choice ? choice : chooser.best({{}, false, true}, {});
 }
 
 std::string better_grid(const Crs& from, const Crs& to, const std::optional<Box>& area,

@@ -89,6 +89,13 @@ TEST(Datums, a_place_in_two_files_of_one_datum_stays_one_place) {
   EXPECT_GT(std::abs(station.x - 99), 0.001);
 }
 
+// New Zealand's grid ends long before Thailand; a translation does not.
+TEST(Datums, a_grid_that_does_not_reach_the_gauges_is_not_chosen) {
+  Given given;
+  given.stations_crs = "EPSG:4272";
+  EXPECT_NEAR(given.study().stations.at(0).position.x, 100.2, 0.01);
+}
+
 // The widest gap between stations is not the one over the antimeridian.
 TEST(Datums, the_area_goes_the_short_way_round) {
   Given given;
