@@ -6,7 +6,8 @@
 
 namespace thiessen {
 
-BisectorArc::BisectorArc(Direction first, Direction second, Direction chord) {
+BisectorArc::BisectorArc(Direction first, Direction second, Direction chord)
+    : half_separation_(std::asin(std::min(1.0, length(chord) / 2))) {
   const Direction forward = unit(chord);
   const Direction sum = first + second;
   if (length(sum) > 1e-9) {

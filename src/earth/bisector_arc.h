@@ -15,6 +15,8 @@ class BisectorArc {
   BisectorArc(Direction first, Direction second, Direction chord);
   BisectorArc(Direction first, Direction second) : BisectorArc(first, second, second - first) {}
 
+  /// Radians from either place to the middle of them.
+  double half_separation() const { return half_separation_; }
   Direction at(double angle) const;
   /// Off the circle by an angle, positive to the second's side.
   Direction at(double angle, double offset) const;
@@ -31,6 +33,7 @@ class BisectorArc {
  private:
   Direction middle_;
   Direction left_;
+  double half_separation_;
 };
 
 }  // namespace thiessen

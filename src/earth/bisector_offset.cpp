@@ -5,8 +5,7 @@
 namespace thiessen {
 namespace {
 
-// Radians: 1e-5 metres.
-constexpr double near_enough = 1.6e-12;
+constexpr double mean_radius = 6371008.8;  // metres
 // Shares of the piece: the ends of a Chebyshev grid are where polynomials swing.
 constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
 
@@ -14,6 +13,7 @@ constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
 
 std::optional<BisectorOffset> BisectorOffset::fit(const GeodesicBisector& edge, double from,
                                                   Point start, double to, Point end) {
+  const double near_enough = 10 * edge.accuracy() / mean_radius;
   BisectorOffset offset(edge.arc());
   if (!(from < to)) return {};
   offset.take({from, offset.offset_of(start)});

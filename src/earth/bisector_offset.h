@@ -13,8 +13,9 @@ namespace thiessen {
 class BisectorOffset {
  public:
   /// From the bisector's point `start`, at the angle `from`, to another. None where five points
-  /// between them do not tell the rest to 1e-5 metres, or as far as distances can tell: near
-  /// antipodes, or where the piece is too long. Cost: one to five points of the bisector.
+  /// between them do not tell the rest to ten times the edge's accuracy, or as far as distances can
+  /// tell: near antipodes, or where the piece is too long. Cost: one to five points of the
+  /// bisector.
   static std::optional<BisectorOffset> fit(const GeodesicBisector& edge, double from, Point start,
                                            double to, Point end);
 

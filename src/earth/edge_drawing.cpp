@@ -82,15 +82,40 @@ void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint t
                        PlaceIndex right) {
   left_ = left;
   right_ = right;
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil((to.angle - from.angle) / longest_piece)));
-  EdgePoint start = from;
+  const auto [first, last] = stretch_near(edge, from.angle, to.angle);
+  if (first == last) return;
+  const int pieces = static_cast<int>(std::ceil((last - first) / longest_piece));
+  const auto point = [&, first = first, last = last](int i) {
+    const double angle = i == pieces ? last : first + (last - first) * i / pieces;
+    return angle == from.angle ? from : angle == to.angle ? to : point_at(edge, angle);
+  };
+  EdgePoint start = point(0);
   for (int i = 1; i <= pieces; ++i) {
-    const double angle = from.angle + (to.angle - from.angle) * i / pieces;
-    EdgePoint end = i == pieces ? to : point_at(edge, angle);
+    EdgePoint end = point(i);
     draw_piece(edge, start, end);
     start = end;
   }
+}
+
+// What is left when halves that are far from the frame are taken off at the ends.
+std::pair<double, double> EdgeDrawing::stretch_near(const GeodesicBisector& edge, double from,
+                                                    double to) const {
+  while (to - from > shortest_chord) {
+    const double half = from + (to - from) / 2;
+    const bool first = may_come_near(edge, from, half);
+    const bool last = may_come_near(edge, half, to);
+    if (first && last) break;
+    if (!first) from = half;
+    if (!last) to = half;
+  }
+  return {from, to};
+}
+
+bool EdgeDrawing::may_come_near(const GeodesicBisector& edge, double from, double to) const {
+  const double half = (to - from) / 2;
+  const double off = edge.farthest_off(std::max(std::abs(from), std::abs(to)));
+  return thiessen::may_come_near(frame_, from_sphere(edge.arc().at(from + half)),
+                                 (half + off) / degree);
 }
 
 EdgePoint EdgeDrawing::point_at(const GeodesicBisector& edge, double angle) const {
@@ -106,8 +131,7 @@ EdgePoint EdgeDrawing::point_at(const BisectorOffset& offset, double angle) cons
 void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
-  const double radius = half / degree + GeodesicBisector::farthest_off();
-  if (!may_come_near(frame_, from_sphere(edge.arc().at(angle)), radius)) return;
+  if (!may_come_near(edge, start.angle, end.angle)) return;
   if (2 * half <= longest_fit) {
     const auto offset =
         BisectorOffset::fit(edge, start.angle, start.position, end.angle, end.position);
@@ -127,7 +151,7 @@ void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, Edg
   const double half = (end.angle - start.angle) / 2;
   EdgePoint middle = point_at(offset, start.angle + half);
   const bool is_long = half / degree > frame_size_ / 16;
-  if (is_long && !may_come_near(frame_, middle.position, half / degree)) return;
+  if (is_long && !thiessen::may_come_near(frame_, middle.position, half / degree)) return;
   const Point first_quarter = longitudes_.within(offset.at(start.angle + half / 2));
   const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
   const double first = sagitta(start.position, first_quarter, middle.position);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "earth/bisector_offset.h"
@@ -49,6 +50,9 @@ class EdgeDrawing {
   void add_to(Diagram& diagram) const;
 
  private:
+  bool may_come_near(const GeodesicBisector& edge, double from, double to) const;
+  std::pair<double, double> stretch_near(const GeodesicBisector& edge, double from,
+                                         double to) const;
   EdgePoint point_at(const GeodesicBisector& edge, double angle) const;
   EdgePoint point_at(const BisectorOffset& offset, double angle) const;
   void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);

@@ -9,7 +9,6 @@ namespace thiessen {
 namespace {
 
 // Metres.
-constexpr double equal_enough = 1e-7;
 constexpr double longest_step = 2e6;
 constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
 
@@ -25,21 +24,22 @@ Step minus(const Arrival& a, const Arrival& b) {
 
 }  // namespace
 
-std::optional<Equidistant> equidistant_point(Point a, Point b, Point c, Point start) {
+std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
+                                             const EarthPoint& c, Point start, double accuracy) {
   constexpr int most_steps = 20;
   Point p = start;
   double before = HUGE_VAL;
   for (int i = 0; i < most_steps; ++i) {
-    const Arrival from_a = arrival(a, p);
-    const Arrival from_b = arrival(b, p);
-    const Arrival from_c = arrival(c, p);
+    const EarthPoint at(p);
+    const Arrival from_a = arrival(a, at, accuracy);
+    const Arrival from_b = arrival(b, at, accuracy);
+    const Arrival from_c = arrival(c, at, accuracy);
     const double ab = from_a.distance - from_b.distance;
     const double ac = from_a.distance - from_c.distance;
     const double wrong = std::max(std::abs(ab), std::abs(ac));
     const Equidistant here{p, from_a.distance};
-    if (wrong <= equal_enough / 2) return here;
-    if (i > 3 && wrong > before / 2)
-      return wrong <= equal_enough ? std::optional(here) : std::nullopt;
+    if (wrong <= accuracy / 2) return here;
+    if (i > 3 && wrong > before / 2) return wrong <= accuracy ? std::optional(here) : std::nullopt;
     before = wrong;
     const Step u = minus(from_a, from_b);
     const Step v = minus(from_a, from_c);
@@ -50,7 +50,7 @@ std::optional<Equidistant> equidistant_point(Point a, Point b, Point c, Point st
     p = moved(p, step.east, step.north);
     // What a step leaves is of the second order in it.
     const double nearest = std::min({from_a.distance, from_b.distance, from_c.distance});
-    if (step.length() * step.length() <= equal_enough / 20 * nearest && from_a.distance < antipodal)
+    if (step.length() * step.length() <= accuracy / 20 * nearest && from_a.distance < antipodal)
       return Equidistant{p, from_a.distance + from_a.east * step.east + from_a.north * step.north};
   }
   return {};

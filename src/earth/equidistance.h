@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "earth/geodesic.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -14,8 +15,9 @@ struct Equidistant {
 
 /// The one that lies near `start`; none where it is not found: near the antipode of places that are
 /// near each other distances hardly differ, and may be equal at no point or at several. By Newton's
-/// method. Accuracy: the distances agree to 1e-7 metres. Cost: four geodesics for each of one to
-/// three steps.
-std::optional<Equidistant> equidistant_point(Point a, Point b, Point c, Point start);
+/// method, until the distances agree to `accuracy` metres, at least 1e-7. Cost: four geodesics for
+/// each of one to three steps.
+std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
+                                             const EarthPoint& c, Point start, double accuracy);
 
 }  // namespace thiessen

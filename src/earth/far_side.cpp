@@ -19,7 +19,8 @@ constexpr double slack = 1e-3;
 }  // namespace
 
 GeodesicBisector FarSide::bisector(const OpenSide& side) const {
-  return {position(side.from), position(side.to), sphere_.bisector(side.from, side.to)};
+  return {EarthPoint(position(side.from)), EarthPoint(position(side.to)),
+          sphere_.bisector(side.from, side.to), accuracy_};
 }
 
 FarSide::Polygon FarSide::boundary_of(const std::vector<std::uint32_t>& triangles,

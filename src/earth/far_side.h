@@ -30,8 +30,9 @@ class FarSide {
   /// Where a triangle outside the far side has its vertex.
   using DirectionOf = std::function<Direction(std::uint32_t triangle)>;
 
-  FarSide(const SphereTessellation& sphere, std::span<const Point> places, CellMesh& mesh)
-      : sphere_(sphere), places_(places), mesh_(mesh) {}
+  FarSide(const SphereTessellation& sphere, std::span<const Point> places, double accuracy,
+          CellMesh& mesh)
+      : sphere_(sphere), places_(places), accuracy_(accuracy), mesh_(mesh) {}
 
   /// Lays those triangles anew, which must hang together without a hole. Positions are right as far
   /// as every point near them is in the right cell: distances agree to 1e-4 metres or so. Empty,
@@ -71,6 +72,7 @@ class FarSide {
 
   const SphereTessellation& sphere_;
   std::span<const Point> places_;
+  double accuracy_;
   CellMesh& mesh_;
   Polygon polygon_;
 };

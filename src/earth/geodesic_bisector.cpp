@@ -14,7 +14,6 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr double mean_radius = 6371008.8;  // metres
 // Metres.
 constexpr double distance_noise = 3e-8;
-constexpr double finest_step = 1e-6;
 constexpr double farthest = 60e3;
 constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
 // Radians: 1e-5 metres.
@@ -78,31 +77,39 @@ BisectorPoint GeodesicBisector::find(double angle, double offset) const {
   return {by_sign, at(angle, by_sign)};
 }
 
+// What is d away is measured wrong by 0.34 % of d on the sphere, for the one place nearly as much
+// as for the other: a twentieth of that is what is seen in the end.
+double GeodesicBisector::farthest_off(double angle) const {
+  constexpr double share = 0.01;
+  constexpr double rounding = 1e-9;
+  return share * (std::abs(angle) + arc_.half_separation()) + rounding;
+}
+
 double GeodesicBisector::nearer_to_second(Point p) const {
-  return geodesic_distance(first_, p) - geodesic_distance(second_, p);
+  return geodesic_distance(first_.position, p) - geodesic_distance(second_.position, p);
 }
 
 std::optional<BisectorPoint> GeodesicBisector::by_newton(double angle, double offset) const {
   constexpr int most_steps = 8;
   for (int i = 0; i < most_steps; ++i) {
-    const Direction here = arc_.at(angle, offset);
-    const Point p = from_sphere(here);
-    const Arrival from_first = arrival(first_, p);
-    const Arrival from_second = arrival(second_, p);
+    const EarthPoint here(arc_.at(angle, offset));
+    const Arrival from_first = arrival(first_, here, accuracy_);
+    const Arrival from_second = arrival(second_, here, accuracy_);
     if (from_first.distance > antipodal) return {};
     const double difference = from_first.distance - from_second.distance;
-    const Step across = east_and_north(here, arc_.across(angle, offset));
+    const Step across = east_and_north(here.direction, arc_.across(angle, offset));
     const double growth = (from_first.east - from_second.east) * across.east +
                           (from_first.north - from_second.north) * across.north;
-    const double scale = scale_at(p, here);
+    const double scale = scale_at(here.position, here.direction);
     const double step = -difference / (growth * scale);
     if (!(growth > 0) || !(std::abs(offset + step) * mean_radius <= farthest)) return {};
     const double uncertainty = distance_noise / (growth * scale);
-    if (std::abs(difference) <= distance_noise) return BisectorPoint{offset, p, true, uncertainty};
+    if (std::abs(difference) <= distance_noise)
+      return BisectorPoint{offset, here.position, true, uncertainty};
     offset += step;
     // What is left is of the second order.
     const double length = step * scale;
-    if (length * length <= finest_step * growth * from_first.distance)
+    if (length * length <= accuracy_ * growth * from_first.distance)
       return BisectorPoint{offset, at(angle, offset), true, uncertainty};
   }
   return {};

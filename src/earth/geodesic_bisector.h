@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "earth/bisector_arc.h"
+#include "earth/geodesic.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -23,17 +24,21 @@ struct BisectorPoint {
 /// how far it is from there, straight across: up to 30 km.
 class GeodesicBisector {
  public:
-  GeodesicBisector(Point first, Point second, const BisectorArc& arc)
-      : arc_(arc), first_(first), second_(second) {}
+  /// `accuracy`: metres, at least 1e-6.
+  GeodesicBisector(const EarthPoint& first, const EarthPoint& second, const BisectorArc& arc,
+                   double accuracy)
+      : arc_(arc), first_(first), second_(second), accuracy_(accuracy) {}
 
   const BisectorArc& arc() const { return arc_; }
+  double accuracy() const { return accuracy_; }
 
   /// The bisector's point across from the great circle's at that angle; `offset`: how far it may
-  /// be. Accuracy: 1e-6 metres or the uncertainty, whichever is more; where it is not exact, 1e-5
-  /// metres. Cost: two geodesics a step, one or two steps; where it is not exact 20 steps or so.
+  /// be. Right to the accuracy or the uncertainty, whichever is more; where it is not exact, to
+  /// 1e-5 metres. Cost: two geodesics a step, one or two steps; where it is not exact 20 steps or
+  /// so.
   BisectorPoint find(double angle, double offset = 0) const;
-  /// How far the bisector may be from the great circle, and more, in degrees.
-  static double farthest_off() { return 0.5; }
+  /// How far the bisector may be from the great circle up to an angle, and more, in radians.
+  double farthest_off(double angle) const;
 
  private:
   std::optional<BisectorPoint> by_newton(double angle, double offset) const;
@@ -42,8 +47,9 @@ class GeodesicBisector {
   Point at(double angle, double offset) const { return from_sphere(arc_.at(angle, offset)); }
 
   BisectorArc arc_;
-  Point first_;
-  Point second_;
+  EarthPoint first_;
+  EarthPoint second_;
+  double accuracy_;
 };
 
 }  // namespace thiessen

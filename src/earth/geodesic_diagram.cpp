@@ -24,9 +24,10 @@ constexpr double pi = std::numbers::pi;
 class GeodesicDiagramBuilder {
  public:
   GeodesicDiagramBuilder(std::span<const Point> places, const Box& frame, double tolerance,
-                         unsigned threads)
+                         double accuracy, unsigned threads)
       : sphere_(std::make_shared<SphereTessellation>(places)),
         tolerance_(tolerance),
+        accuracy_(accuracy),
         threads_(threads) {
     diagram_.frame = frame;
     diagram_.period = 360;
@@ -58,8 +59,8 @@ class GeodesicDiagramBuilder {
     const PlaceIndex first = sphere_->pole();
     const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
     diagram_.neighbours.emplace_back(first, second);
-    const GeodesicBisector edge(position(first), position(second),
-                                sphere_->bisector(first, second));
+    const GeodesicBisector edge(EarthPoint(position(first)), EarthPoint(position(second)),
+                                sphere_->bisector(first, second), accuracy_);
     const Point start = LongitudeTurn(diagram_.frame).within(edge.find(pi).position);
     diagram_.nodes.push_back(start);
     EdgeDrawing drawing(diagram_.frame, tolerance_, 1);
@@ -68,7 +69,7 @@ class GeodesicDiagramBuilder {
   }
 
   void add_edges() {
-    GeodesicVertices vertices(*sphere_, diagram_.places, diagram_.frame, threads_);
+    GeodesicVertices vertices(*sphere_, diagram_.places, diagram_.frame, accuracy_, threads_);
     const LongitudeTurn longitudes(diagram_.frame);
     const CellMesh& mesh = vertices.mesh();
     std::vector<std::uint32_t> node(mesh.triangles(), no_node);
@@ -126,6 +127,7 @@ class GeodesicDiagramBuilder {
 
   std::shared_ptr<const SphereTessellation> sphere_;
   double tolerance_;
+  double accuracy_;
   unsigned threads_;
   Diagram diagram_;
 };
@@ -133,8 +135,8 @@ class GeodesicDiagramBuilder {
 }  // namespace
 
 Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
-                         unsigned threads) {
-  return GeodesicDiagramBuilder(places, frame, tolerance, threads).build();
+                         double accuracy, unsigned threads) {
+  return GeodesicDiagramBuilder(places, frame, tolerance, accuracy, threads).build();
 }
 
 }  // namespace thiessen

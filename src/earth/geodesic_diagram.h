@@ -17,11 +17,11 @@ namespace thiessen {
 /// near each other vertices stay where the sphere has them.
 ///
 /// Requires at least one place, different ones, longitudes within 360 degrees of the frame's, and a
-/// frame no wider than 360 degrees. The result does not depend on `threads`. Accuracy: vertices and
-/// chords' ends 1e-5 metres. Cost: n log n for n places; some ten geodesics for each vertex near
-/// the frame, and four for each chord, whose number grows with the square root of the edges' length
-/// over the tolerance.
+/// frame no wider than 360 degrees. The result does not depend on `threads`. `accuracy`: of
+/// vertices, in metres, at least 1e-6; of chords' ends, tenfold. Cost: n log n for n places; some
+/// ten geodesics for each vertex near the frame, and for each edge; and the chords, whose number
+/// grows with the square root of the edges' length over the tolerance.
 Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
-                         unsigned threads);
+                         double accuracy, unsigned threads);
 
 }  // namespace thiessen

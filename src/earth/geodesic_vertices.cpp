@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/parallel.h"
 #include "earth/edge_drawing.h"
@@ -13,22 +14,21 @@
 namespace thiessen {
 namespace {
 
-// How much nearer, in metres, a point must be to a vertex to be within its circle: more than the
-// noise of distances.
-constexpr double within_circle = 2e-7;
-// Radians: 2 micrometres.
-constexpr double indistinct = 3e-13;
+constexpr double degree = std::numbers::pi / 180;
+constexpr double mean_radius = 6371008.8;  // metres
 
 }  // namespace
 
 GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
-                                   const Box& frame, unsigned threads)
-    : sphere_(sphere), places_(places), mesh_(sphere), vertices_(mesh_.triangles()) {
-  // More than the ellipsoid moves a vertex.
-  constexpr double margin = 1;  // degree
+                                   const Box& frame, double accuracy, unsigned threads)
+    : sphere_(sphere),
+      places_(places),
+      accuracy_(accuracy),
+      mesh_(sphere),
+      vertices_(mesh_.triangles()) {
   for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
     place_on_sphere(t);
-    vertices_[t].is_near = may_come_near(frame, vertices_[t].position, margin);
+    vertices_[t].is_near = may_come_near(frame, vertices_[t].position, farthest_off(t));
   }
   lay_far_side_anew();
   constexpr std::size_t some = 256;
@@ -41,6 +41,13 @@ GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<c
   });
   flip_sides();
   unite();
+}
+
+// More than the ellipsoid moves the vertex, in degrees.
+double GeodesicVertices::farthest_off(std::uint32_t triangle) const {
+  const double square =
+      sphere_.square_distance(vertices_[triangle].direction, mesh_.corners(triangle)[0]);
+  return std::min(1.0, 0.1 * std::sqrt(square) / degree + 1e-6);
 }
 
 void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
@@ -65,7 +72,8 @@ void GeodesicVertices::lay_far_side_anew() {
   if (!any_near) return;
   const auto direction_of = [&](std::uint32_t t) { return vertices_[t].direction; };
   for (const std::uint32_t t : far) vertices_[t].is_far = true;
-  for (const auto& [t, at] : FarSide(sphere_, places_, mesh_).lay_anew(far, direction_of))
+  for (const auto& [t, at] :
+       FarSide(sphere_, places_, accuracy_, mesh_).lay_anew(far, direction_of))
     vertices_[t] = {at.position, on_sphere(at.position), at.radius, true, true, true};
 }
 
@@ -73,7 +81,8 @@ void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   constexpr double farthest = 0.5;  // radians
   const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
-  const auto found = equidistant_point(position(a), position(b), position(c), vertex.position);
+  const auto found = equidistant_point(earth_point(a), earth_point(b), earth_point(c),
+                                       vertex.position, accuracy_ / 10);
   if (!found) return;
   const Direction direction = on_sphere(found->position);
   const Direction moved = direction - vertex.direction;
@@ -107,6 +116,8 @@ bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
 // The two triangles' circles say the same, but for those at antipodes, which hardly tell one place
 // from another: a circle that can say no is believed.
 bool GeodesicVertices::is_to_be_flipped(SideIndex s) const {
+  // More than the noise of distances.
+  const double within_circle = accuracy_ / 5;
   const SideIndex beyond = mesh_.twin(s);
   if (vertices_[CellMesh::triangle_of(s)].is_far || vertices_[CellMesh::triangle_of(beyond)].is_far)
     return false;
@@ -162,6 +173,7 @@ std::uint32_t GeodesicVertices::group_of(std::uint32_t triangle) const {
 
 // Neighbouring vertices that cannot be told apart, as those of four gauges on a grid, are one.
 void GeodesicVertices::unite() {
+  const double indistinct = 2 * accuracy_ / mean_radius;
   DisjointSets groups(vertices_.size());
   for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
     const SideIndex s{i};

@@ -15,20 +15,21 @@ namespace thiessen {
 /// are: see geodesic_diagram. Cost: for each vertex some ten geodesics.
 class GeodesicVertices {
  public:
-  /// The sphere's tessellation and the places must outlive it. Requires three places.
+  /// The sphere's tessellation and the places must outlive it. Requires three places. `accuracy`:
+  /// of the vertices and of edges, in metres, at least 1e-6.
   GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
-                   const Box& frame, unsigned threads);
+                   const Box& frame, double accuracy, unsigned threads);
 
   const CellMesh& mesh() const { return mesh_; }
   /// Whether the triangle's vertex lies near the frame; others are left as on the sphere.
   bool is_near(std::uint32_t triangle) const { return vertices_[triangle].is_near; }
   Point position(std::uint32_t triangle) const { return vertices_[triangle].position; }
-  /// Triangles whose centres are less than 2 micrometres apart, hand to hand, have one vertex, and
-  /// are known by one of them: the first by its corners' coordinates.
+  /// Triangles whose centres are less than twice the accuracy apart, hand to hand, have one vertex,
+  /// and are known by one of them: the first by its corners' coordinates.
   std::uint32_t group_of(std::uint32_t triangle) const;
   /// The edge between the cells of two places.
   GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
-    return {position(first), position(second), sphere_.bisector(first, second)};
+    return {earth_point(first), earth_point(second), sphere_.bisector(first, second), accuracy_};
   }
   /// Calls visit(a, b) for every pair of places whose cells have an edge in common. Far from the
   /// frame and at antipodes, where the vertices are the sphere's, also for those next to a side
@@ -57,6 +58,8 @@ class GeodesicVertices {
   };
 
   Point position(PlaceIndex p) const { return places_[index(p)]; }
+  EarthPoint earth_point(PlaceIndex p) const { return {position(p), sphere_.direction(p)}; }
+  double farthest_off(std::uint32_t triangle) const;
   void place_on_sphere(std::uint32_t triangle);
   void place_on_earth(std::uint32_t triangle);
   void lay_far_side_anew();
@@ -68,6 +71,7 @@ class GeodesicVertices {
 
   const SphereTessellation& sphere_;
   std::span<const Point> places_;
+  double accuracy_;
   CellMesh mesh_;
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> group_;

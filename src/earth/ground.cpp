@@ -1,5 +1,7 @@
 #include "earth/ground.h"
 
+#include <algorithm>
+
 #include "earth/geodesic_diagram.h"
 #include "tessellation/plane_diagram.h"
 
@@ -8,12 +10,20 @@ namespace {
 
 // The rest of the tolerance is for rounding to decimals when the cells are written.
 constexpr double share_for_chords = 0.5;
+constexpr double share_for_points = 1e-2;
+constexpr double finest_accuracy = 1e-6;  // metres
 
 }  // namespace
 
 Diagram Ground::diagram(std::span<const Point> places, const Box& frame, unsigned threads) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
-  return geodesic_diagram(places, frame, share_for_chords * tolerance, threads);
+  return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads);
+}
+
+Diagram Ground::diagram_for_areas(std::span<const Point> places, const Box& frame) const {
+  if (metric == Metric::planar) return plane_diagram(places, frame);
+  const double accuracy = std::max(finest_accuracy, share_for_points * tolerance);
+  return geodesic_diagram(places, frame, share_for_chords * tolerance, accuracy, 1);
 }
 
 std::unique_ptr<Surface> Ground::surface() const {

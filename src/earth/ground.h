@@ -20,6 +20,8 @@ struct Ground {
 
   /// The cells of `places` near `frame`: see plane_diagram and geodesic_diagram.
   Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
+  /// The same as exact as areas need: geodesic vertices to a hundredth of the tolerance.
+  Diagram diagram_for_areas(std::span<const Point> places, const Box& frame) const;
   std::unique_ptr<Surface> surface() const;
 };
 

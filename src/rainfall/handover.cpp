@@ -78,7 +78,7 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
   if (!has_ground || heirs.empty()) return {};
   std::vector<Point> positions;
   for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
-  const Diagram diagram = weighing_.ground().diagram(positions, frame, 1);
+  const Diagram diagram = weighing_.ground().diagram_for_areas(positions, frame);
   CellClipper clipper(diagram, weighing_.surface());
   std::map<std::pair<std::uint32_t, PlaceIndex>, LongSum> areas;
   for (const PlaceIndex cell : component) {

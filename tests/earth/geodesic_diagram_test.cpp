@@ -62,7 +62,7 @@ TEST_P(GeodesicDiagram, has_edges_at_equal_distance_of_their_places_and_farther_
   const Network network = GetParam();
   const std::vector<Point> places = places_of(network, seeded);
   const Box frame = frame_of(network);
-  const Diagram diagram = geodesic_diagram(places, frame, tolerance, 2);
+  const Diagram diagram = geodesic_diagram(places, frame, tolerance, 1e-6, 2);
   ASSERT_FALSE(diagram.chords.empty());
   for (std::size_t i = 0; i < diagram.chords.size(); i += 1 + diagram.chords.size() / 1500) {
     const Chord& chord = diagram.chords[i];
@@ -94,7 +94,7 @@ TEST(GeodesicDiagramOfAGrid, has_one_node_for_four_cells) {
   Box frame;
   frame.take_in(Point{9.9, 49.9});
   frame.take_in(Point{12.6, 51.1});
-  const Diagram diagram = geodesic_diagram(places, frame, tolerance, 1);
+  const Diagram diagram = geodesic_diagram(places, frame, tolerance, 1e-6, 1);
   for (const Chord& chord : diagram.chords) {
     const Point from = diagram.nodes[chord.from];
     const Point to = diagram.nodes[chord.to];
@@ -107,7 +107,7 @@ TEST(GeodesicDiagramOfTwoPlaces, is_one_closed_line) {
   Box frame;
   frame.take_in(Point{-180, -90});
   frame.take_in(Point{180, 90});
-  const Diagram diagram = geodesic_diagram(places, frame, 1000, 1);
+  const Diagram diagram = geodesic_diagram(places, frame, 1000, 1e-6, 1);
   ASSERT_FALSE(diagram.chords.empty());
   for (const Chord& chord : diagram.chords) {
     expect_between(places, chord, diagram.nodes[chord.from], 1e-4);
@@ -118,8 +118,8 @@ TEST(GeodesicDiagramOnThreads, is_the_same) {
   Seeded seeded;
   const Network network{"", {20, 60}, 10, 5, 3000};
   const std::vector<Point> places = places_of(network, seeded);
-  const Diagram one = geodesic_diagram(places, frame_of(network), tolerance, 1);
-  const Diagram three = geodesic_diagram(places, frame_of(network), tolerance, 3);
+  const Diagram one = geodesic_diagram(places, frame_of(network), tolerance, 1e-6, 1);
+  const Diagram three = geodesic_diagram(places, frame_of(network), tolerance, 1e-6, 3);
   EXPECT_EQ(one.nodes, three.nodes);
   ASSERT_EQ(one.chords.size(), three.chords.size());
   for (std::size_t i = 0; i < one.chords.size(); ++i) {

@@ -25,7 +25,7 @@ Box frame_of(const Basin& basin) {
 }
 
 std::vector<double> shares_of(const std::vector<Point>& places, const Basin& basin) {
-  const Diagram diagram = geodesic_diagram(places, frame_of(basin), 0.05, 2);
+  const Diagram diagram = geodesic_diagram(places, frame_of(basin), 0.05, 1e-6, 2);
   const EllipsoidSurface surface;
   CellClipper clipper(diagram, surface);
   std::vector<double> shares(places.size(), 0);
@@ -82,7 +82,7 @@ TEST(DegenerateNetworks, cells_of_gauges_on_a_grid_of_degrees_are_valid_and_have
     const double far = (lattice.side - 3.3) * lattice.step;
     const Basin basin = box_basin(lattice.west + inner, lattice.south + inner, lattice.west + far,
                                   lattice.south + far);
-    const Diagram diagram = geodesic_diagram(places, frame_of(basin), 0.05, 2);
+    const Diagram diagram = geodesic_diagram(places, frame_of(basin), 0.05, 1e-6, 2);
     const EllipsoidSurface surface;
     CellClipper clipper(diagram, surface);
     const std::vector<ClippedCell> cells = clipper.cells(basin);

@@ -96,7 +96,7 @@ void expect_shares(const std::vector<Point>& places, const Ring& ring, double al
   const Basin basin = shapes::basin({{ring, {}}});
   const EllipsoidSurface surface;
   const Box box = shapes::box_of(basin.shape);
-  const Diagram diagram = geodesic_diagram(places, box, 0.05, 2);
+  const Diagram diagram = geodesic_diagram(places, box, 0.05, 1e-6, 2);
   CellClipper clipper(diagram, surface);
   const std::vector<CellShare> shares = clipper.shares(basin);
   const double whole = area_of(basin, surface);

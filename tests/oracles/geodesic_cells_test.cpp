@@ -225,7 +225,7 @@ TEST_P(GeodesicVoronoiVertices, are_at_equal_distance_of_their_places) {
   const std::vector<Point> places = places_of(setting, seeded);
   const SphereTessellation sphere(places);
   const GeodesicVertices vertices(sphere, places, shapes::box_of(basin_of(setting, seeded).shape),
-                                  2);
+                                  1e-6, 2);
   constexpr double antipodal = 19.9e6;
   std::size_t seen = 0;
   for (std::uint32_t t = 0; t < vertices.mesh().triangles(); ++t) {
