@@ -31,6 +31,12 @@ struct EarthPoint {
 /// sphere's. Where the path is short, up to 20 km for 1e-6 metres and 190 km for 1e-3, the sphere's
 /// scale is summed along its great circle by Simpson's rule. Cost: then a tenth.
 Arrival arrival(const EarthPoint& place, const EarthPoint& at, double accuracy);
+
+/// What the distance from the place of `second` exceeds that from the place of `first` by, in
+/// metres, at the least, anywhere within `reach` metres of the point where both arrived; `apart`:
+/// no less than the distance between the two places. See distance_growth.cpp. Accuracy: 1e-7
+/// metres.
+double least_difference(const Arrival& first, const Arrival& second, double apart, double reach);
 /// The point reached by going straight, metres east and north at the start.
 Point moved(Point start, double east, double north);
 

@@ -11,9 +11,21 @@ struct PixelGrid {
   int columns = 0;
   int rows = 0;
 
-  Point centre(int column, int row) const {
-    return {north_west.x + (column + 0.5) * pixel, north_west.y - (row + 0.5) * pixel};
+  /// So many pixels east and south of the outer corner.
+  Point at(double columns_east, double rows_south) const {
+    return {north_west.x + columns_east * pixel, north_west.y - rows_south * pixel};
   }
+  Point centre(int column, int row) const { return at(column + 0.5, row + 0.5); }
+};
+
+/// A rectangle of a raster's pixels.
+struct PixelBlock {
+  int column = 0;
+  int row = 0;
+  int columns = 0;
+  int rows = 0;
+
+  bool is_pixel() const { return columns == 1 && rows == 1; }
 };
 
 }  // namespace thiessen

@@ -1,35 +1,37 @@
 #include "map/owners.h"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
+#include <utility>
 
 #include "base/parallel.h"
-#include "earth/nearest_places.h"
+#include "map/block_owners.h"
 #include "map/scanline.h"
 
 namespace thiessen {
 namespace {
 
-/// The places at which a station reports, each with the first of them.
+/// The places at which a station reports, each with the first of them, in the order of these.
 struct ReportingPlaces {
   std::vector<Point> positions;
   std::vector<std::int32_t> numbers;
 
   ReportingPlaces(const Network& network, const std::vector<bool>& reports) {
-    for (std::uint32_t p = 0; p < network.places().size(); ++p) {
-      for (const StationIndex s : network.stations_at(PlaceIndex{p})) {
-        if (!reports[index(s)]) continue;
-        positions.push_back(network.places()[p]);
-        numbers.push_back(static_cast<std::int32_t>(index(s)) + 1);
-        break;
-      }
+    std::vector<bool> is_there(network.places().size(), false);
+    for (std::uint32_t s = 0; s < reports.size(); ++s) {
+      const std::size_t place = index(network.place_of(StationIndex{s}));
+      if (!reports[s] || is_there[place]) continue;
+      is_there[place] = true;
+      positions.push_back(network.places()[place]);
+      numbers.push_back(static_cast<std::int32_t>(s) + 1);
     }
   }
 };
 
-/// The pixels whose centres lie in one of the areas.
-OwnerRaster pixels_within(const PixelGrid& grid, const std::vector<MultiPolygon>& areas) {
-  OwnerRaster within(grid.columns, grid.rows);
+/// The pixels whose centres lie in one of the areas wait; others are 0.
+std::vector<std::int32_t> waiting_pixels(const PixelGrid& grid,
+                                         const std::vector<MultiPolygon>& areas) {
+  OwnerRaster raster(grid.columns, grid.rows, 0);
   const auto in_pixels = [&](const Ring& ring) {
     Ring pixels;
     pixels.reserve(ring.size());
@@ -45,9 +47,22 @@ OwnerRaster pixels_within(const PixelGrid& grid, const std::vector<MultiPolygon>
       rings.push_back(in_pixels(part.outer));
       for (const Ring& hole : part.holes) rings.push_back(in_pixels(hole));
     }
-    within.fill(rings, 1);
+    raster.fill(rings, BlockOwners::waiting);
   }
-  return within;
+  return std::move(raster).take_owners();
+}
+
+/// The raster in squares, the last of a row or column narrower.
+std::vector<PixelBlock> squares_of(const PixelGrid& grid) {
+  constexpr int side = 128;
+  std::vector<PixelBlock> squares;
+  for (int row = 0; row < grid.rows; row += side) {
+    for (int column = 0; column < grid.columns; column += side) {
+      squares.push_back(
+          {column, row, std::min(side, grid.columns - column), std::min(side, grid.rows - row)});
+    }
+  }
+  return squares;
 }
 
 }  // namespace
@@ -56,33 +71,22 @@ std::vector<std::int32_t> owners(const PixelGrid& grid, const std::vector<MultiP
                                  const Network& network, Metric metric,
                                  const std::vector<bool>& reports,
                                  const std::function<ToStudy()>& to_study, unsigned threads) {
-  const OwnerRaster within = pixels_within(grid, areas);
   const ReportingPlaces reporting(network, reports);
-  const auto nearest_of = nearest_places(reporting.positions, metric);
-  std::vector<std::int32_t> owners(within.owners().size(), 0);
-  std::vector<ToStudy> transformations(std::max(1u, threads));
-  in_parallel(static_cast<std::size_t>(grid.rows), threads, [&](std::size_t worker, std::size_t i) {
-    const int row = static_cast<int>(i);
-    if (!transformations[worker]) transformations[worker] = to_study();
-    std::vector<int> columns;
-    std::vector<Point> centres;
-    for (int column = 0; column < grid.columns; ++column) {
-      if (within.at(column, row) == OwnerRaster::nobody) continue;
-      columns.push_back(column);
-      centres.push_back(grid.centre(column, row));
+  if (reporting.positions.empty()) {
+    return std::vector<std::int32_t>(
+        static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows), 0);
+  }
+  std::vector<std::int32_t> owners = waiting_pixels(grid, areas);
+  const auto places = nearest_places(reporting.positions, metric);
+  const std::vector<PixelBlock> squares = squares_of(grid);
+  std::vector<std::unique_ptr<BlockOwners>> of_worker(std::max(1u, threads));
+  in_parallel(squares.size(), threads, [&](std::size_t worker, std::size_t i) {
+    auto& settling = of_worker[worker];
+    if (!settling) {
+      settling =
+          std::make_unique<BlockOwners>(grid, *places, reporting.numbers, to_study(), owners);
     }
-    transformations[worker](centres);
-    PlaceIndex hint{0};
-    std::vector<PlaceIndex> nearest;
-    for (std::size_t c = 0; c < centres.size(); ++c) {
-      if (!std::isfinite(centres[c].x) || !std::isfinite(centres[c].y)) continue;
-      nearest_of->find(centres[c], hint, nearest);
-      hint = nearest.front();
-      std::int32_t number = reporting.numbers[index(hint)];
-      for (const PlaceIndex p : nearest) number = std::min(number, reporting.numbers[index(p)]);
-      owners[i * static_cast<std::size_t>(grid.columns) + static_cast<std::size_t>(columns[c])] =
-          number;
-    }
+    settling->settle(squares[i]);
   });
   return owners;
 }

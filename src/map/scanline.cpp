@@ -22,12 +22,12 @@ std::uint64_t prefix_parity(std::uint64_t word) {
 
 }  // namespace
 
-OwnerRaster::OwnerRaster(int width, int height)
+OwnerRaster::OwnerRaster(int width, int height, std::int32_t before)
     : width_(width),
       height_(height),
       words_((static_cast<std::size_t>(width) + word_bits - 1) / word_bits),
       top_(height),
-      owners_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), nobody),
+      owners_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), before),
       odd_(words_ * static_cast<std::size_t>(height)),
       touched_(static_cast<std::size_t>(height), Touched{words_, 0}) {}
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/polygon.h"
@@ -20,7 +21,8 @@ class OwnerRaster {
  public:
   static constexpr std::int32_t nobody = -1;
 
-  OwnerRaster(int width, int height);
+  /// `before`: what pixels hold that no shape was given.
+  OwnerRaster(int width, int height, std::int32_t before = nobody);
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -28,6 +30,7 @@ class OwnerRaster {
   /// Row by row from the top.
   std::span<const std::int32_t> owners() const { return owners_; }
   std::span<std::int32_t> owners() { return owners_; }
+  std::vector<std::int32_t> take_owners() && { return std::move(owners_); }
 
   /// Gives `owner` the pixels inside `rings`, in pixels, by the even-odd rule; parts outside the
   /// raster are left out. Coordinates must be finite. Cost: the rings' vertices, the pixel rows

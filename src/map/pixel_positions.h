@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "earth/nearest_places.h"
+#include "geometry/pixel_grid.h"
+
+namespace thiessen {
+
+/// Takes points from the raster's coordinates to the study's, in place; NaN where that cannot be.
+using ToStudy = std::function<void(std::vector<Point>&)>;
+
+/// Where the pixels of a block lie in space: polynomials of the fourth degree in columns and rows,
+/// through the true positions at 5 x 5 Chebyshev points of the block, and compared with them at 4 x
+/// 4 between these.
+class PixelPositions {
+ public:
+  /// Nothing where the polynomials are off by more than a 500th of a pixel, as they are where the
+  /// projection is interrupted or comes to its end, or where the pixels' size and direction change
+  /// by more than a third within the block. Cost: 41 positions.
+  static std::optional<PixelPositions> fit(const PixelGrid& grid, const PixelBlock& block,
+                                           const ToStudy& to_study, const NearestPlaces& places);
+
+  /// Holds the centres of a block's pixels, a part of the one fitted. The radius takes the
+  /// polynomials for off by four times what was found, and by what positions are rounded.
+  Ball ball(const PixelBlock& part) const;
+
+ private:
+  static constexpr std::size_t terms = 5;
+  using Row = std::array<Direction, terms>;
+
+  /// The position, and how it changes from the block's middle to its edges.
+  struct Tangent {
+    Direction position;
+    Direction east;
+    Direction south;
+  };
+
+  explicit PixelPositions(const PixelBlock& block) : block_(block) {}
+  void pass_through(const std::vector<Direction>& nodes);
+  double farthest_off(const std::vector<Direction>& between) const;
+  void bound_tangents();
+  bool is_even() const;
+  Direction position(double east, double south) const;
+  Tangent tangent(double east, double south) const;
+
+  PixelBlock block_;
+  Direction origin_;
+  std::array<Row, terms> terms_;  ///< by power of south, then of east; from -1 to 1 in the block
+  Tangent middle_;
+  double east_varies_ = 0;
+  double south_varies_ = 0;
+  double off_ = 0;
+};
+
+}  // namespace thiessen
