@@ -25,7 +25,7 @@ void for_each_quarter(const PixelBlock& block, Work&& work) {
 }  // namespace
 
 BlockOwners::BlockOwners(const PixelGrid& grid, const NearestPlaces& places,
-                         std::span<const std::int32_t> numbers, ToStudy to_study,
+                         std::span<const std::int32_t> numbers, PointMapping to_study,
                          std::span<std::int32_t> owners)
     : grid_(grid),
       places_(places),

@@ -21,7 +21,7 @@ class BlockOwners {
   /// `numbers`: what stands for each place; ascending. `owners`: row by row from the north. All
   /// must outlive it.
   BlockOwners(const PixelGrid& grid, const NearestPlaces& places,
-              std::span<const std::int32_t> numbers, ToStudy to_study,
+              std::span<const std::int32_t> numbers, PointMapping to_study,
               std::span<std::int32_t> owners);
 
   /// Gives every pixel of the block that waits its owner's number, or 0 where the projection ends.
@@ -43,7 +43,7 @@ class BlockOwners {
   const PixelGrid& grid_;
   const NearestPlaces& places_;
   std::span<const std::int32_t> numbers_;
-  ToStudy to_study_;
+  PointMapping to_study_;
   std::span<std::int32_t> owners_;
   std::vector<std::vector<PlaceIndex>> rivals_;  ///< by how often the block was quartered
 };

@@ -70,7 +70,7 @@ std::vector<PixelBlock> squares_of(const PixelGrid& grid) {
 std::vector<std::int32_t> owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
                                  const Network& network, Metric metric,
                                  const std::vector<bool>& reports,
-                                 const std::function<ToStudy()>& to_study, unsigned threads) {
+                                 const std::function<PointMapping()>& to_study, unsigned threads) {
   const ReportingPlaces reporting(network, reports);
   if (reporting.positions.empty()) {
     return std::vector<std::int32_t>(

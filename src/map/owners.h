@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geometry/pixel_grid.h"
+#include "geometry/point_mapping.h"
 #include "geometry/polygon.h"
-#include "map/pixel_positions.h"
 #include "rainfall/network.h"
 
 namespace thiessen {
@@ -21,6 +21,6 @@ namespace thiessen {
 std::vector<std::int32_t> owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
                                  const Network& network, Metric metric,
                                  const std::vector<bool>& reports,
-                                 const std::function<ToStudy()>& to_study, unsigned threads);
+                                 const std::function<PointMapping()>& to_study, unsigned threads);
 
 }  // namespace thiessen

@@ -40,7 +40,7 @@ Direction slope(const std::array<Direction, N>& terms, double at) {
 }  // namespace
 
 std::optional<PixelPositions> PixelPositions::fit(const PixelGrid& grid, const PixelBlock& block,
-                                                  const ToStudy& to_study,
+                                                  const PointMapping& to_study,
                                                   const NearestPlaces& places) {
   constexpr double pixels_off_at_most = 0.002;
   std::vector<Point> points;

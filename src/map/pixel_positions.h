@@ -1,17 +1,14 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "earth/nearest_places.h"
 #include "geometry/pixel_grid.h"
+#include "geometry/point_mapping.h"
 
 namespace thiessen {
-
-/// Takes points from the raster's coordinates to the study's, in place; NaN where that cannot be.
-using ToStudy = std::function<void(std::vector<Point>&)>;
 
 /// Where the pixels of a block lie in space: polynomials of the fourth degree in columns and rows,
 /// through the true positions at 5 x 5 Chebyshev points of the block, and compared with them at 4 x
@@ -22,7 +19,8 @@ class PixelPositions {
   /// projection is interrupted or comes to its end, or where the pixels' size and direction change
   /// by more than a third within the block. Cost: 41 positions.
   static std::optional<PixelPositions> fit(const PixelGrid& grid, const PixelBlock& block,
-                                           const ToStudy& to_study, const NearestPlaces& places);
+                                           const PointMapping& to_study,
+                                           const NearestPlaces& places);
 
   /// Holds the centres of a block's pixels, a part of the one fitted. The radius takes the
   /// polynomials for off by four times what was found, and by what positions are rounded.

@@ -28,7 +28,7 @@ PixelBlock random_part(Seeded& seeded, const PixelBlock& block) {
 /// Every centre of a part's pixels lies in its ball, and the balls are no wider than twice the
 /// parts.
 void expect_balls_hold_their_pixels(Seeded& seeded, const PixelGrid& grid, const PixelBlock& block,
-                                    const ToStudy& to_study, const NearestPlaces& places) {
+                                    const PointMapping& to_study, const NearestPlaces& places) {
   const auto positions = PixelPositions::fit(grid, block, to_study, places);
   ASSERT_TRUE(positions);
   for (int i = 0; i < 30; ++i) {
