@@ -1,6 +1,5 @@
 #include "cli/raster_of.h"
 
-#include <limits>
 #include <memory>
 
 #include "io/crs.h"
@@ -41,19 +40,11 @@ std::vector<EncodedFile> raster_of(const Session& session, const GaugeReadings* 
   const std::vector<std::int32_t> numbers = owners(
       grid, areas, session.network(), study.metric, reports,
       [&] { return mapping(study.output_crs(), study.crs); }, threads);
-  if (readings == nullptr) {
-    std::vector<std::string> ids;
-    for (const Station& station : session.network().stations()) ids.push_back(station.id);
-    return owners_geotiff(grid, numbers, ids, study.output_crs(), path);
-  }
-  std::vector<float> rainfall;
-  rainfall.reserve(numbers.size());
-  for (const std::int32_t number : numbers) {
-    rainfall.push_back(
-        number == 0 ? std::numeric_limits<float>::quiet_NaN()
-                    : static_cast<float>(readings->readings[static_cast<std::size_t>(number) - 1]));
-  }
-  return rainfall_geotiff(grid, rainfall, study.output_crs(), path);
+  if (readings != nullptr)
+    return rainfall_geotiff(grid, numbers, readings->readings, study.output_crs(), path, threads);
+  std::vector<std::string> ids;
+  for (const Station& station : session.network().stations()) ids.push_back(station.id);
+  return owners_geotiff(grid, numbers, ids, study.output_crs(), path, threads);
 }
 
 }  // namespace thiessen::cli

@@ -4,11 +4,13 @@
 #include <gdal_priv.h>
 #include <gdal_rat.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "io/crs_definition.h"
 #include "io/drivers.h"
 #include "io/gdal_errors.h"
@@ -20,15 +22,15 @@ namespace {
 /// Writes one band as a GeoTIFF.
 class GeoTiffWriter {
  public:
-  GeoTiffWriter(const PixelGrid& grid, const std::string& path)
-      : grid_(grid), path_(path), folder_(path) {
+  GeoTiffWriter(const PixelGrid& grid, const std::string& path, unsigned threads)
+      : grid_(grid), path_(path), folder_(path), threads_(threads) {
     GDALRegister_GTiff();
   }
 
-  GDALRasterBand& create(GDALDataType type, const char* predictor, const std::optional<Crs>& crs) {
+  GDALRasterBand& create(GDALDataType type, const std::optional<Crs>& crs) {
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
-    options.SetNameValue("PREDICTOR", predictor);
+    options.SetNameValue("NUM_THREADS", std::to_string(threads_).c_str());
     options.SetNameValue("TILED", "YES");
     options.SetNameValue("BIGTIFF", "IF_SAFER");
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
@@ -42,13 +44,22 @@ class GeoTiffWriter {
     return *dataset_->GetRasterBand(1);
   }
 
-  void write(GDALRasterBand& band, const void* pixels, std::size_t count, GDALDataType type) {
-    if (count != static_cast<std::size_t>(grid_.columns) * static_cast<std::size_t>(grid_.rows)) {
-      throw std::logic_error("the pixels do not fill their grid");
+  /// Row of tiles by row of tiles: `pixels(first, count)` are so many, from the first on.
+  template <typename Pixels>
+  void write(GDALRasterBand& band, GDALDataType type, Pixels&& pixels) {
+    int tile_columns = 0;
+    int tile_rows = 0;
+    band.GetBlockSize(&tile_columns, &tile_rows);
+    const auto columns = static_cast<std::size_t>(grid_.columns);
+    for (int row = 0; row < grid_.rows; row += tile_rows) {
+      throw_if_interrupted();
+      const int rows = std::min(tile_rows, grid_.rows - row);
+      const void* first =
+          pixels(static_cast<std::size_t>(row) * columns, static_cast<std::size_t>(rows) * columns);
+      // GDAL reads from the buffer, but asks for one that it may write.
+      check(band.RasterIO(GF_Write, 0, row, grid_.columns, rows, const_cast<void*>(first),
+                          grid_.columns, rows, type, 0, 0, nullptr) == CE_None);
     }
-    // GDAL reads from the buffer, but asks for one that it may write.
-    check(band.RasterIO(GF_Write, 0, 0, grid_.columns, grid_.rows, const_cast<void*>(pixels),
-                        grid_.columns, grid_.rows, type, 0, 0, nullptr) == CE_None);
   }
 
   std::vector<EncodedFile> finish() {
@@ -67,6 +78,7 @@ class GeoTiffWriter {
   const PixelGrid& grid_;
   std::string path_;
   MemoryFolder folder_;
+  unsigned threads_;
   GdalErrors errors_;
   std::unique_ptr<GDALDataset> dataset_;
 };
@@ -84,26 +96,46 @@ std::unique_ptr<GDALRasterAttributeTable> table_of(const std::vector<std::string
   return table;
 }
 
+void check_count(const PixelGrid& grid, std::size_t count) {
+  if (count != static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows)) {
+    throw std::logic_error("the pixels do not fill their grid");
+  }
+}
+
 }  // namespace
 
-std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid,
-                                        const std::vector<std::int32_t>& owners,
+std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, std::span<const std::int32_t> owners,
                                         const std::vector<std::string>& station_ids,
-                                        const std::optional<Crs>& crs, const std::string& path) {
-  GeoTiffWriter writer(grid, path);
-  GDALRasterBand& band = writer.create(GDT_Int32, "2", crs);
-  writer.write(band, owners.data(), owners.size(), GDT_Int32);
+                                        const std::optional<Crs>& crs, const std::string& path,
+                                        unsigned threads) {
+  check_count(grid, owners.size());
+  GeoTiffWriter writer(grid, path, threads);
+  GDALRasterBand& band = writer.create(GDT_Int32, crs);
   writer.check(band.SetNoDataValue(0) == CE_None);
+  writer.write(band, GDT_Int32, [&](std::size_t first, std::size_t) { return &owners[first]; });
   writer.check(band.SetDefaultRAT(table_of(station_ids).get()) == CE_None);
   return writer.finish();
 }
 
-std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid, const std::vector<float>& rainfall,
-                                          const std::optional<Crs>& crs, const std::string& path) {
-  GeoTiffWriter writer(grid, path);
-  GDALRasterBand& band = writer.create(GDT_Float32, "3", crs);
-  writer.check(band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN()) == CE_None);
-  writer.write(band, rainfall.data(), rainfall.size(), GDT_Float32);
+std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid,
+                                          std::span<const std::int32_t> owners,
+                                          std::span<const double> rainfall,
+                                          const std::optional<Crs>& crs, const std::string& path,
+                                          unsigned threads) {
+  check_count(grid, owners.size());
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<float> by_number{static_cast<float>(none)};
+  for (const double reading : rainfall) by_number.push_back(static_cast<float>(reading));
+  GeoTiffWriter writer(grid, path, threads);
+  GDALRasterBand& band = writer.create(GDT_Float32, crs);
+  writer.check(band.SetNoDataValue(none) == CE_None);
+  std::vector<float> pixels;
+  writer.write(band, GDT_Float32, [&](std::size_t first, std::size_t count) {
+    pixels.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+      pixels[i] = by_number[static_cast<std::size_t>(owners[first + i])];
+    return pixels.data();
+  });
   return writer.finish();
 }
 

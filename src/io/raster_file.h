@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,14 +15,19 @@ namespace thiessen {
 /// A GeoTIFF of the number (from 1) of each pixel's station, 0 outside, with a raster attribute
 /// table of the ids, which GDAL keeps in a side file (`.aux.xml`): the first of the files is the
 /// GeoTIFF, of the name `path`. `owners` holds the rows from the north, each `columns` long.
-/// Deflated, tiled. Throws Error where GDAL cannot write it. Memory: the file's beside the pixels.
-std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid,
-                                        const std::vector<std::int32_t>& owners,
+/// Deflated, tiled; the bytes do not depend on `threads`. Throws Error where GDAL cannot write it,
+/// Interrupted where a signal came. Memory: the file's beside the pixels.
+std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, std::span<const std::int32_t> owners,
                                         const std::vector<std::string>& station_ids,
-                                        const std::optional<Crs>& crs, const std::string& path);
+                                        const std::optional<Crs>& crs, const std::string& path,
+                                        unsigned threads);
 
-/// A GeoTIFF of the rainfall at each pixel, NaN (declared as "no data") outside.
-std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid, const std::vector<float>& rainfall,
-                                          const std::optional<Crs>& crs, const std::string& path);
+/// A GeoTIFF of the rainfall at each pixel, that of its owner, NaN (declared as "no data") outside.
+/// `rainfall`: by station, from number 1 on.
+std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid,
+                                          std::span<const std::int32_t> owners,
+                                          std::span<const double> rainfall,
+                                          const std::optional<Crs>& crs, const std::string& path,
+                                          unsigned threads);
 
 }  // namespace thiessen

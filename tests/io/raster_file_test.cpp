@@ -33,8 +33,9 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   owners[299] = 1;
   owners[599] = 2;
   const TemporaryFolder folder;
-  const auto files = owners_geotiff(grid, owners, {"007", "a<b"},
-                                    Crs::from_text("EPSG:32633", "--crs"), folder.path("map.tif"));
+  const auto files =
+      owners_geotiff(grid, owners, {"007", "a<b"}, Crs::from_text("EPSG:32633", "--crs"),
+                     folder.path("map.tif"), 1);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, folder.path("map.tif"));
   EXPECT_EQ(files[1].name, folder.path("map.tif.aux.xml"));
@@ -58,23 +59,42 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   EXPECT_EQ(value("1 1"), "0\n");
 }
 
-TEST(RasterFile, rainfall_is_not_a_number_outside) {
-  std::vector<float> rainfall(600, std::numeric_limits<float>::quiet_NaN());
-  rainfall[301] = 12.5F;
+TEST(RasterFile, rainfall_is_the_owner_s_and_not_a_number_outside) {
+  std::vector<std::int32_t> owners(600, 0);
+  owners[301] = 2;
+  owners[302] = 1;
+  const std::vector<double> rainfall{0.1, 12.5};
   const TemporaryFolder folder;
-  const auto files = rainfall_geotiff(grid, rainfall, std::nullopt, folder.path("map.tif"));
+  const auto files =
+      rainfall_geotiff(grid, owners, rainfall, std::nullopt, folder.path("map.tif"), 2);
   ASSERT_EQ(files.size(), 1U);
   folder.write("map.tif", files[0].bytes);
-  EXPECT_EQ(output_of("gdallocationinfo -valonly '" + folder.path("map.tif") + "' 1 1"), "12.5\n");
+  const auto value = [&](const std::string& pixel) {
+    return output_of("gdallocationinfo -valonly '" + folder.path("map.tif") + "' " + pixel);
+  };
+  EXPECT_EQ(value("1 1"), "12.5\n");
+  EXPECT_EQ(value("2 1"), "0.100000001490116\n");
+  EXPECT_EQ(value("3 1"), "nan\n");
   const std::string info = output_of("gdalinfo '" + folder.path("map.tif") + "'");
   EXPECT_TRUE(contains(info, "NoData Value=nan")) << info;
   EXPECT_TRUE(contains(info, "Type=Float32"));
 }
 
 TEST(RasterFile, the_same_pixels_make_the_same_bytes) {
-  const std::vector<float> rainfall(600, 1);
-  EXPECT_TRUE(rainfall_geotiff(grid, rainfall, Crs::wgs84(), "a.tif").at(0).bytes ==
-              rainfall_geotiff(grid, rainfall, Crs::wgs84(), "b.tif").at(0).bytes);
+  const PixelGrid large{{0, 0}, 1, 1000, 1100};
+  std::vector<std::int32_t> owners(1'100'000);
+  for (std::size_t i = 0; i < owners.size(); ++i)
+    owners[i] = static_cast<std::int32_t>(i % 977 * (i / 1000) % 1013);
+  const std::vector<double> rainfall(1013, 1);
+  const auto bytes = [&](unsigned threads) {
+    return owners_geotiff(large, owners, {"a"}, Crs::wgs84(), "a.tif", threads).at(0).bytes;
+  };
+  const std::string one = bytes(1);
+  EXPECT_TRUE(one == bytes(1));
+  EXPECT_TRUE(one == bytes(2));
+  EXPECT_TRUE(one == bytes(5));
+  EXPECT_TRUE(rainfall_geotiff(large, owners, rainfall, Crs::wgs84(), "a.tif", 1).at(0).bytes ==
+              rainfall_geotiff(large, owners, rainfall, Crs::wgs84(), "b.tif", 3).at(0).bytes);
 }
 
 }  // namespace
