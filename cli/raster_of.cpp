@@ -37,14 +37,15 @@ std::vector<EncodedFile> raster_of(const Session& session, const GaugeReadings* 
   const PixelGrid grid = grid_over(areas, resolution);
   const std::vector<bool> reports =
       readings == nullptr ? session.all_report() : readings->reports();
-  const std::vector<std::int32_t> numbers = owners(
+  Owners owners(
       grid, areas, session.network(), study.metric, reports,
       [&] { return mapping(study.output_crs(), study.crs); }, threads);
+  const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings != nullptr)
-    return rainfall_geotiff(grid, numbers, readings->readings, study.output_crs(), path, threads);
+    return rainfall_geotiff(grid, rows, readings->readings, study.output_crs(), path, threads);
   std::vector<std::string> ids;
   for (const Station& station : session.network().stations()) ids.push_back(station.id);
-  return owners_geotiff(grid, numbers, ids, study.output_crs(), path, threads);
+  return owners_geotiff(grid, rows, ids, study.output_crs(), path, threads);
 }
 
 }  // namespace thiessen::cli

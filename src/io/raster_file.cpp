@@ -27,6 +27,13 @@ class GeoTiffWriter {
     GDALRegister_GTiff();
   }
 
+  // Left half written, it would be filled with empty tiles first.
+  ~GeoTiffWriter() {
+    if (dataset_) dataset_->MarkSuppressOnClose();
+  }
+  GeoTiffWriter(const GeoTiffWriter&) = delete;
+  GeoTiffWriter& operator=(const GeoTiffWriter&) = delete;
+
   GDALRasterBand& create(GDALDataType type, const std::optional<Crs>& crs) {
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
@@ -44,21 +51,25 @@ class GeoTiffWriter {
     return *dataset_->GetRasterBand(1);
   }
 
-  /// Row of tiles by row of tiles: `pixels(first, count)` are so many, from the first on.
+  /// A row of tiles at a time: `pixels(owners)` are those of these owners.
   template <typename Pixels>
-  void write(GDALRasterBand& band, GDALDataType type, Pixels&& pixels) {
+  void write(GDALRasterBand& band, GDALDataType type, const OwnerRows& owners, Pixels&& pixels) {
     int tile_columns = 0;
     int tile_rows = 0;
     band.GetBlockSize(&tile_columns, &tile_rows);
-    const auto columns = static_cast<std::size_t>(grid_.columns);
     for (int row = 0; row < grid_.rows; row += tile_rows) {
       throw_if_interrupted();
       const int rows = std::min(tile_rows, grid_.rows - row);
-      const void* first =
-          pixels(static_cast<std::size_t>(row) * columns, static_cast<std::size_t>(rows) * columns);
+      const std::span<const std::int32_t> some = owners(row, rows);
+      if (some.size() != static_cast<std::size_t>(rows) * static_cast<std::size_t>(grid_.columns)) {
+        throw std::logic_error("the pixels do not fill their rows");
+      }
+      const void* first = pixels(some);
       // GDAL reads from the buffer, but asks for one that it may write.
       check(band.RasterIO(GF_Write, 0, row, grid_.columns, rows, const_cast<void*>(first),
                           grid_.columns, rows, type, 0, 0, nullptr) == CE_None);
+      // Or GDAL would hold the tiles, up to a twentieth of the machine's memory.
+      check(band.FlushCache(false) == CE_None);
     }
   }
 
@@ -96,33 +107,25 @@ std::unique_ptr<GDALRasterAttributeTable> table_of(const std::vector<std::string
   return table;
 }
 
-void check_count(const PixelGrid& grid, std::size_t count) {
-  if (count != static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.rows)) {
-    throw std::logic_error("the pixels do not fill their grid");
-  }
-}
-
 }  // namespace
 
-std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, std::span<const std::int32_t> owners,
+std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, const OwnerRows& owners,
                                         const std::vector<std::string>& station_ids,
                                         const std::optional<Crs>& crs, const std::string& path,
                                         unsigned threads) {
-  check_count(grid, owners.size());
   GeoTiffWriter writer(grid, path, threads);
   GDALRasterBand& band = writer.create(GDT_Int32, crs);
   writer.check(band.SetNoDataValue(0) == CE_None);
-  writer.write(band, GDT_Int32, [&](std::size_t first, std::size_t) { return &owners[first]; });
+  writer.write(band, GDT_Int32, owners,
+               [](std::span<const std::int32_t> some) { return some.data(); });
   writer.check(band.SetDefaultRAT(table_of(station_ids).get()) == CE_None);
   return writer.finish();
 }
 
-std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid,
-                                          std::span<const std::int32_t> owners,
+std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid, const OwnerRows& owners,
                                           std::span<const double> rainfall,
                                           const std::optional<Crs>& crs, const std::string& path,
                                           unsigned threads) {
-  check_count(grid, owners.size());
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<float> by_number{static_cast<float>(none)};
   for (const double reading : rainfall) by_number.push_back(static_cast<float>(reading));
@@ -130,10 +133,10 @@ std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid,
   GDALRasterBand& band = writer.create(GDT_Float32, crs);
   writer.check(band.SetNoDataValue(none) == CE_None);
   std::vector<float> pixels;
-  writer.write(band, GDT_Float32, [&](std::size_t first, std::size_t count) {
-    pixels.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-      pixels[i] = by_number[static_cast<std::size_t>(owners[first + i])];
+  writer.write(band, GDT_Float32, owners, [&](std::span<const std::int32_t> some) {
+    pixels.clear();
+    for (const std::int32_t owner : some)
+      pixels.push_back(by_number[static_cast<std::size_t>(owner)]);
     return pixels.data();
   });
   return writer.finish();

@@ -25,14 +25,13 @@ void for_each_quarter(const PixelBlock& block, Work&& work) {
 }  // namespace
 
 BlockOwners::BlockOwners(const PixelGrid& grid, const NearestPlaces& places,
-                         std::span<const std::int32_t> numbers, PointMapping to_study,
-                         std::span<std::int32_t> owners)
-    : grid_(grid),
-      places_(places),
-      numbers_(numbers),
-      to_study_(std::move(to_study)),
-      owners_(owners),
-      rivals_(1) {}
+                         std::span<const std::int32_t> numbers, PointMapping to_study)
+    : grid_(grid), places_(places), numbers_(numbers), to_study_(std::move(to_study)), rivals_(1) {}
+
+void BlockOwners::settle(const PixelBlock& block, const Rows& rows) {
+  rows_ = rows;
+  settle(block);
+}
 
 void BlockOwners::settle(const PixelBlock& block) {
   constexpr int few = 8;

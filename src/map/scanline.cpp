@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/interrupt.h"
+
 namespace thiessen {
 namespace {
 
@@ -37,7 +39,10 @@ void OwnerRaster::fill(std::span<const Ring> rings, std::int32_t owner) {
       cross(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
     }
   }
-  for (int row = top_; row <= bottom_; ++row) fill_row(row, owner);
+  for (int row = top_; row <= bottom_; ++row) {
+    throw_if_interrupted();
+    fill_row(row, owner);
+  }
   top_ = height_;
   bottom_ = -1;
 }

@@ -34,7 +34,7 @@ class OwnerRaster {
 
   /// Gives `owner` the pixels inside `rings`, in pixels, by the even-odd rule; parts outside the
   /// raster are left out. Coordinates must be finite. Cost: the rings' vertices, the pixel rows
-  /// that their edges cross, and the pixels filled.
+  /// that their edges cross, and the pixels filled. Stops with Interrupted where a signal came.
   void fill(std::span<const Ring> rings, std::int32_t owner);
 
  private:

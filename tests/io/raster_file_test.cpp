@@ -25,6 +25,13 @@ std::string output_of(const std::string& command) {
   return text;
 }
 
+OwnerRows rows_of(const std::vector<std::int32_t>& owners, int columns) {
+  return [&owners, columns](int row, int count) {
+    return std::span(owners).subspan(static_cast<std::size_t>(row * columns),
+                                     static_cast<std::size_t>(count * columns));
+  };
+}
+
 const PixelGrid grid = {{500000, 5500000}, 25, 300, 2};
 
 TEST(RasterFile, owners_come_back_with_their_ids) {
@@ -34,8 +41,8 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   owners[599] = 2;
   const TemporaryFolder folder;
   const auto files =
-      owners_geotiff(grid, owners, {"007", "a<b"}, Crs::from_text("EPSG:32633", "--crs"),
-                     folder.path("map.tif"), 1);
+      owners_geotiff(grid, rows_of(owners, 300), {"007", "a<b"},
+                     Crs::from_text("EPSG:32633", "--crs"), folder.path("map.tif"), 1);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, folder.path("map.tif"));
   EXPECT_EQ(files[1].name, folder.path("map.tif.aux.xml"));
@@ -65,8 +72,8 @@ TEST(RasterFile, rainfall_is_the_owner_s_and_not_a_number_outside) {
   owners[302] = 1;
   const std::vector<double> rainfall{0.1, 12.5};
   const TemporaryFolder folder;
-  const auto files =
-      rainfall_geotiff(grid, owners, rainfall, std::nullopt, folder.path("map.tif"), 2);
+  const auto files = rainfall_geotiff(grid, rows_of(owners, 300), rainfall, std::nullopt,
+                                      folder.path("map.tif"), 2);
   ASSERT_EQ(files.size(), 1U);
   folder.write("map.tif", files[0].bytes);
   const auto value = [&](const std::string& pixel) {
@@ -87,14 +94,20 @@ TEST(RasterFile, the_same_pixels_make_the_same_bytes) {
     owners[i] = static_cast<std::int32_t>(i % 977 * (i / 1000) % 1013);
   const std::vector<double> rainfall(1013, 1);
   const auto bytes = [&](unsigned threads) {
-    return owners_geotiff(large, owners, {"a"}, Crs::wgs84(), "a.tif", threads).at(0).bytes;
+    return owners_geotiff(large, rows_of(owners, 1000), {"a"}, Crs::wgs84(), "a.tif", threads)
+        .at(0)
+        .bytes;
   };
   const std::string one = bytes(1);
   EXPECT_TRUE(one == bytes(1));
   EXPECT_TRUE(one == bytes(2));
   EXPECT_TRUE(one == bytes(5));
-  EXPECT_TRUE(rainfall_geotiff(large, owners, rainfall, Crs::wgs84(), "a.tif", 1).at(0).bytes ==
-              rainfall_geotiff(large, owners, rainfall, Crs::wgs84(), "b.tif", 3).at(0).bytes);
+  EXPECT_TRUE(rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), "a.tif", 1)
+                  .at(0)
+                  .bytes ==
+              rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), "b.tif", 3)
+                  .at(0)
+                  .bytes);
 }
 
 }  // namespace

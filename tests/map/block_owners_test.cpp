@@ -20,8 +20,8 @@ TEST(BlockOwners, give_the_pixels_of_a_block_that_wait) {
   std::vector<std::int32_t> owners(40000, waiting);
   for (std::size_t i = 0; i < 40000; i += 3) owners[i] = 0;
   BlockOwners settling(
-      grid, *places, numbers, [](std::vector<Point>&) {}, owners);
-  settling.settle({10, 20, 150, 130});
+      grid, *places, numbers, [](std::vector<Point>&) {});
+  settling.settle({10, 20, 150, 130}, {0, owners});
   for (std::size_t i = 0; i < 40000; ++i) {
     const std::size_t column = i % 200;
     const std::size_t row = i / 200;
@@ -37,8 +37,8 @@ TEST(BlockOwners, ask_for_the_positions_of_few_pixels) {
   std::vector<std::int32_t> owners(40000, waiting);
   std::size_t asked = 0;
   const auto count = [&](std::vector<Point>& points) { asked += points.size(); };
-  BlockOwners settling(grid, *places, numbers, count, owners);
-  settling.settle({0, 0, 200, 200});
+  BlockOwners settling(grid, *places, numbers, count);
+  settling.settle({0, 0, 200, 200}, {0, owners});
   EXPECT_EQ(std::count(owners.begin(), owners.end(), waiting), 0);
   EXPECT_LT(asked, 60U);
 }
@@ -53,8 +53,8 @@ TEST(BlockOwners, go_to_every_pixel_where_positions_are_not_even) {
       if (static_cast<int>(p.x) % 3 == 0) p.y = std::numeric_limits<double>::quiet_NaN();
     }
   };
-  BlockOwners settling(grid, *places, numbers, striped, owners);
-  settling.settle({0, 0, 200, 200});
+  BlockOwners settling(grid, *places, numbers, striped);
+  settling.settle({0, 0, 200, 200}, {0, owners});
   for (std::size_t i = 0; i < 40000; ++i) {
     const std::size_t column = i % 200;
     ASSERT_EQ(owners[i], column % 3 == 0 ? 0 : (column < 100 ? 1 : 2)) << column;

@@ -45,7 +45,9 @@ std::vector<std::int32_t> owners_of(const Study& study, Metric metric) {
       for (Point& p : points) p = study.to_study(p);
     };
   };
-  return owners(grid, {{{all, {}}}}, Network(stations, metric), metric, report, to_study, 2);
+  Owners owners(grid, {{{all, {}}}}, Network(stations, metric), metric, report, to_study, 2);
+  const std::span<const std::int32_t> rows = owners.rows(0, grid.rows);
+  return {rows.begin(), rows.end()};
 }
 
 double geodesic_distance(Point a, Point b) {
@@ -265,7 +267,7 @@ void expect_nearest_in_plane(const Study& study) {
 TEST(OwnersAgainstRationals, lattices_and_scattered_stations_of_any_size) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(30); ++round) {
-    const double size = std::pow(10, seeded.uniform(-38, 50));
+    const double size = std::pow(10, seeded.uniform(-38, 47));
     const double away = round % 3 == 0 ? 0 : size * std::pow(10, seeded.uniform(0, 12));
     Study study;
     for (std::uint64_t k = 1 + seeded.below(20); k-- > 0;) {
