@@ -5,7 +5,7 @@
 
 `weights` of 10,000 gauges and 1,000 basins of 50 corners that tile their area (goal: 1 s, 200 MB), in longitude and
 latitude and in the plane; the same with twice and four times as many of both, which shows how it grows; `run` on the
-Colorado sample (goal: 1 s).
+Colorado sample (goal: 1 s); `map` of 1,000 gauges as a GeoTIFF of 4,000 x 4,000 pixels (goal: 1 s).
 """
 
 import os
@@ -96,6 +96,15 @@ def main():
                 options = ["--crs", crs, "--basins-crs", crs] if crs else []
                 report(f"weights, {10_000 * times:,} gauges, {columns * rows:,} basins, {crs or 'a plane'}",
                        [program, "weights", gauges, basins, "-q", *options])
+        for crs, box, pixel in (("EPSG:4326", (9, 42, 19, 52), 0.0025), ("EPSG:32633", (2e5, 47e5, 8e5, 53e5), 150),
+                                (None, (0, 0, 6e5, 6e5), 150)):
+            gauges, basins = folder / "gauges.csv", folder / "basins.csv"
+            write_gauges(gauges, 1_000, box)
+            write_basins(basins, 1, 1, box)
+            options = ["--crs", crs, "--basins-crs", crs] if crs else []
+            report(f"map, 1,000 gauges, 16 million pixels, {crs or 'a plane'}",
+                   [program, "map", gauges, basins, "-q", *options, "--resolution", pixel, "--overwrite", "-o",
+                    folder / "map.tif"])
 
 
 if __name__ == "__main__":
