@@ -19,8 +19,7 @@ TEST(BlockOwners, give_the_pixels_of_a_block_that_wait) {
   const std::vector<std::int32_t> numbers{4, 9};
   std::vector<std::int32_t> owners(40000, waiting);
   for (std::size_t i = 0; i < 40000; i += 3) owners[i] = 0;
-  BlockOwners settling(
-      grid, *places, numbers, [](std::vector<Point>&) {});
+  BlockOwners settling(grid, *places, numbers, [](std::vector<Point>&) {});
   settling.settle({10, 20, 150, 130}, {0, owners});
   for (std::size_t i = 0; i < 40000; ++i) {
     const std::size_t column = i % 200;
