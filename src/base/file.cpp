@@ -47,6 +47,12 @@ void write_whole(int descriptor, std::string_view text, const std::string& name)
   }
 }
 
+std::size_t plain_size(int descriptor) {
+  struct stat status = {};
+  const bool plain = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  return plain ? static_cast<std::size_t>(status.st_size) : 0;
+}
+
 }  // namespace
 
 InputFile::InputFile(const std::string& name) : name_(name) {
@@ -55,6 +61,7 @@ InputFile::InputFile(const std::string& name) : name_(name) {
     name_ = "standard input";
     file_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
     if (!file_.is_open()) throw system_error(name_, "cannot read", errno);
+    size_ = plain_size(file_.number());
     return;
   }
   if (name.empty()) throw Error(Message{"", 0, "the name of an input is empty", ""});
@@ -73,6 +80,7 @@ void InputFile::open(const std::string& path) {
   if (flags >= 0 && ::fcntl(file_.number(), F_SETFL, flags & ~O_NONBLOCK) != 0) {
     throw system_error(name_, "cannot open", errno);
   }
+  size_ = plain_size(file_.number());
 }
 
 void InputFile::await_writer() {

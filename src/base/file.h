@@ -20,6 +20,8 @@ class InputFile {
 
   /// As the user named it; "standard input" for `-`.
   const std::string& name() const { return name_; }
+  /// In bytes, as it was when it was opened; 0 where that is not known, as of a pipe.
+  std::size_t size() const { return size_; }
   /// Fills the beginning of `into` with what comes next and returns how many bytes that is, 0 at
   /// the end. Throws Error where reading fails, Interrupted where a signal came.
   std::size_t read(std::span<char> into);
@@ -30,6 +32,7 @@ class InputFile {
 
   std::string name_;
   Descriptor file_;
+  std::size_t size_ = 0;
   std::optional<char> first_;  ///< already read, while waiting for a writer
 };
 

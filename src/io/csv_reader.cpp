@@ -1,6 +1,7 @@
 #include "io/csv_reader.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <unordered_map>
@@ -72,6 +73,12 @@ bool CsvReader::next(Row& row) {
                          std::to_string(header_.size()),
                      ""});
   }
+}
+
+double CsvReader::share_read() const {
+  const std::size_t size = text_.size();
+  if (size == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(std::min(next_row_, size)) / static_cast<double>(size);
 }
 
 void CsvReader::skip_byte_order_mark() {

@@ -49,6 +49,7 @@ class CsvReader : public Table {
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t header_line() const override { return header_line_; }
   bool next(Row& row) override;
+  double share_read() const override;
   /// Throws Error where the header has a name twice, or looks parted by something else. Called by
   /// the constructor where the options say that there are names.
   void check_header() const;

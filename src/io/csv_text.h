@@ -19,6 +19,8 @@ class CsvText {
   CsvText(InputFile input, char separator);
 
   const std::string& name() const { return input_.name(); }
+  /// The file's, in bytes; 0 where it is not known.
+  std::size_t size() const { return input_.size(); }
   /// Where the window ends; the file goes on if `read_more` says so.
   std::size_t end() const { return origin_ + filled_; }
   const char* pointer(std::size_t at) const { return buffer_.data() + (at - origin_); }

@@ -17,6 +17,7 @@ class WideReadings : public Readings {
   WideReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
+  double share_read() const override { return source_.table->share_read(); }
 
  private:
   struct Column {

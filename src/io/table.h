@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,8 @@ class Table {
   /// Fills `row`; false at the end. A row with too few or too many fields, or that cannot be read,
   /// is gathered; all of them are thrown as one Error at the end.
   virtual bool next(Row& row) = 0;
+  /// How much is read, from 0 to 1; NaN where the length is not known.
+  virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
 }  // namespace thiessen

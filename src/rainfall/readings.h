@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -10,6 +12,7 @@ struct TimeStep {
   std::string time;  ///< as the file writes it
   std::span<const double>
       readings;  ///< one for each station, in the stations' order; valid until the next step
+  std::size_t line = 0;  ///< where the time first came; 0 where that is not known
 };
 
 /// A table of readings, a time step after the other, in the order in which the times first came.
@@ -18,6 +21,9 @@ class Readings {
   virtual ~Readings() = default;
   /// Fills `step`; false at the end. Throws Error where the input is bad.
   virtual bool next(TimeStep& step) = 0;
+  /// How much of the input is read, from 0 to 1; NaN where its length is not known. For the thread
+  /// that reads: another asks WatchedReadings.
+  virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
 }  // namespace thiessen

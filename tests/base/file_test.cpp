@@ -41,6 +41,12 @@ TEST(InputFile, reads_a_file_to_its_end) {
   EXPECT_EQ(read_all(InputFile(folder.write("b", ""))), "");
 }
 
+TEST(InputFile, knows_the_size_of_plain_files) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(InputFile(folder.write("a", "21 bytes in this file")).size(), 21u);
+  EXPECT_EQ(InputFile("/dev/zero").size(), 0u);
+}
+
 TEST(InputFile, says_with_the_systems_words_what_cannot_be_read) {
   const TemporaryFolder folder;
   EXPECT_EQ(sentence_of(folder.path("no")),

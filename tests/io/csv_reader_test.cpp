@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -210,6 +211,21 @@ TEST(CsvReader, bounds_a_row_and_its_columns) {
             Fields{"f.csv:2: the row is longer than 1000000 bytes, the limit"});
   EXPECT_EQ(read(long_row + "\n", options).sentences,
             Fields{"f.csv:1: has more than 1000 columns, the limit"});
+}
+
+TEST(CsvReader, knows_how_much_is_read) {
+  const TemporaryFolder folder;
+  CsvReader reader(folder.write("f.csv", "a,b\n1,2\n3,4444\n"));  // 15 bytes
+  EXPECT_EQ(reader.share_read(), 4.0 / 15);
+  Row row;
+  EXPECT_TRUE(reader.next(row));
+  EXPECT_EQ(reader.share_read(), 8.0 / 15);
+  EXPECT_TRUE(reader.next(row));
+  EXPECT_EQ(reader.share_read(), 1);
+}
+
+TEST(CsvReader, does_not_know_how_much_is_read_of_what_has_no_size) {
+  EXPECT_TRUE(std::isnan(CsvReader("/proc/mounts", {.has_names = false}).share_read()));
 }
 
 TEST(CsvReader, ends_on_devices_that_never_do) {
