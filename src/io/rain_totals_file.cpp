@@ -1,0 +1,74 @@
+#include "io/rain_totals_file.h"
+
+#include <cmath>
+#include <unordered_set>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "base/utf8.h"
+#include "io/csv_writer.h"
+
+namespace thiessen {
+namespace {
+
+constexpr const char* missing_suffix = "_missing";
+
+void check_names(const std::vector<Basin>& basins) {
+  std::unordered_set<std::string> ids;
+  for (const Basin& basin : basins) ids.insert(basin.id);
+  for (const Basin& basin : basins) {
+    const std::string second = basin.id + missing_suffix;
+    if (ids.count(second) == 0) continue;
+    throw Error({"", 0,
+                 "basins " + quoted(basin.id) + " and " + quoted(second) +
+                     " would both have a column of the latter name",
+                 "--long has a row a basin"});
+  }
+}
+
+}  // namespace
+
+RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basins,
+                               RainFormat format)
+    : file_(file), basins_(basins), format_(format) {
+  if (format_.rows_for_basins) {
+    file_.append("time,basin,rainfall,missing\n");
+  } else {
+    check_names(basins_);
+    write_header();
+  }
+}
+
+void RainTotalsFile::write_header() {
+  row_ = "time";
+  for (const Basin& basin : basins_) {
+    for (const std::string& name : {basin.id, basin.id + missing_suffix}) {
+      row_ += ',';
+      append_csv_field(row_, name);
+    }
+  }
+  row_ += '\n';
+  file_.append(row_);
+}
+
+void RainTotalsFile::add(const RainPeriod& period) {
+  row_ = format_.rows_for_basins ? "" : period.time;
+  for (std::size_t b = 0; b < period.basins.size(); ++b) {
+    if (format_.rows_for_basins) {
+      row_ += period.time + ',';
+      append_csv_field(row_, basins_[b].id);
+    }
+    append_total(period.basins[b]);
+    if (format_.rows_for_basins) row_ += '\n';
+  }
+  if (!format_.rows_for_basins) row_ += '\n';
+  file_.append(row_);
+}
+
+void RainTotalsFile::append_total(const BasinTotal& total) {
+  row_ += ',';
+  if (!std::isnan(total.rainfall)) append_fixed(row_, total.rainfall, format_.decimals);
+  row_ += ',' + std::to_string(total.missing);
+}
+
+}  // namespace thiessen
