@@ -49,6 +49,16 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
   return app.add_option_function<std::string>(name, read, help)->type_name(kind);
 }
 
+CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoTime>& target,
+                      const std::string& help) {
+  const auto read = [name, &target](const std::string& text) {
+    const ParsedTime parsed = parse_iso_time(text);
+    if (!parsed) refuse(name, std::string("an ISO 8601 time such as ") + iso_time_forms, text);
+    target = parsed.time;
+  };
+  return app.add_option_function<std::string>(name, read, help)->type_name("TIME");
+}
+
 CLI::Option* add_size(CLI::App& app, PixelSize& target) {
   const auto read = [&target](const std::string& text) {
     const std::size_t cross = text.find('x');

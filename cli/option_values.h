@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <limits>
+#include <optional>
 #include <string>
+
+#include "base/iso_time.h"
 
 namespace thiessen::cli {
 
@@ -25,6 +28,10 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, std::size_t& targ
 /// A text that may not be empty.
 CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
                       const std::string& kind, const std::string& help);
+
+/// A time of ISO 8601.
+CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoTime>& target,
+                      const std::string& help);
 
 /// WIDTH or WIDTHxHEIGHT in pixels; the height is 0 where it is not given.
 struct PixelSize {

@@ -164,6 +164,48 @@ void RainFormatOptions::add_to(CLI::App& app) {
   add_count(app, "--decimals", decimals_, 0, 15, "decimals of rainfall; default 3");
 }
 
+void PeriodOptions::add_to(CLI::App& app) {
+  app_ = &app;
+  app.option_defaults()->group("Readings");
+  add_time(app, "--from", range_.from,
+           "only the steps from this time on: a year, month, day or time (ISO 8601), by the file's "
+           "own clock");
+  add_time(app, "--to", range_.to,
+           "only the steps up to this time, and with it: a year, month or day to its end");
+  app.option_defaults()->group("Output");
+  add_choice<std::optional<TimePrecision>>(
+      app, "--every", every_,
+      {{"day", TimePrecision::day}, {"month", TimePrecision::month}, {"year", TimePrecision::year}},
+      "day|month|year",
+      "totals over calendar periods instead of a row a step, and beside them, in BASIN_missing, "
+      "how many of the period's steps have no value; with --long rows "
+      "time,basin,rainfall,missing");
+  add_count(app, "--allow-missing", allowed_missing_, 0, 1'000'000'000,
+            "with --every: how many steps without a value a total may pass over; with more it is "
+            "empty; default 0");
+}
+
+std::optional<StepTimes> PeriodOptions::times() const {
+  if (app_->count("--allow-missing") > 0 && !every_) {
+    throw UsageError{"--allow-missing is about totals, and there is no --every",
+                     "give --every day, month or year, or leave it out"};
+  }
+  if (range_.is_empty()) {
+    throw UsageError{"--from " + text_of("--from") + " is after --to " + text_of("--to"), ""};
+  }
+  if (!range_.from && !range_.to && !every_) return std::nullopt;
+  return StepTimes{range_, every_.value_or(TimePrecision::year)};
+}
+
+std::optional<Totalling> PeriodOptions::totalling() const {
+  if (!every_) return std::nullopt;
+  return Totalling{*every_, allowed_missing_};
+}
+
+std::string PeriodOptions::text_of(const char* option) const {
+  return app_->get_option(option)->as<std::string>();
+}
+
 void ViewOptions::add_time_to(CLI::App& app) {
   app.option_defaults()->group("Readings");
   add_text(app, "--time", time, "TIME",

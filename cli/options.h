@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,8 @@
 #include "io/readings_reader.h"
 #include "io/study.h"
 #include "rainfall/areal_rainfall.h"
+#include "rainfall/dated_readings.h"
+#include "rainfall/rain_periods.h"
 
 namespace thiessen::cli {
 
@@ -49,6 +52,8 @@ struct RainfallOptions {
   /// `decimal_comma` is an option of the study.
   ReadingsOptions readings(bool decimal_comma) const;
   bool given() const { return !rainfall.empty(); }
+  /// For messages.
+  std::string name() const { return rainfall == "-" ? "standard input" : rainfall; }
 
  private:
   ReadingsOptions readings_;
@@ -76,6 +81,24 @@ struct RainFormatOptions {
  private:
   bool long_ = false;
   std::size_t decimals_ = 3;
+};
+
+/// Which steps count, and what they are summed over.
+struct PeriodOptions {
+  void add_to(CLI::App& app);
+  /// What that asks of the times, if anything. Throws UsageError for options that contradict each
+  /// other.
+  std::optional<StepTimes> times() const;
+  /// None: the steps themselves are wanted.
+  std::optional<Totalling> totalling() const;
+
+ private:
+  std::string text_of(const char* option) const;
+
+  TimeRange range_;
+  std::optional<TimePrecision> every_;
+  std::size_t allowed_missing_ = 0;
+  CLI::App* app_ = nullptr;
 };
 
 /// Which step a picture or the cells show, and how a picture looks.

@@ -6,8 +6,8 @@
 #include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/rain_table.h"
 #include "cli/session.h"
-#include "io/rain_file.h"
 #include "io/weights_log.h"
 #include "rainfall/gauge_patterns.h"
 
@@ -27,6 +27,7 @@ class RainCommand : public Command {
     rainfall_.add_to(app, Need::required);
     gaps_.add_to(app);
     format_.add_to(app);
+    periods_.add_to(app);
     output_.add_to(app, Need::optional, "rain.csv",
                    "where the series goes; default standard output");
     add_text(app, "--weights-log", weights_log_, "FILE",
@@ -36,37 +37,34 @@ class RainCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
+    const std::optional<StepTimes> times = periods_.times();
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
     Session session(study_, 0, warnings);
-    const auto readings = session.open_readings(study_, rainfall_, warnings);
+    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
     ArealRainfallSettings settings = gaps_.settings();
-    settings.accounts = format.rows_for_basins;
+    settings.accounts = format.rows_for_basins && !periods_.totalling();
     const ArealRainfall rainfall(session.weighing(), settings, threads);
-    RainFile series(file, session.basins(), format);
+    RainTable series(file, session.basins(), format, periods_.totalling(), rainfall_.name());
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, session.weighing());
     GaugePatterns patterns;
-    Progress progress("time steps", common_.quiet);
+    Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
     for_each_step(
-        *readings, rainfall, {threads},
-        [&](RainStep& step) {
-          if (!log) step.text = series.text_of(step);
-        },
+        *readings, rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
         [&](const RainStep& step) {
-          if (log) {
-            const auto [number, is_fresh] = patterns.of(step.readings);
-            if (is_fresh) log->add(number, step.time, rainfall.weights_at(step.readings));
-            series.append(series.text_of(step, number));
-          } else {
-            series.append(step.text);
-          }
+          GaugePatterns::Pattern pattern{0, false};
+          if (log) pattern = patterns.of(step.readings);
+          if (pattern.is_fresh)
+            log->add(pattern.number, step.time, rainfall.weights_at(step.readings));
+          series.add(step, pattern.number);
           progress.advance();
         });
+    series.finish();
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
@@ -76,6 +74,7 @@ class RainCommand : public Command {
   RainfallOptions rainfall_;
   GapOptions gaps_;
   RainFormatOptions format_;
+  PeriodOptions periods_;
   OutputOptions output_;
   std::string weights_log_;
   CommonOptions common_;

@@ -4,9 +4,9 @@
 #include "cli/options.h"
 #include "cli/picture_of.h"
 #include "cli/progress.h"
+#include "cli/rain_table.h"
 #include "cli/session.h"
 #include "cli/summary.h"
-#include "io/rain_file.h"
 #include "io/weights_file.h"
 #include "rainfall/gauge_readings.h"
 
@@ -28,6 +28,7 @@ class RunCommand : public Command {
     rainfall_.add_to(app, Need::required);
     gaps_.add_to(app);
     format_.add_to(app);
+    periods_.add_to(app);
     view_.add_look_to(app);
     study_.add_attributes_to(app);
     output_.add_to(app, Need::required, "DIR", "the folder; it is made if it is not there");
@@ -36,6 +37,7 @@ class RunCommand : public Command {
 
   void run(Warnings& warnings) override {
     const unsigned threads = static_cast<unsigned>(common_.threads);
+    const std::optional<StepTimes> times = periods_.times();
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
@@ -46,26 +48,28 @@ class RunCommand : public Command {
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
 
     Session session(study_, 0, warnings);
-    const auto readings = session.open_readings(study_, rainfall_, warnings);
+    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     ArealRainfallSettings settings = gaps_.settings();
-    settings.accounts = format_.format().rows_for_basins;
+    settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
     const ArealRainfall rainfall(session.weighing(), settings, threads);
     write_weights(weights_file, session.weighing(), rainfall.full_weights(), session.area_unit());
 
-    RainFile series(rain_file, session.basins(), format_.format());
+    RainTable series(rain_file, session.basins(), format_.format(), periods_.totalling(),
+                     rainfall_.name());
     MeanReadings means(session.network().stations().size());
     Summary summary(session, rainfall.full_weights());
     {
-      Progress progress("time steps", common_.quiet);
+      Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
       for_each_step(
-          *readings, rainfall, {threads}, [&](RainStep& step) { step.text = series.text_of(step); },
+          *readings, rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
           [&](const RainStep& step) {
-            series.append(step.text);
+            series.add(step);
             means.add(step.readings);
             summary.add(step);
             progress.advance();
           });
     }
+    series.finish();
     const GaugeReadings mean = means.result();
     const auto cells = cells_of(session, &mean, threads);
     cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
@@ -82,6 +86,7 @@ class RunCommand : public Command {
   RainfallOptions rainfall_;
   GapOptions gaps_;
   RainFormatOptions format_;
+  PeriodOptions periods_;
   ViewOptions view_;
   OutputOptions output_;
   CommonOptions common_;

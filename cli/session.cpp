@@ -6,6 +6,7 @@
 #include "geometry/predicates.h"
 #include "io/table_file.h"
 #include "rainfall/extent.h"
+#include "rainfall/watched_readings.h"
 
 namespace thiessen::cli {
 namespace {
@@ -44,10 +45,16 @@ AreaUnit Session::area_unit() const {
 
 std::unique_ptr<Readings> Session::open_readings(const StudyOptions& study,
                                                  const RainfallOptions& rainfall,
-                                                 Warnings& warnings) {
-  return thiessen::open_readings(open_table(rainfall.rainfall, study.separator()),
-                                 network_->stations(), filtered_ids_,
-                                 rainfall.readings(study.decimal_comma()), warnings);
+                                                 Warnings& warnings,
+                                                 const std::optional<StepTimes>& wanted) {
+  auto readings = thiessen::open_readings(open_table(rainfall.rainfall, study.separator()),
+                                          network_->stations(), filtered_ids_,
+                                          rainfall.readings(study.decimal_comma()), warnings);
+  if (wanted) {
+    readings =
+        std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);
+  }
+  return std::make_unique<WatchedReadings>(std::move(readings));
 }
 
 void Session::add_extent_as_basin(double margin) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,11 @@ class Session {
     return std::vector<bool>(network().stations().size(), true);
   }
 
-  /// RAINFALL, opened. The session must outlive it.
+  /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
+  /// thread may ask it for the share that is read. The session must outlive it.
   std::unique_ptr<Readings> open_readings(const StudyOptions& study,
-                                          const RainfallOptions& rainfall, Warnings& warnings);
+                                          const RainfallOptions& rainfall, Warnings& warnings,
+                                          const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
   void add_extent_as_basin(double margin);
