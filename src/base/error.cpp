@@ -111,6 +111,16 @@ void Complaints::add(Message message) {
   }
 }
 
+void Complaints::add_by_line(Message message) {
+  const auto after =
+      std::upper_bound(messages_.begin(), messages_.end(), message,
+                       [](const Message& a, const Message& b) { return a.line < b.line; });
+  messages_.insert(after, std::move(message));
+  if (messages_.size() <= listed_at_most) return;
+  messages_.pop_back();
+  ++unlisted_;
+}
+
 void Complaints::merge(const std::vector<Message>& messages, std::size_t unlisted) {
   messages_.insert(messages_.end(), messages.begin(), messages.end());
   std::stable_sort(messages_.begin(), messages_.end(),

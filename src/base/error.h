@@ -44,6 +44,9 @@ class Complaints {
   static constexpr std::size_t listed_at_most = 20;
 
   void add(Message message);
+  /// The same for those of one file that are found in another order than that of its lines: the
+  /// listed ones are the first by line.
+  void add_by_line(Message message);
   /// Takes over what else was found in the same file, and puts all in the order of the lines.
   void add(const Error& error) { merge(error.messages(), error.unlisted()); }
   void add(const Complaints& other) { merge(other.messages_, other.unlisted_); }

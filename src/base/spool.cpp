@@ -30,15 +30,26 @@ Descriptor open_spool() {
   return memory;
 }
 
+std::size_t read_spool(const Descriptor& spool, std::uint64_t at, std::span<char> into) {
+  std::size_t filled = 0;
+  while (filled < into.size()) {
+    const std::span<char> rest = into.subspan(filled);
+    const ssize_t count =
+        ::pread(spool.number(), rest.data(), rest.size(), static_cast<off_t>(at + filled));
+    if (count == 0) break;
+    if (count < 0 && errno != EINTR) throw system_error(spool_name, "cannot read", errno);
+    if (count > 0) filled += static_cast<std::size_t>(count);
+  }
+  return filled;
+}
+
 void copy_spool(const Descriptor& spool, const std::function<void(std::string_view)>& take) {
   std::string piece(piece_bytes, '\0');
-  for (off_t at = 0;;) {
+  for (std::uint64_t at = 0;;) {
     throw_if_interrupted();
-    const ssize_t count = ::pread(spool.number(), piece.data(), piece.size(), at);
+    const std::size_t count = read_spool(spool, at, piece);
     if (count == 0) return;
-    if (count < 0 && errno != EINTR) throw system_error(spool_name, "cannot read", errno);
-    if (count < 0) continue;
-    take(std::string_view(piece).substr(0, static_cast<std::size_t>(count)));
+    take(std::string_view(piece).substr(0, count));
     at += count;
   }
 }

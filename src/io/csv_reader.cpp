@@ -1,5 +1,7 @@
 #include "io/csv_reader.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <limits>
 #include <span>
@@ -49,7 +51,9 @@ std::string_view likely_separator(std::string_view name, char used) {
 }  // namespace
 
 CsvReader::CsvReader(const std::string& file, CsvOptions options)
-    : options_(options), text_(InputFile(file), options.separator) {
+    : options_(options),
+      is_standard_input_(file == "-"),
+      text_(InputFile(file), options.separator) {
   skip_byte_order_mark();
   read_header();
   if (options_.has_names) check_header();
@@ -79,6 +83,13 @@ double CsvReader::share_read() const {
   const std::size_t size = text_.size();
   if (size == 0) return std::numeric_limits<double>::quiet_NaN();
   return static_cast<double>(std::min(next_row_, size)) / static_cast<double>(size);
+}
+
+std::unique_ptr<Table> CsvReader::again() const {
+  struct stat status = {};
+  if (is_standard_input_ || ::stat(file().c_str(), &status) != 0) return nullptr;
+  if (!S_ISREG(status.st_mode)) return nullptr;
+  return std::make_unique<CsvReader>(file(), options_);
 }
 
 void CsvReader::skip_byte_order_mark() {

@@ -50,6 +50,7 @@ class CsvReader : public Table {
   std::size_t header_line() const override { return header_line_; }
   bool next(Row& row) override;
   double share_read() const override;
+  std::unique_ptr<Table> again() const override;
   /// Throws Error where the header has a name twice, or looks parted by something else. Called by
   /// the constructor where the options say that there are names.
   void check_header() const;
@@ -80,6 +81,7 @@ class CsvReader : public Table {
   [[noreturn]] void fail(std::size_t line, std::string text, std::string hint = "");
 
   CsvOptions options_;
+  bool is_standard_input_;
   CsvText text_;
   std::vector<std::string> header_;
   std::size_t header_line_ = 0;

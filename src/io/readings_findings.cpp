@@ -68,12 +68,12 @@ void ReadingsFindings::note_empty_time(std::size_t line) {
   complaints_.add({file_, line, "the time is empty", ""});
 }
 
-void ReadingsFindings::note_time_twice(std::string_view time, std::size_t line,
-                                       std::size_t first_line) {
-  complaints_.add({file_, line,
-                   "time " + quoted(time, longest_field_shown) + " is already in line " +
-                       std::to_string(first_line),
-                   ""});
+Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
+                                     std::size_t first_line) const {
+  return {file_, line,
+          "time " + quoted(time, longest_field_shown) + " is already in line " +
+              std::to_string(first_line),
+          ""};
 }
 
 void ReadingsFindings::conclude(std::size_t steps) {

@@ -39,7 +39,8 @@ class ReadingsFindings {
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
                     const std::string& hint);
   void note_empty_time(std::size_t line);
-  void note_time_twice(std::string_view time, std::size_t line, std::size_t first_line);
+  /// The complaint of a time that is given before.
+  Message time_twice(std::string_view time, std::size_t line, std::size_t first_line) const;
 
   Complaints& complaints() { return complaints_; }
   /// Throws the complaints, if there are any; else warns. `steps`: how many time steps there were.

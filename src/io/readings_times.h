@@ -8,9 +8,9 @@
 
 namespace thiessen {
 
-/// The different times of a file, numbered from 0 in the order in which they first came. Times
-/// compare as text. About 40 bytes a time beside the text itself; entering one costs a hash, or,
-/// where it is the one entered last or all so far came in their sorting order, a comparison.
+/// The different times of a part of a file, numbered from 0 in the order in which they first came.
+/// Times compare as text. About 40 bytes a time beside the text itself; entering one costs a hash,
+/// or, where it is the one entered last or all so far came in their sorting order, a comparison.
 class ReadingsTimes {
  public:
   struct Entered {
@@ -21,6 +21,11 @@ class ReadingsTimes {
   Entered enter(std::string_view time, std::size_t line);
 
   std::size_t size() const { return lines_.size(); }
+  /// Memory in use.
+  std::size_t bytes() const {
+    return texts_.size() + lines_.size() * (sizeof ends_[0] + sizeof lines_[0]) +
+           slots_.size() * sizeof slots_[0];
+  }
   std::string_view text(std::size_t step) const;
   /// Where the time first came.
   std::size_t line(std::size_t step) const { return lines_[step]; }

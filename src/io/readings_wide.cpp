@@ -13,7 +13,8 @@ using Standing = ReadingsStations::Standing;
 WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
     : source_(std::move(source)),
       time_field_(layout.time),
-      readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()) {
+      readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()),
+      repeated_(source_.table->again(), time_field_) {
   match_columns();
   source_.findings.complaints().throw_if_any();
 }
@@ -60,22 +61,32 @@ bool WideReadings::next(TimeStep& step) {
   if (done_) return false;
   while (source_.next(row_)) {
     read_row();
+    ++steps_;
     if (!source_.findings.complaints().empty()) continue;
     step.time = row_.fields[time_field_];
     step.readings = readings_;
     return true;
   }
   done_ = true;
-  source_.findings.conclude(times_.size());
+  conclude();
   return false;
+}
+
+void WideReadings::conclude() {
+  Complaints twice;
+  for (RepeatedTimes::Repeat repeat; repeated_.next(repeat);) {
+    twice.add_by_line(source_.findings.time_twice(repeat.time, repeat.line, repeat.first_line));
+  }
+  source_.findings.complaints().add(twice);
+  source_.findings.conclude(steps_);
 }
 
 void WideReadings::read_row() {
   const std::string_view time = row_.fields[time_field_];
   if (trimmed(time).empty()) {
     source_.findings.note_empty_time(row_.line);
-  } else if (const auto entered = times_.enter(time, row_.line); !entered.fresh) {
-    source_.findings.note_time_twice(time, row_.line, times_.line(entered.step));
+  } else {
+    repeated_.note(time, row_.line);
   }
   for (const Column& column : columns_) {
     const std::string_view field = row_.fields[column.field];

@@ -3,14 +3,14 @@
 #include <vector>
 
 #include "io/readings_layout.h"
+#include "io/readings_repeats.h"
 #include "io/readings_source.h"
-#include "io/readings_times.h"
 #include "rainfall/readings.h"
 
 namespace thiessen {
 
 /// Readings with a row for each time and a column for each station, read a row at a time: see
-/// open_readings. Of the rows only the times are kept, to find one given twice.
+/// open_readings.
 class WideReadings : public Readings {
  public:
   /// Throws Error where columns are of unknown stations, two are of one, or none is of any.
@@ -28,12 +28,14 @@ class WideReadings : public Readings {
   void match_columns();
   void note_unknown_column(std::size_t field);
   void read_row();
+  void conclude();
 
   ReadingsSource source_;
   std::size_t time_field_;
   std::vector<Column> columns_;  ///< those of known stations
   std::vector<double> readings_;
-  ReadingsTimes times_;
+  RepeatedTimes repeated_;
+  std::size_t steps_ = 0;
   Row row_;
   bool done_ = false;
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,9 @@ class Table {
   virtual bool next(Row& row) = 0;
   /// How much is read, from 0 to 1; NaN where the length is not known.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// The same table, opened once more at its beginning; nothing where it can only be read once (a
+  /// pipe), or is not sure to give its rows in the same order (a database).
+  virtual std::unique_ptr<Table> again() const { return nullptr; }
 };
 
 }  // namespace thiessen
