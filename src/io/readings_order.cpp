@@ -2,12 +2,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 namespace thiessen {
 namespace {
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
+}
+
+/// Where the texts begin to differ; their common length where one begins with the other.
+std::size_t first_difference(std::string_view a, std::string_view b) {
+  const std::size_t common = std::min(a.size(), b.size());
+  std::size_t at = 0;
+  for (std::uint64_t word_a = 0, word_b = 0; at + sizeof word_a <= common; at += sizeof word_a) {
+    std::memcpy(&word_a, a.data() + at, sizeof word_a);
+    std::memcpy(&word_b, b.data() + at, sizeof word_b);
+    if (word_a != word_b) break;
+  }
+  while (at < common && a[at] == b[at]) ++at;
+  return at;
 }
 
 std::string_view digits_from(std::string_view text, std::size_t begin) {
@@ -23,8 +38,7 @@ std::string_view without_zeros(std::string_view digits) {
 }  // namespace
 
 int compare_with_numbers(std::string_view a, std::string_view b) {
-  const auto [in_a, in_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
-  auto begin = static_cast<std::size_t>(in_a - a.begin());
+  std::size_t begin = first_difference(a, b);
   while (begin > 0 && is_digit(a[begin - 1])) --begin;
   const std::string_view digits_a = digits_from(a, begin);
   const std::string_view digits_b = digits_from(b, begin);

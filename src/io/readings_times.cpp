@@ -21,6 +21,7 @@ std::uint32_t tag_of(std::size_t hash) {
 
 ReadingsTimes::Entered ReadingsTimes::enter(std::string_view time, std::size_t line) {
   if (!lines_.empty() && text(last_) == time) return {last_, false};
+  if (last_ + 1 < lines_.size() && text(last_ + 1) == time) return {++last_, false};
   if (slots_.empty() && (lines_.empty() || text(last_) < time)) return append(time, line);
   if (2 * (lines_.size() + 1) > slots_.size()) grow();
   const std::size_t hash = hash_of(time);

@@ -16,14 +16,14 @@
 namespace thiessen::benchmarks {
 namespace {
 
-/// Days of 31 to the month: what matters is that they ascend.
-std::string day(std::size_t number) {
-  const auto padded = [](std::size_t n, std::size_t width) {
-    const std::string text = std::to_string(n);
-    return std::string(width - std::min(width, text.size()), '0') + text;
+/// Minute after minute; months have 28 days, for what matters is that they ascend.
+std::string minute(std::size_t number) {
+  const auto two = [](std::size_t n) {
+    return std::string{char('0' + n / 10), char('0' + n % 10)};
   };
-  return padded(1900 + number / 372, 4) + "-" + padded(number / 31 % 12 + 1, 2) + "-" +
-         padded(number % 31 + 1, 2);
+  const std::size_t days = number / 1440;
+  return std::to_string(1900 + days / 336) + "-" + two(days / 28 % 12 + 1) + "-" +
+         two(days % 28 + 1) + "T" + two(number / 60 % 24) + ":" + two(number % 60);
 }
 
 /// Three of four are 0, as rain is: "0", "7.5", "12".
@@ -50,14 +50,14 @@ void write_wide(std::ofstream& file, Size size) {
   file << "time";
   for (std::size_t s = 0; s < size.stations; ++s) file << ",S" << s;
   for (std::size_t t = 0; t < size.steps; ++t) {
-    file << "\n" << day(t);
+    file << "\n" << minute(t);
     for (std::size_t s = 0; s < size.stations; ++s) file << ',' << amount(random);
   }
   file << "\n";
 }
 
 void write_row(std::ofstream& file, std::size_t step, std::size_t station, std::mt19937& random) {
-  file << day(step) << ",S" << station << ',' << amount(random) << "\n";
+  file << minute(step) << ",S" << station << ',' << amount(random) << "\n";
 }
 
 void write_by_time(std::ofstream& file, Size size) {
