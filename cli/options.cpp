@@ -113,8 +113,10 @@ void StudyOptions::check_texts() const {
 
 void RainfallOptions::add_to(CLI::App& app, Need need) {
   app.option_defaults()->group("Readings");
-  app.add_option("RAINFALL", rainfall,
-                 "readings, wide or long: CSV or any of these as a table; - reads standard input")
+  app.add_option(
+         "RAINFALL", rainfall,
+         "readings, wide or long: CSV or any of these as a table; - reads standard input; or "
+         "GHCN-Daily: a .dly file, or a folder of them")
       ->required(need == Need::required)
       ->type_name("");
   app.add_option("--missing", readings_.missing,
@@ -132,6 +134,8 @@ void RainfallOptions::add_to(CLI::App& app, Need need) {
            "the reading's column in a long table");
   app.add_flag("--ignore-unknown", readings_.ignore_unknown,
                "pass over readings of stations that STATIONS lacks, with a warning");
+  app.add_flag("--keep-flagged", readings_.keep_flagged,
+               "of .dly files, also the values that failed a check of quality");
 }
 
 ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {

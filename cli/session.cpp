@@ -4,7 +4,6 @@
 
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
-#include "io/table_file.h"
 #include "rainfall/extent.h"
 #include "rainfall/watched_readings.h"
 
@@ -47,9 +46,9 @@ std::unique_ptr<Readings> Session::open_readings(const StudyOptions& study,
                                                  const RainfallOptions& rainfall,
                                                  Warnings& warnings,
                                                  const std::optional<StepTimes>& wanted) {
-  auto readings = thiessen::open_readings(open_table(rainfall.rainfall, study.separator()),
-                                          network_->stations(), filtered_ids_,
-                                          rainfall.readings(study.decimal_comma()), warnings);
+  auto readings =
+      open_rainfall(rainfall.rainfall, study.separator(), network_->stations(), filtered_ids_,
+                    rainfall.readings(study.decimal_comma()), warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +19,11 @@ class ReadingsFindings {
  public:
   ReadingsFindings(std::string file, const ReadingsStations& stations, bool ignore_unknown,
                    Warnings& warnings);
+
+  /// Of the readings that follow, where they lie in several files: the lines are its.
+  void now_in(const std::string& file) { file_ = file; }
+  const std::string& file() const { return file_; }
+  void warn(std::string text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
   /// Where a field stands, for messages.
   struct Place {
@@ -43,6 +49,7 @@ class ReadingsFindings {
   Message time_twice(std::string_view time, std::size_t line, std::size_t first_line) const;
 
   Complaints& complaints() { return complaints_; }
+  const Complaints& complaints() const { return complaints_; }
   /// Throws the complaints, if there are any; else warns. `steps`: how many time steps there were.
   void conclude(std::size_t steps);
 
