@@ -2,14 +2,16 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <cstdio>
 #include <fstream>
-#include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "base/temporary_folder.h"
 #include "benchmarks/timer.h"
+#include "io/readings_dly.h"
 #include "io/readings_reader.h"
 #include "io/table_file.h"
 
@@ -87,10 +89,34 @@ void write_scattered(std::ofstream& file, Size size) {
   }
 }
 
+Size size_of(const benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(1));
+  return {count, static_cast<std::size_t>(state.range(0)) * 1'000'000 / count};
+}
+
+/// Opens, reads all steps and counts the readings, which must be so many.
+template <typename Open>
+void read_all(benchmark::State& state, const std::vector<Station>& gauges, std::size_t expected,
+              Open open) {
+  Timer timer;
+  timer.start();
+  Warnings warnings;
+  const std::unique_ptr<Readings> readings = open(warnings);
+  std::size_t steps = 0;
+  std::size_t last_gauge = 0;
+  for (TimeStep step; readings->next(step); ++steps) {
+    last_gauge += std::isnan(step.readings.back()) ? 0u : 1u;
+  }
+  timer.stop();
+  if (steps == 0 || last_gauge * gauges.size() != expected) state.SkipWithError("wrong readings");
+  count_operations(state, expected, timer);
+  rusage use = {};
+  getrusage(RUSAGE_SELF, &use);
+  state.counters["peak MB so far"] = static_cast<double>(use.ru_maxrss) / 1024;
+}
+
 void read_table(benchmark::State& state, void (*write)(std::ofstream&, Size)) {
-  const Size size = {static_cast<std::size_t>(state.range(1)),
-                     static_cast<std::size_t>(state.range(0)) * 1'000'000 /
-                         static_cast<std::size_t>(state.range(1))};
+  const Size size = size_of(state);
   const TemporaryFolder folder;
   const std::string path = folder.path("rainfall.csv");
   {
@@ -99,21 +125,10 @@ void read_table(benchmark::State& state, void (*write)(std::ofstream&, Size)) {
   }
   const std::vector<Station> gauges = stations(size.stations);
   for ([[maybe_unused]] auto _ : state) {
-    Timer timer;
-    timer.start();
-    Warnings warnings;
-    const auto readings = open_readings(open_table(path, '\0'), gauges, {}, {}, warnings);
-    double sum = 0;
-    std::size_t steps = 0;
-    for (TimeStep step; readings->next(step); ++steps) sum += step.readings[steps % gauges.size()];
-    timer.stop();
-    benchmark::DoNotOptimize(sum);
-    if (steps != size.steps) state.SkipWithError("not all steps are read");
-    count_operations(state, size.stations * size.steps, timer);
+    read_all(state, gauges, size.stations * size.steps, [&](Warnings& warnings) {
+      return open_readings(open_table(path, '\0'), gauges, {}, {}, warnings);
+    });
   }
-  rusage use = {};
-  getrusage(RUSAGE_SELF, &use);
-  state.counters["peak MB so far"] = static_cast<double>(use.ru_maxrss) / 1024;
 }
 
 void wide(benchmark::State& state) {
@@ -129,6 +144,45 @@ void long_scattered(benchmark::State& state) {
   read_table(state, write_scattered);
 }
 
+/// A file a station, of all months of so many years, with a second element as NOAA's have it.
+void write_dly(const TemporaryFolder& folder, Size size) {
+  std::mt19937 random(1);
+  for (std::size_t s = 0; s < size.stations; ++s) {
+    std::string name = "USC" + std::to_string(10'000'000 + s);
+    std::ofstream file(folder.path(name + ".dly"), std::ios::binary);
+    for (std::size_t month = 0; month < size.steps / 30; ++month) {
+      for (const char* element : {"PRCP", "TMAX"}) {
+        char head[64];
+        std::snprintf(head, sizeof head, "%s%04zu%02zu%s", name.c_str(), 1800 + month / 12,
+                      month % 12 + 1, element);
+        file << head;
+        for (std::size_t day = 1; day <= 31; ++day) {
+          char columns[16];
+          const bool is_there = day <= 28;
+          std::snprintf(columns, sizeof columns, "%5d  7", is_there ? int(random() % 300) : -9999);
+          file << columns;
+        }
+        file << '\n';
+      }
+    }
+  }
+}
+
+void dly(benchmark::State& state) {
+  const Size size = size_of(state);
+  const TemporaryFolder folder;
+  write_dly(folder, size);
+  std::vector<Station> gauges;
+  for (std::size_t s = 0; s < size.stations; ++s) {
+    gauges.push_back({"USC" + std::to_string(10'000'000 + s), {}, s + 2});
+  }
+  for ([[maybe_unused]] auto _ : state) {
+    read_all(state, gauges, size.stations * (size.steps / 30) * 28, [&](Warnings& warnings) {
+      return open_dly_readings(folder.path(), gauges, {}, {}, warnings);
+    });
+  }
+}
+
 /// Million readings; stations.
 #define THIESSEN_READINGS(name) \
   BENCHMARK(name)->Name("readings/" #name)->UseManualTime()->Unit(benchmark::kMillisecond)
@@ -136,6 +190,7 @@ THIESSEN_READINGS(wide)->Args({20, 1000})->Args({100, 1000});
 THIESSEN_READINGS(long_by_time)->Args({20, 1000})->Args({20, 1});
 THIESSEN_READINGS(long_by_station)->Args({20, 1000})->Args({20, 10});
 THIESSEN_READINGS(long_scattered)->Args({20, 1000});
+THIESSEN_READINGS(dly)->Args({20, 500});
 
 }  // namespace
 }  // namespace thiessen::benchmarks
