@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "base/number.h"
 #include "base/utf8.h"
 
 namespace thiessen {
@@ -60,6 +61,8 @@ CsvReader::CsvReader(const std::string& file, CsvOptions options)
 }
 
 bool CsvReader::next(Row& row) {
+  static_assert(csv_block >= number_padding);
+  row.padded = true;
   row.fields.resize(header_.size());
   for (;;) {
     const RowKind kind = read_row(row.fields);
@@ -176,10 +179,8 @@ CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
   }
 }
 
-void CsvReader::store(std::string_view field, bool in_quotes) {
-  if (field_count_ < fields_->size()) {
-    (*fields_)[field_count_] = field;
-  } else if (header_line_ == 0) {
+void CsvReader::store_beyond(std::string_view field, bool in_quotes) {
+  if (header_line_ == 0) {
     if (field_count_ == options_.limits.columns) {
       fail(line_, "has more than " + counted(options_.limits.columns, "column") + ", the limit");
     }

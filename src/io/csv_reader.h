@@ -63,7 +63,14 @@ class CsvReader : public Table {
   void read_header();
 
   RowKind read_row(std::vector<std::string_view>& fields);
-  void store(std::string_view field, bool in_quotes);
+  void store(std::string_view field, bool in_quotes) {
+    if (field_count_ < fields_->size()) {
+      (*fields_)[field_count_++] = field;
+    } else {
+      store_beyond(field, in_quotes);
+    }
+  }
+  void store_beyond(std::string_view field, bool in_quotes);
   RowKind end_row(std::size_t at);
   RowKind end_last_row();
   RowKind skip_rest_of_line(std::size_t from, const std::string& fault, std::size_t column);

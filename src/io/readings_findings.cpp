@@ -35,7 +35,7 @@ void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
   const std::string shown = quoted(trimmed(field), longest_field_shown);
   Message message{file_, place.line, "", ""};
   if (reading.kind == ReadingKind::amount) {
-    heard_[index(place.station)] = true;
+    heard_[index(place.station)] = Heard::yes;
     if (++absurd_count_ > 1) return;
     message.text =
         "reading " + shown + " of station " + quoted(id) + " is more than falls anywhere in a year";
@@ -93,9 +93,9 @@ void ReadingsFindings::warn_of_unknown() {
 
 void ReadingsFindings::warn_of_silent() {
   std::vector<std::string> first;
-  const auto count = static_cast<std::size_t>(std::count(heard_.begin(), heard_.end(), false));
+  const auto count = static_cast<std::size_t>(std::count(heard_.begin(), heard_.end(), Heard::no));
   for (std::size_t i = 0; i < heard_.size() && first.size() < names_listed; ++i) {
-    if (!heard_[i]) first.push_back(stations_.all()[i].id);
+    if (heard_[i] == Heard::no) first.push_back(stations_.all()[i].id);
   }
   if (count == 0) return;
   const std::string text =

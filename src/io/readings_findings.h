@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -35,7 +36,7 @@ class ReadingsFindings {
   /// note_oddity.
   bool note(const Reading& reading, StationIndex station) {
     if (!(reading.amount <= absurd_reading)) return reading.kind == ReadingKind::missing;
-    heard_[index(station)] = true;
+    heard_[index(station)] = Heard::yes;
     return true;
   }
   /// Takes note of what is wrong or odd about the field that was so read.
@@ -63,7 +64,10 @@ class ReadingsFindings {
   bool ignore_unknown_;
   Warnings& warnings_;
   Complaints complaints_;
-  std::vector<char> heard_;  ///< for each station, whether it reads an amount at some time
+  /// Whether a station reads an amount at some time. No char, which could be a part of anything, so
+  /// that all else would have to be loaded anew after each note.
+  enum class Heard : std::uint8_t { no, yes };
+  std::vector<Heard> heard_;  ///< by station
   std::unordered_set<std::string> unknown_;
   std::vector<std::string> first_unknown_;
   Message first_absurd_;

@@ -30,8 +30,10 @@ class ReadingGrammar {
   ReadingGrammar(std::span<const std::string> missing, std::span<const std::string> trace,
                  DecimalMark mark);
 
-  Reading read(std::string_view field) const {
-    const Parsed<double> number = parse_number(field, mark_);
+  /// `padded`: see Row.
+  Reading read(std::string_view field, bool padded) const {
+    const Parsed<double> number =
+        padded ? parse_padded_number(field, mark_) : parse_number(field, mark_);
     if (number && number.value >= 0 && only_negative_) {
       return {number.value + 0.0, ReadingKind::amount};  // + 0.0 makes -0 plain 0
     }

@@ -22,7 +22,7 @@ bool LongRows::next(LongRow& row) {
     row.station = found.station;
     if (row.has_station) {
       const std::string_view field = row_.fields[layout_.value];
-      const Reading reading = source_.grammar.read(field);
+      const Reading reading = source_.grammar.read(field, row_.padded);
       row.amount = reading.amount;
       if (!source_.findings.note(reading, row.station)) {
         source_.findings.note_oddity(reading, {row.line, row.station}, field, source_.grammar);

@@ -90,7 +90,7 @@ void WideReadings::read_row() {
   }
   for (const Column& column : columns_) {
     const std::string_view field = row_.fields[column.field];
-    const Reading reading = source_.grammar.read(field);
+    const Reading reading = source_.grammar.read(field, row_.padded);
     readings_[index(column.station)] = reading.amount;
     if (source_.findings.note(reading, column.station)) continue;
     source_.findings.note_oddity(reading, {row_.line, column.station}, field, source_.grammar);

@@ -13,6 +13,7 @@ namespace thiessen {
 struct Row {
   std::size_t line = 0;  ///< the line on which it begins (CSV), or the feature's number, from 1
   std::vector<std::string_view> fields;  ///< as many as the header has; valid until the next row
+  bool padded = false;  ///< number_padding bytes can be read where each field begins (number.h)
 };
 
 /// A table of text fields, read a row at a time in memory that does not grow with its length:

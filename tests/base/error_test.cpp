@@ -68,6 +68,21 @@ TEST(Complaints, are_silent_where_there_are_none) {
   EXPECT_NO_THROW(Complaints().throw_if_any());
 }
 
+TEST(Complaints, found_in_any_order_list_the_first_by_line) {
+  Complaints complaints;
+  for (std::size_t i = 0; i < 101; ++i) {  // 37 i mod 101 takes every value once
+    complaints.add_by_line({"f", 37 * i % 101 + 1, "wrong", ""});
+  }
+  try {
+    complaints.throw_if_any();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.unlisted(), 81u);
+    ASSERT_EQ(error.messages().size(), 20u);
+    for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(error.messages()[i].line, i + 1);
+  }
+}
+
 TEST(Complaints, merge_in_the_order_of_the_lines) {
   Complaints complaints = complaints_on_lines(10, 25);
   complaints.add(complaints_on_lines(1, 30));  // of which 10 are only counted

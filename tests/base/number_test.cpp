@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <random>
 #include <string>
+#include <string_view>
 
 namespace thiessen {
 namespace {
@@ -168,6 +169,36 @@ TEST(Number, is_the_same_in_a_locale_of_commas) {
   EXPECT_EQ(shortest_text(1234.5), "1234.5");
   EXPECT_EQ(fixed_text(1234.5, 2), "1234.50");
   std::setlocale(LC_ALL, "C");
+}
+
+TEST(ParsePaddedNumber, is_the_same_as_without_padding) {
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937 random(seed);
+  constexpr std::string_view letters = "00123456789..,,-+e/:";
+  for (int i = 0; i < 1'000'000; ++i) {
+    std::string text;
+    for (auto size = random() % 10; size > 0; --size) text += letters[random() % letters.size()];
+    const std::size_t size = text.size();
+    for (std::size_t k = 0; k < number_padding; ++k) text += "7.\x80\xFF,"[random() % 5];
+    const std::string_view number = std::string_view(text).substr(0, size);
+    for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
+      const Parsed<double> expected = parse_number(number, mark);
+      const Parsed<double> found = parse_padded_number(number, mark);
+      ASSERT_EQ(found.fault, expected.fault) << number;
+      ASSERT_EQ(found.value, expected.value) << number;
+    }
+  }
+}
+
+TEST(ParsePaddedNumber, knows_every_short_number_of_plain_digits) {
+  for (int tenths = 0; tenths < 100'000; ++tenths) {
+    const std::string text = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+    const auto found =
+        parse_padded_number(std::string_view(text + "12345678").substr(0, text.size()));
+    ASSERT_TRUE(found) << text;
+    ASSERT_EQ(found.value, tenths / 10.0) << text;
+  }
 }
 
 }  // namespace

@@ -36,6 +36,17 @@ TEST(Spool, gives_back_all_that_was_written_however_often_it_is_asked) {
   EXPECT_EQ(whole(spool), text);
 }
 
+TEST(Spool, gives_back_what_was_written_at_a_place) {
+  const Descriptor spool = open_spool();
+  ASSERT_EQ(::write(spool.number(), "0123456789", 10), 10);
+  std::string into(4, '-');
+  EXPECT_EQ(read_spool(spool, 3, into), 4u);
+  EXPECT_EQ(into, "3456");
+  EXPECT_EQ(read_spool(spool, 8, into), 2u) << "it ends there";
+  EXPECT_EQ(into, "8956");
+  EXPECT_EQ(read_spool(spool, 10, into), 0u);
+}
+
 TEST(Spool, has_no_name_in_its_folder) {
   const TemporaryFolder folder;
   const Setting setting(folder.path());

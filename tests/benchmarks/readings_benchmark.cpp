@@ -187,10 +187,10 @@ void dly(benchmark::State& state) {
 #define THIESSEN_READINGS(name) \
   BENCHMARK(name)->Name("readings/" #name)->UseManualTime()->Unit(benchmark::kMillisecond)
 THIESSEN_READINGS(wide)->Args({20, 1000})->Args({100, 1000});
-THIESSEN_READINGS(long_by_time)->Args({20, 1000})->Args({20, 1});
-THIESSEN_READINGS(long_by_station)->Args({20, 1000})->Args({20, 10});
-THIESSEN_READINGS(long_scattered)->Args({20, 1000});
-THIESSEN_READINGS(dly)->Args({20, 500});
+THIESSEN_READINGS(long_by_time)->Args({20, 1000})->Args({20, 1})->Args({100, 1000});
+THIESSEN_READINGS(long_by_station)->Args({20, 1000})->Args({20, 10})->Args({100, 1000});
+THIESSEN_READINGS(long_scattered)->Args({20, 1000})->Args({100, 1000});
+THIESSEN_READINGS(dly)->Args({20, 500})->Args({100, 1000});
 
 }  // namespace
 }  // namespace thiessen::benchmarks
