@@ -47,7 +47,7 @@ class ScatteredPieces : public ReadingsPieces {
  public:
   static constexpr std::size_t usual_memory = std::size_t{32} << 20;
 
-  ScatteredPieces(LongRows& rows, std::size_t memory = usual_memory);
+  explicit ScatteredPieces(LongRows& rows, std::size_t memory = usual_memory);
 
   bool next(ReadingsPiece& piece) override;
 
