@@ -24,7 +24,7 @@ std::vector<RainPeriod> periods_of(const Steps& steps, Totalling totalling) {
   std::vector<RainPeriod> taken;
   RainPeriods periods(totalling, "r.csv", [&](const RainPeriod& one) { taken.push_back(one); });
   for (const auto& [time, values] : steps) {
-    RainStep step{time, {}, {}};
+    RainStep step{time, {}, {}, {}};
     for (const double value : values) step.basins.push_back({value, 1, 1});
     periods.add(step);
   }
