@@ -67,5 +67,22 @@ TEST(Geodesic, least_differences_beyond_all_bounds_know_the_triangle) {
   EXPECT_DOUBLE_EQ(least_difference(near, far, 2.0003e7, 0), 2.00035e7 - 10);
 }
 
+// Simpson's rule against Karney's distances, beyond where it is given up.
+TEST(Geodesic, arrives_as_exactly_as_is_asked) {
+  Seeded seeded;
+  for (const double accuracy : {1e-6, 1e-5, 1e-3, 1e-2}) {
+    for (std::uint64_t round = 0; round < seeded.rounds(3000); ++round) {
+      const Point from = random_point(seeded);
+      const Point to = random_point_at(seeded, from, std::pow(10, seeded.uniform(-2, 5.6)));
+      const Arrival found = arrival(EarthPoint(from), EarthPoint(to), accuracy);
+      const Arrival exact = arrival(from, to);
+      EXPECT_NEAR(found.distance, exact.distance, accuracy / 10 + 2e-8);
+      if (exact.distance < 1) continue;
+      EXPECT_NEAR(found.east, exact.east, 1e-3);
+      EXPECT_NEAR(found.north, exact.north, 1e-3);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thiessen
