@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/interrupt.h"
 #include "earth/conformal_sphere.h"
 
 namespace thiessen {
@@ -137,9 +138,13 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
         BisectorOffset::fit(edge, start.angle, start.position, end.angle, end.position);
     if (offset) return draw_piece(*offset, start, end);
   }
-  EdgePoint middle = point_at(edge, angle);
-  const bool fine = 2 * half <= longest_chord &&
-                    bulge(start.position, middle.position, end.position) <= tolerance_;
+  throw_if_interrupted();
+  const BisectorPoint found = edge.find(angle);
+  EdgePoint middle{angle, no_node, longitudes_.within(found.position)};
+  // What distances do not tell no chord can follow.
+  const double allowed = std::max(tolerance_, 4 * found.uncertainty * mean_radius);
+  const bool fine =
+      2 * half <= longest_chord && bulge(start.position, middle.position, end.position) <= allowed;
   if (fine || half < shortest_chord) return draw_chord(start, end);
   draw_piece(edge, start, middle);
   draw_piece(edge, middle, end);
@@ -174,6 +179,7 @@ void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, Edg
 
 void EdgeDrawing::draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end,
                               int chords) {
+  throw_if_interrupted();
   EdgePoint before = start;
   for (int i = 1; i <= chords; ++i) {
     EdgePoint& from = i == 1 ? start : before;

@@ -5,12 +5,14 @@
 #include <iterator>
 #include <numbers>
 
+#include "base/interrupt.h"
 #include "earth/geodesic.h"
 
 namespace thiessen {
 namespace {
 
-// Radians beyond the antipode up to which edges are followed.
+// Radians before the antipode from which on, and beyond it up to which edges are followed.
+constexpr double near_reach = 0.1;
 constexpr double far_reach = 0.15;
 constexpr double fine_angle = 1e-12;
 // Metres by which a place may be nearer to a vertex than those whose cells meet there.
@@ -65,6 +67,8 @@ void FarSide::find_meeting(Place side) {
   double low = side->angle;
   double high = std::numbers::pi + far_reach;
   if (low < high - 2 * std::numbers::pi) low += 2 * std::numbers::pi;
+  // Where the edge comes in the third may be as near too.
+  low = std::max(low, std::numbers::pi - near_reach);
   if (!(low < high) || !(lead_over_third(high) < 0)) return;
   if (lead_over_third(low) > 0) {
     while (high - low > fine_angle) {
@@ -99,6 +103,7 @@ std::vector<FarSide::Vertex> FarSide::lay_anew(const std::vector<std::uint32_t>&
   for (Place side = polygon_.begin(); side != polygon_.end(); ++side) find_meeting(side);
   std::vector<Ear> ears;
   for (const std::uint32_t t : triangles) {
+    throw_if_interrupted();
     const auto ear = find_ear();
     if (!ear) return {};
     ears.push_back(cut(*ear, t));

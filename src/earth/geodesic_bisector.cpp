@@ -74,7 +74,11 @@ double change_of_sign(Sample low, Sample high, Function&& function) {
 BisectorPoint GeodesicBisector::find(double angle, double offset) const {
   if (const auto found = by_newton(angle, offset)) return *found;
   const double by_sign = by_bracket(angle).value_or(0);
-  return {by_sign, at(angle, by_sign)};
+  // Near the antipode their distances differ by their own distance within some 100 km.
+  constexpr double far_side = 1e5;  // metres
+  const double uncertainty =
+      distance_noise * far_side / (2 * arc_.half_separation() * mean_radius * mean_radius);
+  return {by_sign, at(angle, by_sign), false, uncertainty};
 }
 
 // What is d away is measured wrong by 0.34 % of d on the sphere, for the one place nearly as much

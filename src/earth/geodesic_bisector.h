@@ -33,9 +33,9 @@ class GeodesicBisector {
   double accuracy() const { return accuracy_; }
 
   /// The bisector's point across from the great circle's at that angle; `offset`: how far it may
-  /// be. Right to the accuracy or the uncertainty, whichever is more; where it is not exact, to
-  /// 1e-5 metres. Cost: two geodesics a step, one or two steps; where it is not exact 20 steps or
-  /// so.
+  /// be. Right to the accuracy (where it is not exact, to 1e-5 metres) or the uncertainty,
+  /// whichever is more. Cost: two geodesics a step, one or two steps; where it is not exact 20
+  /// steps or so.
   BisectorPoint find(double angle, double offset = 0) const;
   /// How far the bisector may be from the great circle up to an angle, and more, in radians.
   double farthest_off(double angle) const;

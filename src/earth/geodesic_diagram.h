@@ -13,8 +13,8 @@ namespace thiessen {
 /// It begins with the tessellation of the conformal sphere (SphereTessellation), where up to 0.08 %
 /// of the Earth is in another cell. Each vertex becomes the point at equal distance of its three
 /// places; a side of a triangle whose circle then holds the point across is flipped, until there is
-/// none; edges are points at equal distance of two places. Near the antipodes of places that are
-/// near each other vertices stay where the sphere has them.
+/// none; edges are points at equal distance of two places. Round the antipode of a network that is
+/// small against the Earth the triangles are laid anew: see FarSide.
 ///
 /// Requires at least one place, different ones, longitudes within 360 degrees of the frame's, and a
 /// frame no wider than 360 degrees. The result does not depend on `threads`. `accuracy`: of

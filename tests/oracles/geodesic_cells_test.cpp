@@ -252,5 +252,19 @@ INSTANTIATE_TEST_SUITE_P(Regions, GeodesicVoronoiVertices, testing::ValuesIn(reg
 INSTANTIATE_TEST_SUITE_P(Continents, GeodesicVoronoiVertices, testing::ValuesIn(continents),
                          name_of_setting);
 
+// Where distances, right to 15 nanometres, do not tell where an edge is, no chord follows them.
+TEST(GaugesOfOneMast, have_no_more_chords_than_their_distances_can_tell) {
+  Box earth;
+  for (const Point corner : {Point{-180, -90}, Point{180, 90}}) earth.take_in(corner);
+  const std::vector<Point> places{{10, 47}, {10.00000001, 47.00000001}, {10.0000002, 47}};
+  for (const std::size_t count : {std::size_t{2}, std::size_t{3}}) {
+    const std::vector<Point> some(places.begin(),
+                                  places.begin() + static_cast<std::ptrdiff_t>(count));
+    const Diagram diagram = geodesic_diagram(some, earth, 0.0005, 1e-6, 1);
+    EXPECT_LT(diagram.chords.size(), 2'000'000u);
+    EXPECT_GT(diagram.chords.size(), 1000u);
+  }
+}
+
 }  // namespace
 }  // namespace thiessen
