@@ -46,9 +46,8 @@ std::unique_ptr<Readings> Session::open_readings(const StudyOptions& study,
                                                  const RainfallOptions& rainfall,
                                                  Warnings& warnings,
                                                  const std::optional<StepTimes>& wanted) {
-  auto readings =
-      open_rainfall(rainfall.rainfall, study.separator(), network_->stations(), filtered_ids_,
-                    rainfall.readings(study.decimal_comma()), warnings);
+  auto readings = open_rainfall(rainfall.rainfall, study.separator(), network_->stations(),
+                                filtered_ids_, rainfall.readings(study.decimal_comma()), warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

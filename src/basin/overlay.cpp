@@ -251,8 +251,7 @@ void Overlay::put_next_in_order(std::size_t next) {
 
 void Overlay::emit_edge_piece(const Edge& edge, double begin, Point from, double end, Point to) {
   if (from == to) return;
-  const double bulge =
-      edge.bulge == 0 ? 0 : edge.bulge * (bulge_share(end) - bulge_share(begin));
+  const double bulge = edge.bulge == 0 ? 0 : edge.bulge * (bulge_share(end) - bulge_share(begin));
   for (const auto& [place, count] : presence_) {
     for (int i = 0; i < count; ++i) result_.pieces.push_back({place, from, to, bulge});
     for (int i = count; i < 0; ++i) result_.pieces.push_back({place, to, from, -bulge});
