@@ -147,6 +147,7 @@ void SphereTessellation::find_nearest_on_earth(Point p, PlaceIndex start,
   }
   if (nearest.size() == 1) return;
   std::vector<double> distances;
+  distances.reserve(nearest.size());
   for (const PlaceIndex q : nearest)
     distances.push_back(geodesic_distance(positions_[index(q)], p));
   const double least = *std::min_element(distances.begin(), distances.end());

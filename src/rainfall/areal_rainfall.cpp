@@ -29,7 +29,7 @@ double coverage(const BasinWeights& full, std::span<const double> readings) {
 
 ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings,
                              unsigned threads)
-    : weighing_(weighing), settings_(settings) {
+    : settings_(settings) {
   if (settings.gaps == Gaps::retessellate) {
     handovers_ = std::make_unique<const Handovers>(weighing, threads);
     remembered_ = std::make_unique<HandoverCache>(*handovers_, settings.remembered_bytes);

@@ -32,10 +32,10 @@ struct ArealRainfallSettings {
   std::size_t remembered_bytes = std::size_t{256} << 20;  ///< of handovers
 };
 
-/// Turns readings into areal rainfall. Safe for several threads at once. What it gives depends on
-/// the readings alone, not on what it remembers. Cost of a step: its gauges, the full network's
-/// weights and the silent cells' neighbours; for each component of silent cells that is not
-/// remembered also Handovers::of.
+/// Turns readings into areal rainfall. The weighing must outlive it. Safe for several threads at
+/// once. What it gives depends on the readings alone, not on what it remembers. Cost of a step: its
+/// gauges, the full network's weights and the silent cells' neighbours; for each component of
+/// silent cells that is not remembered also Handovers::of.
 class ArealRainfall {
  public:
   ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);
@@ -67,7 +67,6 @@ class ArealRainfall {
   BasinRainfall from_full_network(const BasinWeights& weights,
                                   std::span<const double> readings) const;
 
-  const Weighing& weighing_;
   ArealRainfallSettings settings_;
   std::unique_ptr<const Handovers> handovers_;  // to retessellate
   mutable std::unique_ptr<HandoverCache> remembered_;

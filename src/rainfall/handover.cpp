@@ -77,6 +77,7 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
   const std::vector<PlaceIndex> heirs = heirs_of(component);
   if (!has_ground || heirs.empty()) return {};
   std::vector<Point> positions;
+  positions.reserve(heirs.size());
   for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
   const Diagram diagram = weighing_.ground().diagram_for_areas(positions, frame);
   CellClipper clipper(diagram, weighing_.surface());

@@ -50,7 +50,7 @@ std::shared_ptr<const Handover> HandoverCache::find(Shard& shard,
   if (young != shard.young.end()) return young->second;
   const auto old = shard.old.find(component);
   if (old == shard.old.end()) return nullptr;
-  const auto handover = old->second;
+  auto handover = old->second;
   shard.old.erase(old);
   keep(shard, component, handover);
   return handover;
