@@ -120,11 +120,17 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
   std::sort(touched_.begin(), touched_.end());
 }
 
+double CellClipper::smallest_area() const {
+  double whole = 0;
+  for (const PlaceIndex place : touched_) whole += area_[index(place)].value();
+  return rounding_share * whole;
+}
+
 std::vector<CellShare> CellClipper::shares(const Basin& basin) {
   CutBasin cut = overlay_.cut(basin);
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
-  const double smallest = rounding_share * area_of(basin, surface_);
+  const double smallest = smallest_area();
   std::vector<CellShare> shares;
   for (const PlaceIndex place : touched_) {
     const double area = area_[index(place)].value();
@@ -137,7 +143,7 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
   CutBasin cut = overlay_.cut(basin);
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
-  const double smallest = rounding_share * area_of(basin, surface_);
+  const double smallest = smallest_area();
   std::stable_sort(
       cut.pieces.begin(), cut.pieces.end(),
       [](const BoundaryPiece& a, const BoundaryPiece& b) { return a.place < b.place; });

@@ -44,6 +44,8 @@ class CellClipper {
  private:
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
+  /// Of what was measured: less is rounding.
+  double smallest_area() const;
 
   const Surface& surface_;
   Overlay overlay_;

@@ -2,10 +2,11 @@
 
 #include <cmath>
 
+#include "earth/units.h"
+
 namespace thiessen {
 namespace {
 
-constexpr double mean_radius = 6371008.8;  // metres
 // Shares of the piece: the ends of a Chebyshev grid are where polynomials swing.
 constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
 

@@ -88,6 +88,42 @@ const LatitudeSeries& conformal_series() {
   return series;
 }
 
+/// The sphere's scale as a polynomial in the square of the sine of the conformal latitude, by
+/// Newton's interpolation.
+class SphereScale {
+ public:
+  SphereScale() {
+    const double a = GeographicLib::Constants::WGS84_a();
+    const double e2 =
+        GeographicLib::Constants::WGS84_f() * (2 - GeographicLib::Constants::WGS84_f());
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      // Chebyshev's nodes, but for the pole itself.
+      const double turn =
+          (2 * static_cast<double>(i) + 1) / (2 * static_cast<double>(nodes_.size()));
+      nodes_[i] = 0.5 - 0.5 * std::cos(turn * std::numbers::pi);
+      const double cosine = std::sqrt(1 - nodes_[i]);
+      double sine_here = 0;
+      double cosine_here = 0;
+      Math::sincosd(from_sphere({cosine, 0, std::sqrt(nodes_[i])}).y, sine_here, cosine_here);
+      double difference = a * cosine_here / (std::sqrt(1 - e2 * sine_here * sine_here) * cosine);
+      for (std::size_t k = 0; k < i; ++k)
+        difference = (difference - differences_[k]) / (nodes_[i] - nodes_[k]);
+      differences_[i] = difference;
+    }
+  }
+  double at(double sine) const {
+    const double square = sine * sine;
+    double scale = 0;
+    for (std::size_t i = nodes_.size(); i-- > 0;)
+      scale = differences_[i] + (square - nodes_[i]) * scale;
+    return scale;
+  }
+
+ private:
+  std::array<double, 7> nodes_{};
+  std::array<double, 7> differences_{};
+};
+
 }  // namespace
 
 Direction on_sphere(Point position) {
@@ -133,6 +169,18 @@ Point from_sphere(Direction direction) {
   const double latitude =
       std::atan2(direction.z, radius) + latitude_series().at(direction.z / size, radius / size);
   return {Math::atan2d(direction.y, direction.x), latitude * degrees};
+}
+
+double scale_on_earth(double sine) {
+  static const SphereScale scale;
+  return scale.at(sine);
+}
+
+Tangent tangent_at(Direction p, Direction vector) {
+  const double radius = std::hypot(p.x, p.y);
+  const Direction east =
+      radius > 0 ? Direction{-p.y / radius, p.x / radius, 0} : Direction{0, 1, 0};
+  return {dot(vector, east), dot(vector, cross(p, east))};
 }
 
 StereographicChart::StereographicChart(Direction pole) : pole_(pole) {

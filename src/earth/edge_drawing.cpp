@@ -6,12 +6,11 @@
 
 #include "base/interrupt.h"
 #include "earth/conformal_sphere.h"
+#include "earth/units.h"
 
 namespace thiessen {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double mean_radius = 6371008.8;  // metres
 // In radians.
 constexpr double longest_piece = std::numbers::pi / 8;
 constexpr double longest_fit = 0.2;

@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <numbers>
 
+#include "earth/units.h"
+
 namespace thiessen {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 struct Wgs84 {
   double equatorial_radius = GeographicLib::Constants::WGS84_a();

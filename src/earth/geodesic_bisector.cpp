@@ -1,47 +1,20 @@
 #include "earth/geodesic_bisector.h"
 
-#include <GeographicLib/Constants.hpp>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "earth/geodesic.h"
+#include "earth/units.h"
 
 namespace thiessen {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double mean_radius = 6371008.8;  // metres
 // Metres.
 constexpr double distance_noise = 3e-8;
 constexpr double farthest = 60e3;
 constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
 // Radians: 1e-5 metres.
 constexpr double fine_offset = 1.6e-12;
-
-struct Step {
-  double east;
-  double north;
-};
-
-/// A tangent vector at a point of the sphere.
-Step east_and_north(Direction at, Direction tangent) {
-  const double radius = std::hypot(at.x, at.y);
-  const Direction east = radius > 0 ? Direction{-at.y / radius, at.x / radius, 0}
-                                    : Direction{0, 1, 0};  // as on the meridian 0
-  return {dot(tangent, east), dot(tangent, cross(at, east))};
-}
-
-/// Metres on the ellipsoid for a radian on the sphere, at a point of both.
-double scale_at(Point position, Direction direction) {
-  const double radius = std::hypot(direction.x, direction.y);
-  constexpr double nearly_pole = 1e-6;
-  if (radius < nearly_pole) return mean_radius;
-  const double e2 = GeographicLib::Constants::WGS84_f() * (2 - GeographicLib::Constants::WGS84_f());
-  const double sine = std::sin(position.y * degree);
-  return GeographicLib::Constants::WGS84_a() * std::cos(position.y * degree) /
-         (std::sqrt(1 - e2 * sine * sine) * radius);
-}
 
 struct Sample {
   double at;
@@ -101,10 +74,10 @@ std::optional<BisectorPoint> GeodesicBisector::by_newton(double angle, double of
     const Arrival from_second = arrival(second_, here, accuracy_);
     if (from_first.distance > antipodal) return {};
     const double difference = from_first.distance - from_second.distance;
-    const Step across = east_and_north(here.direction, arc_.across(angle, offset));
+    const Tangent across = tangent_at(here.direction, arc_.across(angle, offset));
     const double growth = (from_first.east - from_second.east) * across.east +
                           (from_first.north - from_second.north) * across.north;
-    const double scale = scale_at(here.position, here.direction);
+    const double scale = scale_on_earth(here.direction.z);
     const double step = -difference / (growth * scale);
     if (!(growth > 0) || !(std::abs(offset + step) * mean_radius <= farthest)) return {};
     const double uncertainty = distance_noise / (growth * scale);

@@ -34,9 +34,7 @@ class GeodesicDiagramBuilder {
     diagram_.places.assign(places.begin(), places.end());
     diagram_.cell_of = sphere_->cell_of();
     diagram_.near = [sphere = sphere_](Point p) {
-      std::vector<PlaceIndex> nearest;
-      sphere->find_nearest_on_earth(p, sphere->nearest(on_sphere(p)), nearest);
-      return sphere->cell_of()[index(nearest.front())];
+      return sphere->cell_of()[index(sphere->nearest_on_earth(p))];
     };
   }
 

@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/parallel.h"
 #include "earth/edge_drawing.h"
 #include "earth/equidistance.h"
 #include "earth/far_side.h"
 #include "earth/geodesic.h"
+#include "earth/units.h"
 #include "geometry/disjoint_sets.h"
 
 namespace thiessen {
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-constexpr double mean_radius = 6371008.8;  // metres
-
-}  // namespace
-
 GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
                                    const Box& frame, double accuracy, unsigned threads)
     : sphere_(sphere),

@@ -1,6 +1,7 @@
 #include "earth/sphere_tessellation.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "earth/geodesic.h"
 #include "geometry/disjoint_sets.h"
@@ -133,29 +134,25 @@ PlaceIndex SphereTessellation::nearest(Direction p, PlaceIndex start) const {
 
 // The conformal sphere's scale varies by 0.34 %: what is nearest on the Earth is no more than that
 // farther than the nearest on the sphere, and hangs together with it by places no farther away.
-void SphereTessellation::find_nearest_on_earth(Point p, PlaceIndex start,
-                                               std::vector<PlaceIndex>& nearest) const {
+PlaceIndex SphereTessellation::nearest_on_earth(Point p) const {
   const Direction direction = on_sphere(p);
-  const PlaceIndex first = this->nearest(direction, start);
-  const double reach = square_distance(direction, first) * scale_variation * scale_variation;
-  nearest.assign(1, first);
-  for (std::size_t next = 0; next < nearest.size(); ++next) {
-    for (const PlaceIndex q : neighbours(nearest[next])) {
+  std::vector<PlaceIndex> near{nearest(direction)};
+  const double reach = square_distance(direction, near.front()) * scale_variation * scale_variation;
+  for (std::size_t next = 0; next < near.size(); ++next) {
+    for (const PlaceIndex q : neighbours(near[next])) {
       if (square_distance(direction, q) > reach) continue;
-      if (std::find(nearest.begin(), nearest.end(), q) == nearest.end()) nearest.push_back(q);
+      if (std::find(near.begin(), near.end(), q) == near.end()) near.push_back(q);
     }
   }
-  if (nearest.size() == 1) return;
-  std::vector<double> distances;
-  distances.reserve(nearest.size());
-  for (const PlaceIndex q : nearest)
-    distances.push_back(geodesic_distance(positions_[index(q)], p));
-  const double least = *std::min_element(distances.begin(), distances.end());
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < nearest.size(); ++i) {
-    if (distances[i] == least) nearest[kept++] = nearest[i];
+  PlaceIndex best = near.front();
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; near.size() > 1 && i < near.size(); ++i) {
+    const double distance = geodesic_distance(positions_[index(near[i])], p);
+    if (distance >= least) continue;
+    best = near[i];
+    least = distance;
   }
-  nearest.resize(kept);
+  return best;
 }
 
 PlaceIndex SphereTessellation::nearest(Direction p) const {

@@ -54,10 +54,9 @@ class SphereTessellation {
   /// The nearest place on the sphere. Cost: a walk from `start`, or from where the chart puts p.
   PlaceIndex nearest(Direction p, PlaceIndex start) const;
   PlaceIndex nearest(Direction p) const;
-  /// Fills `nearest` with the nearest place on the ellipsoid, and with all that are as near:
-  /// Karney's distances on WGS 84, right to 15 nanometres, equal where the doubles are. Cost: a
-  /// walk from `start`, and a distance for each place within 0.4 % as near as the nearest.
-  void find_nearest_on_earth(Point p, PlaceIndex start, std::vector<PlaceIndex>& nearest) const;
+  /// The nearest on the ellipsoid, by Karney's distances, or one of those that are as near. Cost:
+  /// the same walk, and a distance for each place within 0.4 % as near as the nearest.
+  PlaceIndex nearest_on_earth(Point p) const;
 
  private:
   template <typename Visit>

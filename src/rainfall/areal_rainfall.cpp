@@ -182,12 +182,12 @@ std::vector<BasinWeights> ArealRainfall::weights_at(std::span<const double> read
         reporting.add(s.weight);
       }
       if (weights[b].stations.size() == full_[b].stations.size()) continue;
+      if (settings_.gaps == Gaps::strict) weights[b].stations.clear();
       for (StationWeight& s : weights[b].stations) s.weight /= reporting.value();
     }
   }
-  const std::vector<BasinRainfall> values = at(readings);
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    if (std::isnan(values[b].rainfall)) weights[b].stations.clear();
+  for (BasinWeights& basin : weights) {
+    if (basin.stations.size() < settings_.min_gauges) basin.stations.clear();
   }
   return weights;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "earth/geodesic.h"
+#include "earth/random_points.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {
@@ -15,16 +16,6 @@ constexpr double polar = 6356752.314245179;
 
 double chord(Point a, Point b) {
   return length(on_ellipsoid(a) - on_ellipsoid(b));
-}
-
-Point random_point(Seeded& seeded) {
-  return {seeded.uniform(-180, 180), std::asin(seeded.uniform(-1, 1)) * 180 / M_PI};
-}
-
-/// So many metres from p, any way.
-Point random_point_at(Seeded& seeded, Point p, double metres) {
-  const double angle = seeded.uniform(0, 2 * M_PI);
-  return moved(p, metres * std::sin(angle), metres * std::cos(angle));
 }
 
 TEST(ChordBounds, the_axes_end_on_the_ellipsoid) {

@@ -4,19 +4,11 @@
 
 #include <cmath>
 
+#include "earth/random_points.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {
 namespace {
-
-Point random_point(Seeded& seeded) {
-  return {seeded.uniform(-180, 180), std::asin(seeded.uniform(-1, 1)) * 180 / M_PI};
-}
-
-Point random_point_at(Seeded& seeded, Point p, double metres) {
-  const double angle = seeded.uniform(0, 2 * M_PI);
-  return moved(p, metres * std::sin(angle), metres * std::cos(angle));
-}
 
 TEST(Geodesic, arrives_along_the_path) {
   const Arrival from_west = arrival({0, 0}, {1, 0});
