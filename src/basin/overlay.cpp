@@ -315,13 +315,14 @@ void Overlay::emit_crossed_chord(const Basin& basin, std::size_t first, std::siz
   const Chord& chord = diagram_.chords[number];
   int depth = begins_within(basin, first, end) ? 1 : 0;
   if (depth != 0) nodes_within_.push_back(chord.from);
-  Point from = diagram_.nodes[chord.from];
+  ChordEnd from{0, diagram_.nodes[chord.from]};
   for (std::size_t i = first; i < end; ++i) {
-    emit_chord_piece(chord, from, chord_events_[i].point, depth);
-    from = chord_events_[i].point;
+    const ChordEnd to{chord_events_[i].along, chord_events_[i].point};
+    emit_chord_piece(number, from, to, depth);
+    from = to;
     depth += chord_events_[i].step;
   }
-  emit_chord_piece(chord, from, diagram_.nodes[chord.to], depth);
+  emit_chord_piece(number, from, {1, diagram_.nodes[chord.to]}, depth);
   if (depth != 0) nodes_within_.push_back(chord.to);
 }
 
@@ -343,25 +344,31 @@ void Overlay::emit_whole_chords_within() {
 
 void Overlay::emit_whole_chord(std::uint32_t number) {
   const Chord& chord = diagram_.chords[number];
-  Point from = diagram_.nodes[chord.from];
+  ChordEnd from{0, diagram_.nodes[chord.from]};
   const auto touched =
       std::lower_bound(touched_.begin(), touched_.end(), std::pair(number, std::size_t{0}));
   if (touched != touched_.end() && touched->first == number) {
     for (std::size_t i = touched->second;
          i < chord_events_.size() && chord_events_[i].chord == number; ++i) {
-      emit_chord_piece(chord, from, chord_events_[i].point, 1);
-      from = chord_events_[i].point;
+      const ChordEnd to{chord_events_[i].along, chord_events_[i].point};
+      emit_chord_piece(number, from, to, 1);
+      from = to;
     }
   }
-  emit_chord_piece(chord, from, diagram_.nodes[chord.to], 1);
+  emit_chord_piece(number, from, {1, diagram_.nodes[chord.to]}, 1);
 }
 
-void Overlay::emit_chord_piece(const Chord& chord, Point from, Point to, int count) {
-  if (from == to) return;
+void Overlay::emit_chord_piece(std::uint32_t number, ChordEnd from, ChordEnd to, int count) {
+  if (from.point == to.point) return;
   if (count < 0) std::swap(from, to);
+  const Chord& chord = diagram_.chords[number];
+  const double bulge =
+      diagram_.bulges.empty()
+          ? 0
+          : diagram_.bulges[number] * (bulge_share(to.along) - bulge_share(from.along));
   for (int i = 0; i < std::abs(count); ++i) {
-    result_.pieces.push_back({chord.left, from, to});
-    result_.pieces.push_back({chord.right, to, from});
+    result_.pieces.push_back({chord.left, from.point, to.point, bulge});
+    result_.pieces.push_back({chord.right, to.point, from.point, -bulge});
   }
 }
 

@@ -16,8 +16,9 @@ struct BoundaryPiece {
   PlaceIndex place;
   Point from;
   Point to;
-  double bulge =
-      0;  ///< square metres between the basin's true edge and this piece: see Basin::bulges
+  /// Square metres between the true edge, of the basin or of the cell, and this piece: see
+  /// Basin::bulges.
+  double bulge = 0;
 };
 
 /// The boundaries of all cells' parts in one basin. Each part's pieces close, whatever rounding
@@ -74,7 +75,11 @@ class Overlay {
   bool begins_within(const Basin& basin, std::size_t first, std::size_t end) const;
   void emit_whole_chords_within();
   void emit_whole_chord(std::uint32_t number);
-  void emit_chord_piece(const Chord& chord, Point from, Point to, int count);
+  struct ChordEnd {
+    double along;
+    Point point;
+  };
+  void emit_chord_piece(std::uint32_t number, ChordEnd from, ChordEnd to, int count);
   PlaceIndex locate(Point p) const;
   template <typename Found>
   void for_each_chord_near(const Box& box, Found&& found) const;

@@ -176,11 +176,16 @@ double scale_on_earth(double sine) {
   return scale.at(sine);
 }
 
-Tangent tangent_at(Direction p, Direction vector) {
+Axes axes_at(Direction p) {
   const double radius = std::hypot(p.x, p.y);
   const Direction east =
       radius > 0 ? Direction{-p.y / radius, p.x / radius, 0} : Direction{0, 1, 0};
-  return {dot(vector, east), dot(vector, cross(p, east))};
+  return {east, cross(p, east)};
+}
+
+Tangent tangent_at(Direction p, Direction vector) {
+  const auto [east, north] = axes_at(p);
+  return {dot(vector, east), dot(vector, north)};
 }
 
 StereographicChart::StereographicChart(Direction pole) : pole_(pole) {

@@ -57,6 +57,13 @@ struct Tangent {
 };
 Tangent tangent_at(Direction p, Direction vector);
 
+/// The unit tangents there.
+struct Axes {
+  Direction east;
+  Direction north;
+};
+Axes axes_at(Direction p);
+
 /// The inverse: longitude in [-180, 180] and latitude in degrees. Requires a vector that is not
 /// zero.
 Point from_sphere(Direction direction);

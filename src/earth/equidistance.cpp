@@ -12,28 +12,25 @@ namespace {
 constexpr double longest_step = 2e6;
 constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
 
-struct Step {
-  double east;
-  double north;
-  double length() const { return std::hypot(east, north); }
-};
-
-Step minus(const Arrival& a, const Arrival& b) {
-  return {a.east - b.east, a.north - b.north};
+/// Straight on from there by a tangent, in radians.
+Direction moved_on_sphere(Direction p, Direction tangent) {
+  const double angle = length(tangent);
+  if (angle == 0) return p;
+  return unit(std::cos(angle) * p + (std::sin(angle) / angle) * tangent);
 }
 
 }  // namespace
 
 std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
-                                             const EarthPoint& c, Point start, double accuracy) {
+                                             const EarthPoint& c, Direction start,
+                                             double accuracy) {
   constexpr int most_steps = 20;
-  Point p = start;
+  Direction p = start;
   double before = HUGE_VAL;
   for (int i = 0; i < most_steps; ++i) {
-    const EarthPoint at(p);
-    const Arrival from_a = arrival(a, at, accuracy);
-    const Arrival from_b = arrival(b, at, accuracy);
-    const Arrival from_c = arrival(c, at, accuracy);
+    const SphereArrival from_a = sphere_arrival(a, p, accuracy);
+    const SphereArrival from_b = sphere_arrival(b, p, accuracy);
+    const SphereArrival from_c = sphere_arrival(c, p, accuracy);
     const double ab = from_a.distance - from_b.distance;
     const double ac = from_a.distance - from_c.distance;
     const double wrong = std::max(std::abs(ab), std::abs(ac));
@@ -41,17 +38,18 @@ std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoi
     if (wrong <= accuracy / 2) return here;
     if (i > 3 && wrong > before / 2) return wrong <= accuracy ? std::optional(here) : std::nullopt;
     before = wrong;
-    const Step u = minus(from_a, from_b);
-    const Step v = minus(from_a, from_c);
-    const double determinant = u.east * v.north - u.north * v.east;
-    const Step step{(-ab * v.north + ac * u.north) / determinant,
-                    (-ac * u.east + ab * v.east) / determinant};
-    if (!(step.length() <= longest_step)) return {};
-    p = moved(p, step.east, step.north);
+    // The tangent, in metres, along which the differences vanish.
+    const Direction u = from_a.onward - from_b.onward;
+    const Direction v = from_a.onward - from_c.onward;
+    const double determinant = dot(p, cross(u, v));
+    const Direction step = (1 / determinant) * (-ab * cross(v, p) + ac * cross(u, p));
+    const double size = length(step);
+    if (!(size <= longest_step)) return {};
+    p = moved_on_sphere(p, (1 / scale_on_earth(p.z)) * step);
     // What a step leaves is of the second order in it.
     const double nearest = std::min({from_a.distance, from_b.distance, from_c.distance});
-    if (step.length() * step.length() <= accuracy / 20 * nearest && from_a.distance < antipodal)
-      return Equidistant{p, from_a.distance + from_a.east * step.east + from_a.north * step.north};
+    if (size * size <= accuracy / 20 * nearest && from_a.distance < antipodal)
+      return Equidistant{p, from_a.distance + dot(from_a.onward, step)};
   }
   return {};
 }

@@ -3,21 +3,20 @@
 #include <optional>
 
 #include "earth/geodesic.h"
-#include "geometry/point.h"
 
 namespace thiessen {
 
 /// A point at equal geodesic distance, `radius` in metres, of three places.
 struct Equidistant {
-  Point position;
+  Direction at;  ///< on the conformal sphere
   double radius;
 };
 
 /// The one that lies near `start`; none where it is not found: near the antipode of places that are
 /// near each other distances hardly differ, and may be equal at no point or at several. By Newton's
-/// method, until the distances agree to `accuracy` metres, at least 1e-7. Cost: four geodesics for
+/// method, until the distances agree to `accuracy` metres, at least 1e-7. Cost: three geodesics for
 /// each of one to three steps.
 std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
-                                             const EarthPoint& c, Point start, double accuracy);
+                                             const EarthPoint& c, Direction start, double accuracy);
 
 }  // namespace thiessen

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "earth/cell_mesh.h"
-#include "earth/equidistance.h"
 #include "earth/geodesic_bisector.h"
 
 namespace thiessen {
@@ -22,10 +21,15 @@ namespace thiessen {
 /// side the middle one ends where its two edges meet, if no other place is nearer to that point.
 class FarSide {
  public:
+  /// As far from three places, in metres.
+  struct Meeting {
+    Point position;
+    double radius;
+  };
   /// A vertex of the far side, and the triangle whose it is.
   struct Vertex {
     std::uint32_t triangle;
-    Equidistant at;
+    Meeting at;
   };
   /// Where a triangle outside the far side has its vertex.
   using DirectionOf = std::function<Direction(std::uint32_t triangle)>;
@@ -49,7 +53,7 @@ class FarSide {
     SideIndex outside;
     double angle = 0;  ///< along its bisector: where the edge comes in
     /// Where the cells of `from`, `to` and of the next side's `to` would meet.
-    std::optional<Equidistant> meeting;
+    std::optional<Meeting> meeting;
   };
   /// A triangle cut off, and what its sides are to be joined to: nothing where the triangle beyond
   /// is to come.

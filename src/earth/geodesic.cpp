@@ -11,11 +11,19 @@ namespace {
 using GeographicLib::Geodesic;
 using GeographicLib::Math;
 
-/// Up to how long a path, in radians, Simpson's rule is right to a tenth of so many metres: what
-/// the great circle is off the geodesic, 1.5e-5 metres at 100 km, grows with the third power.
-double longest_by_simpson(double accuracy) {
+/// Whether Simpson's rule is right to a tenth of so many metres for a path with such a half chord:
+/// what the great circle is off the geodesic, 1.5e-5 metres at 100 km, grows with the third power.
+bool is_short(double half, double accuracy) {
   constexpr double hundred_km = 0.0157;
-  return std::min(3.0, std::cbrt(accuracy / 10 / 1.5e-5)) * hundred_km;
+  const double hundreds = 2 * half / hundred_km;
+  return hundreds <= 3 && 1.5e-5 * hundreds * hundreds * hundreds <= accuracy / 10;
+}
+
+/// `half`: of the chord between the two.
+double by_simpson(Direction from, Direction to, double half) {
+  const Direction sum = to + from;
+  return 2 * std::asin(half) / 6 *
+         (scale_on_earth(from.z) + 4 * scale_on_earth(sum.z / length(sum)) + scale_on_earth(to.z));
 }
 
 }  // namespace
@@ -23,13 +31,8 @@ double longest_by_simpson(double accuracy) {
 Arrival arrival(const EarthPoint& place, const EarthPoint& at, double accuracy) {
   const Direction chord = at.direction - place.direction;
   const double half = length(chord) / 2;
-  if (2 * half > longest_by_simpson(accuracy)) return arrival(place.position, at.position);
-  const Direction sum = at.direction + place.direction;
-  const double middle = sum.z / length(sum);
-  Arrival there{};
-  there.distance = 2 * std::asin(half) / 6 *
-                   (scale_on_earth(place.direction.z) + 4 * scale_on_earth(middle) +
-                    scale_on_earth(at.direction.z));
+  if (!is_short(half, accuracy)) return arrival(place.position, at.position);
+  Arrival there{by_simpson(place.direction, at.direction, half), 0, 0};
   const auto [to_east, to_north] = tangent_at(at.direction, chord);
   const double size = std::hypot(to_east, to_north);
   if (size > 0) {
@@ -37,6 +40,19 @@ Arrival arrival(const EarthPoint& place, const EarthPoint& at, double accuracy) 
     there.north = to_north / size;
   }
   return there;
+}
+
+SphereArrival sphere_arrival(const EarthPoint& place, Direction at, double accuracy) {
+  const Direction chord = at - place.direction;
+  const double half = length(chord) / 2;
+  if (!is_short(half, accuracy)) {
+    const Arrival there = arrival(place.position, from_sphere(at));
+    const auto [east, north] = axes_at(at);
+    return {there.distance, there.east * east + there.north * north};
+  }
+  const Direction onward = chord - dot(chord, at) * at;
+  const double size = length(onward);
+  return {by_simpson(place.direction, at, half), size > 0 ? (1 / size) * onward : Direction{}};
 }
 
 Arrival arrival(Point place, Point at) {
@@ -52,14 +68,6 @@ double geodesic_distance(Point a, Point b) {
   double distance = 0;
   Geodesic::WGS84().Inverse(a.y, a.x, b.y, b.x, distance);
   return distance;
-}
-
-Point moved(Point start, double east, double north) {
-  const double length = std::hypot(east, north);
-  if (length == 0) return start;
-  Point end;
-  Geodesic::WGS84().Direct(start.y, start.x, Math::atan2d(east, north), length, end.y, end.x);
-  return end;
 }
 
 }  // namespace thiessen

@@ -32,12 +32,17 @@ struct EarthPoint {
 /// scale is summed along its great circle by Simpson's rule. Cost: then a tenth.
 Arrival arrival(const EarthPoint& place, const EarthPoint& at, double accuracy);
 
+/// The same, seen on the sphere.
+struct SphereArrival {
+  double distance;
+  Direction onward;  ///< the unit tangent in which the distance grows; none where there is no path
+};
+SphereArrival sphere_arrival(const EarthPoint& place, Direction at, double accuracy);
+
 /// What the distance from the place of `second` exceeds that from the place of `first` by, in
 /// metres, at the least, anywhere within `reach` metres of the point where both arrived; `apart`:
 /// no less than the distance between the two places. See distance_growth.cpp. Accuracy: 1e-7
 /// metres.
 double least_difference(const Arrival& first, const Arrival& second, double apart, double reach);
-/// The point reached by going straight, metres east and north at the start.
-Point moved(Point start, double east, double north);
 
 }  // namespace thiessen

@@ -75,13 +75,12 @@ void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
   const auto found = equidistant_point(earth_point(a), earth_point(b), earth_point(c),
-                                       vertex.position, accuracy_ / 10);
+                                       vertex.direction, accuracy_ / 10);
   if (!found) return;
-  const Direction direction = on_sphere(found->position);
-  const Direction moved = direction - vertex.direction;
+  const Direction moved = found->at - vertex.direction;
   if (dot(moved, moved) > farthest * farthest) return;
-  vertex.position = found->position;
-  vertex.direction = direction;
+  vertex.position = from_sphere(found->at);
+  vertex.direction = found->at;
   vertex.radius = found->radius;
   vertex.is_exact = true;
 }

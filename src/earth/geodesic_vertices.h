@@ -23,7 +23,10 @@ class GeodesicVertices {
   const CellMesh& mesh() const { return mesh_; }
   /// Whether the triangle's vertex lies near the frame; others are left as on the sphere.
   bool is_near(std::uint32_t triangle) const { return vertices_[triangle].is_near; }
+  /// Whether its vertex is at equal distances of its corners, to the accuracy.
+  bool is_exact(std::uint32_t triangle) const { return vertices_[triangle].is_exact; }
   Point position(std::uint32_t triangle) const { return vertices_[triangle].position; }
+  Direction direction(std::uint32_t triangle) const { return vertices_[triangle].direction; }
   /// Triangles whose centres are less than twice the accuracy apart, hand to hand, have one vertex,
   /// and are known by one of them: the first by its corners' coordinates.
   std::uint32_t group_of(std::uint32_t triangle) const;

@@ -22,8 +22,11 @@ Diagram Ground::diagram(std::span<const Point> places, const Box& frame, unsigne
 
 Diagram Ground::diagram_for_areas(std::span<const Point> places, const Box& frame) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
-  const double accuracy = std::max(finest_accuracy, share_for_points * tolerance);
-  return geodesic_diagram(places, frame, share_for_chords * tolerance, accuracy, 1);
+  return geodesic_diagram(places, frame, share_for_chords * tolerance, accuracy_for_areas(), 1);
+}
+
+double Ground::accuracy_for_areas() const {
+  return std::max(finest_accuracy, share_for_points * tolerance);
 }
 
 std::unique_ptr<Surface> Ground::surface() const {

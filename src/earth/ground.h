@@ -22,6 +22,8 @@ struct Ground {
   Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
   /// The same as exact as areas need: geodesic vertices to a hundredth of the tolerance.
   Diagram diagram_for_areas(std::span<const Point> places, const Box& frame) const;
+  /// Of geodesic vertices, for areas: metres.
+  double accuracy_for_areas() const;
   std::unique_ptr<Surface> surface() const;
 };
 

@@ -40,7 +40,7 @@ class SphereTessellation {
   }
   /// Of the triangle a, b, c, counter-clockwise.
   Direction centre(PlaceIndex a, PlaceIndex b, PlaceIndex c) const {
-    return unit(cross(chord(a, b, 1e-15), chord(a, c, 1e-15)));
+    return unit(cross(chord(a, b, 1e-12), chord(a, c, 1e-12)));
   }
   /// A triangle's corners from the first by coordinates on, so that what is computed from them is
   /// rounded the same for any order of places.

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "basin/basin.h"
+#include "basin/sphere_shape.h"
 #include "rainfall/cell_adjacency.h"
 #include "rainfall/network_cells.h"
 #include "rainfall/weights.h"
@@ -52,10 +55,23 @@ class Handovers {
     std::uint32_t basin;
     Basin ground;
     double area;
+    std::optional<SphereShape> shape;  // on the Earth, the same for charts
   };
+  /// What a component's regions leave to each of its heirs, region by region.
+  using Take = std::function<void(const Region&, const std::vector<CellShare>&)>;
 
+  template <typename Visit>
+  void for_each_region(std::span<const PlaceIndex> component, Visit&& visit) const {
+    for (const PlaceIndex cell : component) {
+      for (const Region& region : regions_[index(cell)]) visit(region);
+    }
+  }
   std::vector<PlaceIndex> heirs_of(std::span<const PlaceIndex> component) const;
   void add_regions(std::vector<std::vector<ClippedCell>> clipped);
+  bool share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
+                      const Take& take) const;
+  void share(std::span<const PlaceIndex> component, std::span<const Point> heirs,
+             const Take& take) const;
 
   const Weighing& weighing_;
   NetworkCells cells_;

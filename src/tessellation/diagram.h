@@ -31,6 +31,10 @@ struct Diagram {
   double period = 0;  ///< after which x repeats: 360 for longitudes; 0 in a plane
   std::vector<Point> nodes;
   std::vector<Chord> chords;
+  /// Where chords stand for curved edges: for each the area between the true edge and the chord,
+  /// positive where the edge lies to the chord's right, as in Basin::bulges. Empty where they are
+  /// as near to them as they have to be.
+  std::vector<double> bulges;
   /// A place whose cell is at or near a point of the frame, and that place's position in the
   /// frame's coordinates: where a search for the point's cell may start.
   std::function<PlaceIndex(Point)> near;

@@ -214,6 +214,68 @@ TEST_F(RandomRainfall, is_the_sum_of_readings_with_the_weights_that_are_told) {
   }
 }
 
+/// The largest difference between values at many silent gauges and those of the cells that report,
+/// on the Earth, in shares of the readings, which are below 100.
+double worst_on_earth(Seeded& seeded, Point centre, double degrees, bool lattice, double share) {
+  std::vector<Station> stations;
+  for (int i = 0; i < 12; ++i) {
+    for (int j = 0; j < 12; ++j) {
+      const double x = lattice ? (i - 6) / 6.0 : seeded.uniform(-1, 1);
+      const double y = lattice ? (j - 6) / 6.0 : seeded.uniform(-1, 1);
+      stations.push_back(
+          {std::to_string(12 * i + j), {centre.x + degrees * x, centre.y + degrees * y}, 0});
+    }
+  }
+  stations.push_back({"twin", stations[7].position, 0});
+  const Network network(stations, Metric::geodesic);
+  const std::vector<Basin> basins{
+      shapes::basin({{shapes::star(seeded, centre, 0.9 * degrees, 40), {}}}),
+      shapes::basin({{shapes::rectangle({centre.x - degrees, centre.y - degrees},
+                                        {centre.x + 1.2 * degrees, centre.y + degrees}),
+                      {}}})};
+  // A tolerance at which chords make no difference.
+  const Weighing weighing(network, basins, Ground{Metric::geodesic, 1, 1e-3 * degrees});
+  const ArealRainfall rainfall(weighing, {}, 1);
+  double worst = 0;
+  for (int round = 0; round < 5; ++round) {
+    std::vector<double> readings(stations.size(), silent);
+    std::vector<bool> reports(stations.size(), false);
+    for (std::size_t s = 0; s < stations.size(); ++s) {
+      if (seeded.uniform(0, 1) < share) continue;
+      readings[s] = seeded.uniform(0, 100);
+      reports[s] = true;
+    }
+    const auto expected = weighing.weights(reports, 1);
+    const auto found = rainfall.at(readings);
+    for (std::size_t b = 0; b < basins.size(); ++b) {
+      double sum = 0;
+      for (const StationWeight& s : expected[b].stations)
+        sum += s.weight * readings[index(s.station)];
+      worst = std::max(worst, std::abs(found[b].rainfall - sum) / 100);
+    }
+  }
+  return worst;
+}
+
+TEST(SilentGaugesOnTheEarth, have_the_values_of_the_network_without_them) {
+  Seeded seeded;
+  struct Place {
+    Point centre;
+    double degrees;
+    double allowed;  // with the square of the gauges' distance over the Earth's radius
+  };
+  for (const Place& place : {Place{{10, 47}, 0.2, 2e-8}, Place{{179.9, -64}, 1, 1e-7},
+                             Place{{-60, 2}, 5, 5e-7}, Place{{20, 84}, 3, 1e-6}}) {
+    for (const bool lattice : {false, true}) {
+      for (const double share : {0.05, 0.25, 0.6}) {
+        EXPECT_LT(worst_on_earth(seeded, place.centre, place.degrees, lattice, share),
+                  place.allowed)
+            << place.centre.y << ' ' << place.degrees << ' ' << lattice << ' ' << share;
+      }
+    }
+  }
+}
+
 // At 60 % silent, on a lattice too, whole regions hand over together.
 TEST(ManySilentGauges, have_the_values_of_the_network_without_them) {
   Seeded seeded;
