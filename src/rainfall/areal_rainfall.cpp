@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -25,6 +26,23 @@ double coverage(const BasinWeights& full, std::span<const double> readings) {
   return whole && !full.stations.empty() ? 1 : sum.value();
 }
 
+/// Of weights by basin, the first of each basin, then the second of each.
+std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
+  std::vector<std::pair<std::size_t, CellWeight>> turns;
+  turns.reserve(weights.size());
+  std::size_t turn = 0;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    turn = i > 0 && weights[i].basin == weights[i - 1].basin ? turn + 1 : 0;
+    turns.emplace_back(turn, weights[i]);
+  }
+  std::stable_sort(turns.begin(), turns.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<CellWeight> result;
+  result.reserve(turns.size());
+  for (const auto& [_, weight] : turns) result.push_back(weight);
+  return result;
+}
+
 }  // namespace
 
 ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings,
@@ -34,6 +52,7 @@ ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettin
     handovers_ = std::make_unique<const Handovers>(weighing, threads);
     remembered_ = std::make_unique<HandoverCache>(*handovers_, settings.remembered_bytes);
     full_ = handovers_->full_weights();
+    full_in_turn_ = in_turn(handovers_->full());
   } else {
     full_ =
         weighing.weights(std::vector<bool>(weighing.network().stations().size(), true), threads);
@@ -41,7 +60,7 @@ ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettin
 }
 
 std::size_t ArealRainfall::reporting_in(PlaceIndex cell, std::span<const double> readings) const {
-  const auto& stations = handovers_->cells().stations_of(cell);
+  const auto stations = handovers_->cells().stations_of(cell);
   return static_cast<std::size_t>(
       std::count_if(stations.begin(), stations.end(),
                     [&](StationIndex s) { return !std::isnan(readings[index(s)]); }));
@@ -53,8 +72,18 @@ ArealRainfall::State ArealRainfall::state_of(std::span<const double> readings) c
   state.of_cell.assign(handovers_->adjacency().cells(), no_value);
   std::vector<PlaceIndex> silent;
   for (std::uint32_t p = 0; p < state.of_cell.size(); ++p) {
-    const auto& stations = cells.stations_of(PlaceIndex{p});
+    const auto stations = cells.stations_of(PlaceIndex{p});
     if (stations.empty()) continue;
+    if (stations.size() == 1) {
+      const double reading = readings[index(stations.front())];
+      state.of_cell[p] = reading;
+      if (std::isnan(reading)) {
+        silent.push_back(PlaceIndex{p});
+      } else {
+        state.any = true;
+      }
+      continue;
+    }
     LongSum sum;
     std::size_t count = 0;
     for (const StationIndex s : stations) {
@@ -79,7 +108,7 @@ ArealRainfall::State ArealRainfall::state_of(std::span<const double> readings) c
 std::vector<BasinRainfall> ArealRainfall::retessellated(std::span<const double> readings) const {
   const State state = state_of(readings);
   std::vector<LongSum> sums(full_.size());
-  for (const CellWeight& full : handovers_->full()) {
+  for (const CellWeight& full : full_in_turn_) {
     const double reading = state.of_cell[index(full.cell)];
     if (!std::isnan(reading)) sums[full.basin].add(full.weight * reading);
   }
@@ -168,8 +197,9 @@ std::vector<BasinWeights> ArealRainfall::weights_at(std::span<const double> read
   const auto reports = [&](StationIndex s) { return !std::isnan(readings[index(s)]); };
   if (settings_.gaps == Gaps::retessellate) {
     for (const CellWeight& w : weights_of(state_of(readings))) {
-      std::vector<StationIndex> stations = handovers_->cells().stations_of(w.cell);
-      std::erase_if(stations, [&](StationIndex s) { return !reports(s); });
+      const auto in_cell = handovers_->cells().stations_of(w.cell);
+      std::vector<StationIndex> stations;
+      std::copy_if(in_cell.begin(), in_cell.end(), std::back_inserter(stations), reports);
       add_shares(weights[w.basin], stations, w.weight * weights[w.basin].area);
     }
     for (BasinWeights& basin : weights) sort_by_station(basin.stations);

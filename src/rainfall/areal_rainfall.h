@@ -71,6 +71,9 @@ class ArealRainfall {
   std::unique_ptr<const Handovers> handovers_;  // to retessellate
   mutable std::unique_ptr<HandoverCache> remembered_;
   std::vector<BasinWeights> full_;
+  /// The full network's weights of cells, first one of each basin, then the next of each: sums that
+  /// do not wait for each other.
+  std::vector<CellWeight> full_in_turn_;
 };
 
 }  // namespace thiessen

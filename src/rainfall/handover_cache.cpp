@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace thiessen {
 namespace {
@@ -15,8 +16,40 @@ std::size_t bytes_of(std::span<const PlaceIndex> component, const Handover& hand
 
 }  // namespace
 
+HandoverCache::Singles::~Singles() {
+  for (const auto& handover : of_cell_) delete handover.load(std::memory_order_relaxed);
+}
+
+const Handover* HandoverCache::Singles::keep(PlaceIndex cell,
+                                             std::unique_ptr<const Handover> handover) {
+  const Handover* known = nullptr;
+  // Another thread may have been faster.
+  if (!of_cell_[index(cell)].compare_exchange_strong(known, handover.get(),
+                                                     std::memory_order_acq_rel))
+    return known;
+  return handover.release();
+}
+
 HandoverCache::HandoverCache(const Handovers& handovers, std::size_t bytes)
-    : handovers_(handovers), generation_bytes_(bytes / shard_count / 2) {}
+    : handovers_(handovers),
+      singles_(handovers.adjacency().cells()),
+      singles_bytes_left_(bytes / 2),
+      generation_bytes_(bytes / 2 / shard_count / 2) {}
+
+std::shared_ptr<const Handover> HandoverCache::of_single(PlaceIndex cell) {
+  // Kept to the end: nobody counts who uses it.
+  const auto uncounted = [](const Handover* handover) {
+    return std::shared_ptr<const Handover>(std::shared_ptr<const Handover>(), handover);
+  };
+  if (const Handover* found = singles_.find(cell)) return uncounted(found);
+  auto handover = std::make_unique<const Handover>(handovers_.of({&cell, 1}));
+  const std::size_t bytes = bytes_of({}, *handover);
+  std::size_t left = singles_bytes_left_.load(std::memory_order_relaxed);
+  do {
+    if (left < bytes) return handover;
+  } while (!singles_bytes_left_.compare_exchange_weak(left, left - bytes));
+  return uncounted(singles_.keep(cell, std::move(handover)));
+}
 
 std::size_t HandoverCache::Hash::operator()(std::span<const PlaceIndex> component) const {
   std::uint64_t hash = component.size();
@@ -33,6 +66,7 @@ bool HandoverCache::Equal::operator()(std::span<const PlaceIndex> a,
 }
 
 std::shared_ptr<const Handover> HandoverCache::of(std::span<const PlaceIndex> component) {
+  if (component.size() == 1) return of_single(component.front());
   Shard& shard = shards_[(Hash{}(component) >> 32) % shard_count];
   {
     const std::lock_guard lock(shard.mutex);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -22,6 +23,23 @@ class HandoverCache {
   std::shared_ptr<const Handover> of(std::span<const PlaceIndex> component);
 
  private:
+  /// The commonest components, found without a search: computed once, and kept to the end while
+  /// they are within half of the bound.
+  class Singles {
+   public:
+    explicit Singles(std::size_t cells) : of_cell_(cells) {}
+    Singles(const Singles&) = delete;
+    Singles& operator=(const Singles&) = delete;
+    ~Singles();
+    const Handover* find(PlaceIndex cell) const {
+      return of_cell_[index(cell)].load(std::memory_order_acquire);
+    }
+    const Handover* keep(PlaceIndex cell, std::unique_ptr<const Handover> handover);
+
+   private:
+    std::vector<std::atomic<const Handover*>> of_cell_;
+  };
+
   using Component = std::vector<PlaceIndex>;
   struct Hash {
     using is_transparent = void;
@@ -48,7 +66,11 @@ class HandoverCache {
 
   static constexpr std::size_t shard_count = 16;
 
+  std::shared_ptr<const Handover> of_single(PlaceIndex cell);
+
   const Handovers& handovers_;
+  Singles singles_;
+  std::atomic<std::size_t> singles_bytes_left_;
   std::size_t generation_bytes_;  // of a shard
   std::array<Shard, shard_count> shards_;
 };

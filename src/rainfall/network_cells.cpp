@@ -8,29 +8,38 @@ namespace thiessen {
 NetworkCells::NetworkCells(const Network& network, const std::vector<bool>& reports,
                            const Ground& ground, const Box& frame, unsigned threads) {
   std::vector<Point> positions;
+  std::vector<StationIndex> stations;  // that report, by place
+  std::vector<PlaceIndex> place_of_station;
   for (std::uint32_t p = 0; p < network.places().size(); ++p) {
-    std::vector<StationIndex> here;
+    const std::size_t before = stations.size();
     for (const StationIndex s : network.stations_at(PlaceIndex{p})) {
-      if (reports[index(s)]) here.push_back(s);
+      if (reports[index(s)]) stations.push_back(s);
     }
-    if (here.empty()) continue;
+    if (stations.size() == before) continue;
+    place_of_station.resize(stations.size(),
+                            PlaceIndex{static_cast<std::uint32_t>(positions.size())});
     positions.push_back(network.places()[p]);
-    stations_.push_back(std::move(here));
   }
   if (positions.empty()) return;
   diagram_ = ground.diagram(positions, frame, threads);
-  share_cells();
+  share_cells(place_of_station, stations);
 }
 
 // Places that rounding cannot tell apart have one cell together.
-void NetworkCells::share_cells() {
-  for (std::size_t p = 0; p < stations_.size(); ++p) {
-    const std::size_t cell = index(diagram_.cell_of[p]);
-    if (cell == p) continue;
-    stations_[cell].insert(stations_[cell].end(), stations_[p].begin(), stations_[p].end());
-    std::sort(stations_[cell].begin(), stations_[cell].end());
-    stations_[p].clear();
+void NetworkCells::share_cells(const std::vector<PlaceIndex>& place_of_station,
+                               const std::vector<StationIndex>& stations) {
+  std::vector<std::pair<PlaceIndex, StationIndex>> in_cells;
+  in_cells.reserve(stations.size());
+  for (std::size_t i = 0; i < stations.size(); ++i)
+    in_cells.emplace_back(diagram_.cell_of[index(place_of_station[i])], stations[i]);
+  std::sort(in_cells.begin(), in_cells.end());
+  first_.assign(diagram_.places.size() + 1, 0);
+  stations_.reserve(stations.size());
+  for (const auto& [cell, station] : in_cells) {
+    ++first_[index(cell) + 1];
+    stations_.push_back(station);
   }
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
 }
 
 }  // namespace thiessen

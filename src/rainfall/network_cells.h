@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "earth/ground.h"
@@ -15,19 +17,22 @@ class NetworkCells {
   NetworkCells(const Network& network, const std::vector<bool>& reports, const Ground& ground,
                const Box& frame, unsigned threads);
 
-  bool any() const { return !stations_.empty(); }
+  bool any() const { return !first_.empty(); }
   /// Its places are those of the network at which a gauge reports, in their order.
   const Diagram& diagram() const { return diagram_; }
   /// The stations that share a cell, in file order; none where a place has no cell of its own.
-  const std::vector<StationIndex>& stations_of(PlaceIndex cell) const {
-    return stations_[index(cell)];
+  std::span<const StationIndex> stations_of(PlaceIndex cell) const {
+    const std::size_t first = first_[index(cell)];
+    return std::span(stations_).subspan(first, first_[index(cell) + 1] - first);
   }
 
  private:
-  void share_cells();
+  void share_cells(const std::vector<PlaceIndex>& place_of_station,
+                   const std::vector<StationIndex>& stations);
 
   Diagram diagram_;
-  std::vector<std::vector<StationIndex>> stations_;  // by cell
+  std::vector<std::size_t> first_;  // by cell: where its stations begin in stations_
+  std::vector<StationIndex> stations_;
 };
 
 }  // namespace thiessen
