@@ -58,6 +58,14 @@ bool DlyReadings::next(TimeStep& step) {
   return false;
 }
 
+double DlyReadings::share_read() const {
+  if (!scanned_ || today_.day == 0) return std::numeric_limits<double>::quiet_NaN();
+  const auto months = [&](CalendarMonth end) {
+    return static_cast<double>(number_of(end) - number_of(first_.month));
+  };
+  return months(today_.month) / (months(last_.month) + 1);
+}
+
 void DlyReadings::scan() {
   scanned_ = true;
   for (std::uint32_t file = 0; file < source_.files.size(); ++file) {

@@ -37,6 +37,7 @@ class DlyReadings : public Readings {
   explicit DlyReadings(DlySource source, std::size_t memory = usual_memory);
 
   bool next(TimeStep& step) override;
+  double share_read() const override;
 
  private:
   /// PRCP records of stations of the study whose months do not descend.

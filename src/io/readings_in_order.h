@@ -23,6 +23,7 @@ class OrderedPieces : public ReadingsPieces {
 
   /// Throws Error where the order is not what was found before: the file changes while it is read.
   bool next(ReadingsPiece& piece) override;
+  double share_given() const override { return rows_.source().table->share_read(); }
 
  private:
   LongRows& rows_;

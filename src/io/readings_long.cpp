@@ -28,6 +28,7 @@ bool LongReadings::next(TimeStep& step) {
     readings_.assign(readings_.size(), silent);
     lines_.assign(lines_.size(), no_line);
     step.time = piece_.time;
+    step.line = piece_.first_line;
     const std::uint64_t first_line = piece_.first_line;
     do {
       take(piece_);
@@ -41,6 +42,10 @@ bool LongReadings::next(TimeStep& step) {
   findings.complaints().add(twice_);
   findings.conclude(steps_);
   return false;
+}
+
+double LongReadings::share_read() const {
+  return pieces_ ? pieces_->share_given() : std::numeric_limits<double>::quiet_NaN();
 }
 
 void LongReadings::begin() {

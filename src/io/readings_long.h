@@ -16,6 +16,7 @@ class LongReadings : public Readings {
   LongReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
+  double share_read() const override;
 
  private:
   void begin();

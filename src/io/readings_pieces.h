@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -31,6 +32,8 @@ class ReadingsPieces {
   virtual ~ReadingsPieces() = default;
   /// Fills `piece`, whose views are valid until the next; false at the end. Throws Error.
   virtual bool next(ReadingsPiece& piece) = 0;
+  /// How much of all is given, from 0 to 1; NaN where that is not known.
+  virtual double share_given() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 
 }  // namespace thiessen

@@ -47,8 +47,10 @@ ScatteredPieces::ScatteredPieces(LongRows& rows, std::size_t memory)
     if (part_.bytes() > memory_ || !part_.can_take(row)) flush();
     part_.add(row);
   }
+  times_ = part_.times();
   if (by_time_.empty()) return;
   flush();
+  times_ = 0;
   sort_by_first_line();
 }
 
@@ -65,6 +67,7 @@ void ScatteredPieces::sort_by_first_line() {
     if (first_line == 0 || piece.time != time) {
       time = piece.time;
       first_line = piece.first_line;
+      ++times_;
     }
     piece.first_line = first_line;
     by_first_line_.add(piece);
@@ -77,7 +80,14 @@ bool ScatteredPieces::next(ReadingsPiece& piece) {
     piece = part_.piece(given_++);
     return true;
   }
-  return by_first_line_.next(piece);
+  if (!by_first_line_.next(piece)) return false;
+  if (piece.first_line != last_given_) ++given_;
+  last_given_ = piece.first_line;
+  return true;
+}
+
+double ScatteredPieces::share_given() const {
+  return times_ == 0 ? 1 : static_cast<double>(given_) / static_cast<double>(times_);
 }
 
 }  // namespace thiessen

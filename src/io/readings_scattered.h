@@ -50,6 +50,7 @@ class ScatteredPieces : public ReadingsPieces {
   explicit ScatteredPieces(LongRows& rows, std::size_t memory = usual_memory);
 
   bool next(ReadingsPiece& piece) override;
+  double share_given() const override;
 
  private:
   void flush();
@@ -57,7 +58,9 @@ class ScatteredPieces : public ReadingsPieces {
 
   std::size_t memory_;
   ReadingsPart part_;
-  std::size_t given_ = 0;
+  std::size_t times_ = 0;
+  std::size_t given_ = 0;         ///< of them
+  std::uint64_t last_given_ = 0;  ///< its first line; no line has the number 0
   PieceSorter by_time_;
   PieceSorter by_first_line_;
 };

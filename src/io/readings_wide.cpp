@@ -64,6 +64,7 @@ bool WideReadings::next(TimeStep& step) {
     ++steps_;
     if (!source_.findings.complaints().empty()) continue;
     step.time = row_.fields[time_field_];
+    step.line = row_.line;
     step.readings = readings_;
     return true;
   }

@@ -51,7 +51,11 @@ class DlyTest : public ::testing::Test {
     const auto readings = open_dly_readings(path, stations, passed_over, options, warnings);
     Series series;
     TimeStep step;
+    double share = 0;
     while (readings->next(step)) {
+      EXPECT_GE(readings->share_read(), share);
+      EXPECT_LE(readings->share_read(), 1);
+      share = readings->share_read();
       series.times.push_back(step.time);
       series.readings.emplace_back(step.readings.begin(), step.readings.end());
       for (double& reading : series.readings.back()) {

@@ -127,6 +127,32 @@ void with_one_row_elsewhere(std::vector<Row>& rows, std::mt19937& random) {
   if (!rows.empty()) std::swap(rows[random() % rows.size()], rows[random() % rows.size()]);
 }
 
+// In both orders of rows: by time, whose share is the file's, and by station, whose is the times'.
+TEST(LongReadings, tell_the_line_of_a_time_and_how_much_is_read) {
+  const TemporaryFolder folder;
+  const std::vector<Station> gauges = stations(2);
+  struct Order {
+    std::string rows;
+    std::vector<std::size_t> lines;
+  };
+  for (const Order& order : {Order{"1,S0,1\n1,S1,2\n2,S0,3\n2,S1,4\n3,S0,5\n", {2, 4, 6}},
+                             Order{"1,S0,1\n2,S0,3\n3,S0,5\n1,S1,2\n2,S1,4\n", {2, 3, 4}}}) {
+    const std::string path = folder.write("r.csv", "time,station,rain\n" + order.rows);
+    Warnings warnings;
+    const auto readings =
+        open_readings(std::make_unique<CsvReader>(path), gauges, {}, {}, warnings);
+    std::vector<std::size_t> lines;
+    double before = 0;
+    for (TimeStep step; readings->next(step);) {
+      lines.push_back(step.line);
+      EXPECT_GE(readings->share_read(), before);
+      before = readings->share_read();
+    }
+    EXPECT_EQ(lines, order.lines);
+    EXPECT_EQ(readings->share_read(), 1);
+  }
+}
+
 TEST(LongReadings, are_the_same_in_any_order_of_rows_as_a_table_in_memory) {
   const unsigned seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));
