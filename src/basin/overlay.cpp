@@ -48,11 +48,14 @@ void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place,
   presence.emplace_back(place, step);
 }
 
+constexpr std::size_t few_chords = 40;
+
 /// Along an edge or a chord, from 0 to 1: what rounding may change in the place of a crossing.
 constexpr double rounding = 1e-9;
 
 double distance(Point a, Point b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
+  const Point way{b.x - a.x, b.y - a.y};
+  return std::sqrt(way.x * way.x + way.y * way.y);  // no overflow in the exact range
 }
 
 // Even-odd, with the basin shifted as in Crossing: a point on its edge is in or out, never both.
@@ -81,12 +84,17 @@ bool is_within(const Basin& basin, Point p) {
 
 }  // namespace
 
+// A few chords, as of the cells next to a silent one, are looked through faster than a tree.
 Overlay::Overlay(const Diagram& diagram)
     : diagram_(diagram),
-      first_of_run_(runs_of(diagram)),
+      first_of_run_(diagram.chords.size() <= few_chords ? std::vector<std::uint32_t>{0}
+                                                        : runs_of(diagram)),
       tree_(boxes_of(diagram, first_of_run_)),
       stamp_(diagram.chords.size(), 0) {
   first_chord_at_.assign(diagram.nodes.size() + 1, 0);
+  if (diagram.chords.size() <= few_chords) {
+    for (const Chord& chord : diagram.chords) boxes_.push_back(box_of(diagram, chord));
+  }
   for (const Chord& chord : diagram.chords) {
     ++first_chord_at_[chord.from + 1];
     ++first_chord_at_[chord.to + 1];
@@ -103,6 +111,9 @@ Overlay::Overlay(const Diagram& diagram)
 
 template <typename Found>
 void Overlay::for_each_chord_near(const Box& box, Found&& found) const {
+  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+    if (boxes_[i].meets(box)) found(i);
+  }
   tree_.search(box, [&](std::uint32_t run) {
     for (std::uint32_t i = first_of_run_[run]; i < first_of_run_[run + 1]; ++i) {
       if (box_of(diagram_, diagram_.chords[i]).meets(box)) found(i);

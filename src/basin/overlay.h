@@ -87,6 +87,7 @@ class Overlay {
   const Diagram& diagram_;
   std::vector<std::uint32_t> first_of_run_;  // chords, a few that follow each other at a time
   BoxTree tree_;                             // of the runs
+  std::vector<Box> boxes_;                   // of chords where they are few, in place of the tree
   std::vector<std::uint32_t>
       first_chord_at_;  // chords by node: chord_at_[first_chord_at_[node]] ...
   std::vector<std::uint32_t> chord_at_;
