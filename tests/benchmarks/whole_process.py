@@ -129,7 +129,7 @@ def main():
         for crs, box in (("EPSG:4326", (5, 46, 10, 49.5)), (None, (0, 0, 400_000, 400_000))):
             write_gauges(gauges, 1_000, box)
             write_basins(basins, 10, 10, box)
-            for silent, steps in ((0.05, 10_000), (0.2, 1_000)):
+            for silent, steps in ((0.05, 100_000), (0.2, 2_000)):
                 write_readings(folder / "rain.csv", 1_000, steps, silent)
                 report(f"rain, 1,000 gauges, 100 basins, {steps:,} steps, {silent:.0%} silent, {crs or 'a plane'}",
                        [program, "rain", gauges, basins, folder / "rain.csv", "-q", *(lon_lat if crs else []),
