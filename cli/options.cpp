@@ -161,6 +161,32 @@ void GapOptions::add_to(CLI::App& app) {
             "no value");
 }
 
+void MethodOptions::add_to(CLI::App& app) {
+  app_ = &app;
+  app.option_defaults()->group("Method");
+  add_choice<RainMethod>(app, "--method", method_,
+                         {{"thiessen", RainMethod::thiessen},
+                          {"arithmetic", RainMethod::arithmetic},
+                          {"idw", RainMethod::idw},
+                          {"natural", RainMethod::natural},
+                          {"all", RainMethod::all}},
+                         "thiessen|arithmetic|idw|natural|all",
+                         "the cells (default), the mean of the gauges inside, inverse distance "
+                         "squared of the 12 nearest, natural neighbours (outside the gauges' hull "
+                         "the nearest gauge), or a column for each, BASIN_thiessen and so on; with "
+                         "--long rows with a column method");
+  add_count(app, "--grid", points_, 1, 100'000,
+            "over how many points of a basin idw and natural are averaged; default 2000");
+}
+
+RainMethod MethodOptions::method() const {
+  const bool has_points = method_ != RainMethod::thiessen && method_ != RainMethod::arithmetic;
+  if (app_->count("--grid") > 0 && !has_points) {
+    throw UsageError{"--grid is about --method idw, natural or all", "leave it out"};
+  }
+  return method_;
+}
+
 void RainFormatOptions::add_to(CLI::App& app) {
   app.option_defaults()->group("Output");
   app.add_flag("--long", long_,

@@ -73,6 +73,22 @@ struct GapOptions {
   std::size_t cache_ = 256;  // MB
 };
 
+/// What areal rainfall is computed by.
+enum class RainMethod { thiessen, arithmetic, idw, natural, all };
+
+struct MethodOptions {
+  void add_to(CLI::App& app);
+  /// Throws UsageError for options that contradict each other.
+  RainMethod method() const;
+  /// In a basin.
+  std::size_t points() const { return points_; }
+
+ private:
+  RainMethod method_ = RainMethod::thiessen;
+  std::size_t points_ = 2000;
+  CLI::App* app_ = nullptr;
+};
+
 /// How rain.csv looks.
 struct RainFormatOptions {
   void add_to(CLI::App& app);

@@ -6,6 +6,7 @@
 #include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/rain_methods.h"
 #include "cli/rain_table.h"
 #include "cli/session.h"
 #include "io/weights_log.h"
@@ -25,6 +26,7 @@ class RainCommand : public Command {
   void set_up(CLI::App& app) override {
     study_.add_to(app, Need::required);
     rainfall_.add_to(app, Need::required);
+    method_.add_to(app);
     gaps_.add_to(app);
     format_.add_to(app);
     periods_.add_to(app);
@@ -38,6 +40,11 @@ class RainCommand : public Command {
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
+    const RainMethod method = method_.method();
+    if (method == RainMethod::all && !weights_log_.empty()) {
+      throw UsageError{"--weights-log is the account of one method, and --method says all",
+                       "give one of thiessen, arithmetic, idw and natural"};
+    }
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
@@ -46,21 +53,22 @@ class RainCommand : public Command {
     const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
+    format.methods = names_of_methods(method);
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format.rows_for_basins && !periods_.totalling();
-    const ArealRainfall rainfall(session.weighing(), settings, threads);
+    const auto rainfall = rainfall_by(method_, session.weighing(), settings, threads, warnings);
     RainTable series(file, session.basins(), format, periods_.totalling(), rainfall_.name());
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, session.weighing());
     GaugePatterns patterns;
     Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
     for_each_step(
-        *readings, rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
+        *readings, *rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
         [&](const RainStep& step) {
           GaugePatterns::Pattern pattern{0, false};
           if (log) pattern = patterns.of(step.readings);
           if (pattern.is_fresh)
-            log->add(pattern.number, step.time, rainfall.weights_at(step.readings));
+            log->add(pattern.number, step.time, rainfall->weights_at(step.readings));
           series.add(step, pattern.number);
           progress.advance();
         });
@@ -72,6 +80,7 @@ class RainCommand : public Command {
  private:
   StudyOptions study_;
   RainfallOptions rainfall_;
+  MethodOptions method_;
   GapOptions gaps_;
   RainFormatOptions format_;
   PeriodOptions periods_;

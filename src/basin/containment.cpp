@@ -57,16 +57,14 @@ bool Containment::contains(Point p) const {
   return inside || on_edge;
 }
 
-std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
-                                      std::span<const Point> points, double period) {
+std::vector<std::vector<std::size_t>> points_within(const std::vector<Basin>& basins,
+                                                    std::span<const Point> points, double period) {
   std::vector<Box> boxes;
   boxes.reserve(basins.size());
   for (const Basin& basin : basins) boxes.push_back(box_of(basin));
   const BoxTree tree(boxes);
   std::vector<std::optional<Containment>> containments(basins.size());
-  std::vector<std::size_t> counts(basins.size(), 0);
-  std::vector<std::size_t> counted(basins.size(),
-                                   points.size());  // the point last counted in a basin
+  std::vector<std::vector<std::size_t>> within(basins.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point p = points[i];
     throw_if_interrupted();
@@ -75,12 +73,19 @@ std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
       const Point q{p.x + turn * period, p.y};
       tree.search({q, q}, [&](std::uint32_t b) {
         if (!containments[b]) containments[b].emplace(basins[b]);
-        if (counted[b] == i || !containments[b]->contains(q)) return;
-        counted[b] = i;
-        ++counts[b];
+        const bool is_known = !within[b].empty() && within[b].back() == i;
+        if (!is_known && containments[b]->contains(q)) within[b].push_back(i);
       });
     }
   }
+  return within;
+}
+
+std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
+                                      std::span<const Point> points, double period) {
+  std::vector<std::size_t> counts;
+  counts.reserve(basins.size());
+  for (const auto& within : points_within(basins, points, period)) counts.push_back(within.size());
   return counts;
 }
 

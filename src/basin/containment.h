@@ -25,9 +25,12 @@ class Containment {
   double west_;
 };
 
-/// How many of the points each basin contains; with `period` above 0, x repeats after it.
-/// Cost: n log n in stations, basins and vertices, and as Containment for each point in a basin's
-/// box.
+/// Which of the points each basin contains, in rising order; with `period` above 0, x repeats after
+/// it. Cost: n log n in stations, basins and vertices, and as Containment for each point in a
+/// basin's box.
+std::vector<std::vector<std::size_t>> points_within(const std::vector<Basin>& basins,
+                                                    std::span<const Point> points, double period);
+/// How many of them.
 std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
                                       std::span<const Point> points, double period);
 

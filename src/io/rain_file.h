@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file.h"
@@ -12,11 +13,14 @@ namespace thiessen {
 struct RainFormat {
   bool rows_for_basins = false;  ///< a row a basin and step (--long), and not a column a basin
   int decimals = 3;
+  /// That each basin has a value by, next to each other: in columns `<basin id>_<method>`, or rows
+  /// for basins that have a column `method`. Empty: there is one, which is not named.
+  std::vector<std::string> methods = {};
   bool patterns = false;  ///< rows for basins have a column `pattern`: see WeightsLog
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...`, or
-/// `time,basin,rainfall,gauges,coverage[,pattern]`. A value that cannot be had is empty.
+/// `time,basin[,method],rainfall,gauges,coverage[,pattern]`. A value that cannot be had is empty.
 class RainFile {
  public:
   /// Writes the header. The file and the basins must outlive it.
@@ -32,5 +36,11 @@ class RainFile {
   const std::vector<Basin>& basins_;
   RainFormat format_;
 };
+
+/// What the columns of values are called.
+std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const RainFormat& format);
+/// How the row of a value begins where basins have rows: `time,basin[,method]`, the time written.
+void append_rain_key(std::string& row, std::string_view time, std::size_t series,
+                     const std::vector<Basin>& basins, const RainFormat& format);
 
 }  // namespace thiessen

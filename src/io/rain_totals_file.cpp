@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* missing_suffix = "_missing";
 
+// A method's name between the two keeps them apart.
 void check_names(const std::vector<Basin>& basins) {
   std::unordered_set<std::string> ids;
   for (const Basin& basin : basins) ids.insert(basin.id);
@@ -32,17 +33,18 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
                                RainFormat format)
     : file_(file), basins_(basins), format_(format) {
   if (format_.rows_for_basins) {
-    file_.append("time,basin,rainfall,missing\n");
+    file_.append(format_.methods.empty() ? "time,basin,rainfall,missing\n"
+                                         : "time,basin,method,rainfall,missing\n");
   } else {
-    check_names(basins_);
+    if (format_.methods.empty()) check_names(basins_);
     write_header();
   }
 }
 
 void RainTotalsFile::write_header() {
   row_ = "time";
-  for (const Basin& basin : basins_) {
-    for (const std::string& name : {basin.id, basin.id + missing_suffix}) {
+  for (const std::string& column : rain_columns(basins_, format_)) {
+    for (const std::string& name : {column, column + missing_suffix}) {
       row_ += ',';
       append_csv_field(row_, name);
     }
@@ -54,10 +56,7 @@ void RainTotalsFile::write_header() {
 void RainTotalsFile::add(const RainPeriod& period) {
   row_ = format_.rows_for_basins ? "" : period.time;
   for (std::size_t b = 0; b < period.basins.size(); ++b) {
-    if (format_.rows_for_basins) {
-      row_ += period.time + ',';
-      append_csv_field(row_, basins_[b].id);
-    }
+    if (format_.rows_for_basins) append_rain_key(row_, period.time, b, basins_, format_);
     append_total(period.basins[b]);
     if (format_.rows_for_basins) row_ += '\n';
   }

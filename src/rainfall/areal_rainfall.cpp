@@ -13,19 +13,6 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-double coverage(const BasinWeights& full, std::span<const double> readings) {
-  LongSum sum;
-  bool whole = true;
-  for (const StationWeight& s : full.stations) {
-    if (std::isnan(readings[index(s.station)])) {
-      whole = false;
-    } else {
-      sum.add(s.weight);
-    }
-  }
-  return whole && !full.stations.empty() ? 1 : sum.value();
-}
-
 /// Of weights by basin, the first of each basin, then the second of each.
 std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
   std::vector<std::pair<std::size_t, CellWeight>> turns;
@@ -158,33 +145,14 @@ void ArealRainfall::count_gauges(const State& state, std::span<const double> rea
   }
 }
 
-BasinRainfall ArealRainfall::from_full_network(const BasinWeights& weights,
-                                               std::span<const double> readings) const {
-  BasinRainfall result{0, 0, 0};
-  LongSum reporting;
-  LongSum sum;
-  for (const StationWeight& s : weights.stations) {
-    const double reading = readings[index(s.station)];
-    if (std::isnan(reading)) continue;
-    ++result.gauges;
-    reporting.add(s.weight);
-    sum.add(s.weight * reading);
-  }
-  const bool complete = result.gauges == weights.stations.size();
-  result.rainfall = complete ? sum.value() : sum.value() / reporting.value();
-  const bool refused = settings_.gaps == Gaps::strict && !complete;
-  if (result.gauges == 0 || result.gauges < settings_.min_gauges || refused)
-    result.rainfall = no_value;
-  return result;
-}
-
 std::vector<BasinRainfall> ArealRainfall::at(std::span<const double> readings) const {
   std::vector<BasinRainfall> result;
   if (settings_.gaps == Gaps::retessellate) {
     result = retessellated(readings);
   } else {
     for (const BasinWeights& weights : full_)
-      result.push_back(from_full_network(weights, readings));
+      result.push_back(
+          rainfall_of_full_network(weights, readings, settings_.gaps, settings_.min_gauges));
   }
   for (std::size_t b = 0; settings_.accounts && b < full_.size(); ++b)
     result[b].coverage = coverage(full_[b], readings);
@@ -204,17 +172,8 @@ std::vector<BasinWeights> ArealRainfall::weights_at(std::span<const double> read
     }
     for (BasinWeights& basin : weights) sort_by_station(basin.stations);
   } else {
-    for (std::size_t b = 0; b < full_.size(); ++b) {
-      LongSum reporting;
-      for (const StationWeight& s : full_[b].stations) {
-        if (!reports(s.station)) continue;
-        weights[b].stations.push_back(s);
-        reporting.add(s.weight);
-      }
-      if (weights[b].stations.size() == full_[b].stations.size()) continue;
-      if (settings_.gaps == Gaps::strict) weights[b].stations.clear();
-      for (StationWeight& s : weights[b].stations) s.weight /= reporting.value();
-    }
+    for (std::size_t b = 0; b < full_.size(); ++b)
+      weights[b] = weights_of_full_network(full_[b], readings, settings_.gaps);
   }
   for (BasinWeights& basin : weights) {
     if (basin.stations.size() < settings_.min_gauges) basin.stations.clear();

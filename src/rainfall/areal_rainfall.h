@@ -5,25 +5,13 @@
 #include <span>
 #include <vector>
 
+#include "rainfall/full_network.h"
 #include "rainfall/handover.h"
 #include "rainfall/handover_cache.h"
+#include "rainfall/step_rainfall.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {
-
-/// What a time step with silent gauges gets.
-enum class Gaps {
-  retessellate,  ///< the tessellation of the gauges that report
-  renormalise,   ///< the full network's weights, scaled to the gauges that report
-  strict         ///< no value, where any gauge of positive weight is silent
-};
-
-/// The areal rainfall of one basin at one time.
-struct BasinRainfall {
-  double rainfall;  ///< sum of weight x reading, in the readings' unit; NaN where it cannot be had
-  std::size_t gauges;  ///< that weigh in the value
-  double coverage;     ///< share of the basin that the full network gives to gauges that report
-};
 
 struct ArealRainfallSettings {
   Gaps gaps = Gaps::retessellate;
@@ -36,19 +24,16 @@ struct ArealRainfallSettings {
 /// once. What it gives depends on the readings alone, not on what it remembers. Cost of a step: its
 /// gauges, the full network's weights and the silent cells' neighbours; for each component of
 /// silent cells that is not remembered also Handovers::of.
-class ArealRainfall {
+class ArealRainfall : public StepRainfall {
  public:
   ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);
 
   /// The full network's weights.
   const std::vector<BasinWeights>& full_weights() const { return full_; }
 
-  /// By basin. `readings`: one a station, NaN where it is silent.
-  std::vector<BasinRainfall> at(std::span<const double> readings) const;
-
-  /// By basin, with what weights: a basin without a value has none. The sum of weight x reading is
-  /// the value, to rounding.
-  std::vector<BasinWeights> weights_at(std::span<const double> readings) const;
+  /// By basin.
+  std::vector<BasinRainfall> at(std::span<const double> readings) const override;
+  std::vector<BasinWeights> weights_at(std::span<const double> readings) const override;
 
  private:
   /// What the cells read and hand over at one time.
@@ -64,8 +49,6 @@ class ArealRainfall {
                     std::vector<BasinRainfall>& result) const;
   std::vector<CellWeight> weights_of(const State& state) const;
   std::size_t reporting_in(PlaceIndex cell, std::span<const double> readings) const;
-  BasinRainfall from_full_network(const BasinWeights& weights,
-                                  std::span<const double> readings) const;
 
   ArealRainfallSettings settings_;
   std::unique_ptr<const Handovers> handovers_;  // to retessellate

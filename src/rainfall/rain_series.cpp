@@ -31,7 +31,7 @@ class Block {
 
 }  // namespace
 
-std::size_t for_each_step(Readings& readings, const ArealRainfall& rainfall, const SeriesWork& work,
+std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, const SeriesWork& work,
                           const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take) {
   Block block(work.steps_in_a_block);

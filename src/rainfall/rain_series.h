@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "rainfall/areal_rainfall.h"
 #include "rainfall/readings.h"
+#include "rainfall/step_rainfall.h"
 
 namespace thiessen {
 
@@ -13,7 +13,7 @@ namespace thiessen {
 struct RainStep {
   std::string time;
   std::vector<double> readings;       ///< by station; NaN where silent
-  std::vector<BasinRainfall> basins;  ///< by basin
+  std::vector<BasinRainfall> basins;  ///< by basin, or by basin and method
   std::string text;                   ///< what `prepare` makes of it
 };
 
@@ -27,7 +27,7 @@ struct SeriesWork {
 /// them on to `take` in their order. With more threads than one it reads ahead. Memory: two blocks,
 /// whatever their number. Throws what reading, `prepare` or `take` throws. Returns the number of
 /// steps.
-std::size_t for_each_step(Readings& readings, const ArealRainfall& rainfall, const SeriesWork& work,
+std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, const SeriesWork& work,
                           const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take);
 
