@@ -47,8 +47,25 @@ double circumradius(const SpacePoint& a, const SpacePoint& b, const SpacePoint& 
   });
 }
 
-// The cotangents at r and s add up to the edge's length over half that of pq; as a fraction, its
-// numerator is the in-circle determinant.
+// As a fraction, its numerator is the in-circle determinant.
+double edge_ratio(Point p, Point q, Point r, Point s) {
+  return exact::in_whole_numbers(std::array<Point, 4>{q, r, s, p}, [](const auto& vectors) {
+    const auto& [u, v, w] = vectors.to;
+    const int exponent = vectors.exponent;
+    const double left = determinant::area(u, v).to_double(2 * exponent);
+    const double right = determinant::area(w, u).to_double(2 * exponent);
+    return determinant::in_circle(w, u, v).to_double(4 * exponent) / left / right;
+  });
+}
+
+double square_difference(Point from, Point a, Point b) {
+  return exact::in_whole_numbers(std::array<Point, 3>{a, b, from}, [](const auto& vectors) {
+    return (determinant::square(vectors.to[1]) - determinant::square(vectors.to[0]))
+        .to_double(2 * vectors.exponent);
+  });
+}
+
+// The edge's length over half that of pq is the sum of the cotangents at r and s: see edge_ratio.
 double sector_area(Point p, Point q, Point r, Point s) {
   return exact::in_whole_numbers(std::array<Point, 4>{q, r, s, p}, [](const auto& vectors) {
     const auto& [u, v, w] = vectors.to;

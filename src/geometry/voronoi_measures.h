@@ -23,6 +23,15 @@ double circumradius(const SpacePoint& a, const SpacePoint& b, const SpacePoint& 
 /// in_circle(p, q, r, s) <= 0.
 double sector_area(Point p, Point q, Point r, Point s);
 
+/// The length of the edge between the Voronoi cells of p and q, from the centre of q, p, s to that
+/// of p, q, r, over half the distance from p to q: the cotangents of the angles at r and at s,
+/// added up, where r is to the left of p -> q and s to its right; negative where the centres lie in
+/// the other order. Where s is to the left too its cotangent counts negative. Requires that neither
+/// three are on one line.
+double edge_ratio(Point p, Point q, Point r, Point s);
+/// |from b|^2 - |from a|^2.
+double square_difference(Point from, Point a, Point b);
+
 /// The Voronoi edge from the centre of p, q, r, s to that of p, q, s, t, each component to a few
 /// times 2^-52 of itself. Requires positive orientation of both tetrahedra, and
 /// in_sphere(p, q, r, s, t) <= 0.

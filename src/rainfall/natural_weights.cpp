@@ -15,17 +15,13 @@ NaturalWeights::NaturalWeights(std::span<const ChartPoint> gauges, bool is_of_ea
   directions_.resize(tessellation_.topology().point_limit());
   for (std::size_t i = gauges.size(); i-- > 0;)
     directions_[index(numbers_[i])] = gauges[i].direction;
-  take_centres();
+  take_vertices();
 }
 
-void NaturalWeights::take_centres() {
+void NaturalWeights::take_vertices() {
   last_ = no_vertex;
-  if (tessellation_.span() != Span::plane) return;
-  if (is_of_earth_) {
+  if (is_of_earth_ && tessellation_.span() == Span::plane)
     sphere_.take(tessellation_.topology(), directions_);
-  } else {
-    plane_.take(tessellation_.structure());
-  }
 }
 
 bool NaturalWeights::find(const ChartPoint& point, std::vector<NaturalWeight>& weights) {
@@ -86,10 +82,9 @@ bool NaturalWeights::find_in_plane(const ChartPoint& point, std::vector<NaturalW
                         weights);
   }
   if (is_of_earth_) {
-    find_stolen_areas(topology, zone_, SphereCentres::Seen(sphere_, directions_, point.direction),
-                      stolen_);
+    sphere_.find(topology, zone_, directions_, point.direction, stolen_);
   } else {
-    find_stolen_areas(topology, zone_, PlaneCentres::Seen(plane_, structure, point.at), stolen_);
+    plane_.find(structure, zone_, point.at, stolen_);
   }
   share_stolen(weights);
   return true;

@@ -4,9 +4,8 @@
 #include <vector>
 
 #include "rainfall/gauge_chart.h"
-#include "rainfall/plane_centres.h"
-#include "rainfall/sphere_centres.h"
-#include "rainfall/stolen_areas.h"
+#include "rainfall/plane_stolen_areas.h"
+#include "rainfall/sphere_stolen_areas.h"
 #include "tessellation/history.h"
 
 namespace thiessen {
@@ -43,20 +42,20 @@ class NaturalWeights {
   bool find(const ChartPoint& point, std::vector<NaturalWeight>& weights);
 
   /// Does `work` without some of the gauges, which are back afterwards. `silent`: numbers, each
-  /// once. Cost: n, and the deletions'.
+  /// once. Cost: the deletions', and on the sphere its vertices'.
   template <typename Work>
   void without(std::span<const PointId> silent, Work&& work) {
     {
       const Trial<2> trial(tessellation_, changes_);
       for (const PointId p : silent) tessellation_.remove(p);
-      take_centres();
+      take_vertices();
       work();
     }
-    take_centres();
+    take_vertices();
   }
 
  private:
-  void take_centres();
+  void take_vertices();
   bool find_in_plane(const ChartPoint& point, std::vector<NaturalWeight>& weights);
   bool find_on_edge(Point point, PointId a, PointId b, std::vector<NaturalWeight>& weights) const;
   void share_stolen(std::vector<NaturalWeight>& weights);
@@ -65,8 +64,8 @@ class NaturalWeights {
   Tessellation<2> tessellation_;
   std::vector<PointId> numbers_;
   std::vector<Direction> directions_;  // by number
-  PlaneCentres plane_;
-  SphereCentres sphere_;
+  PlaneStolenAreas plane_;
+  SphereStolenAreas sphere_;
   VertexId last_ = no_vertex;  // where the last point was
   Trial<2>::Changes changes_;
   ConflictZone<2> zone_;
