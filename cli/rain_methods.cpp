@@ -26,13 +26,12 @@ void warn_of_hull(const std::vector<double>& outside, const std::vector<Basin>& 
   std::string share;
   append_fixed(share, 100 * *most, 1);
   const std::string& id = basins[static_cast<std::size_t>(most - outside.begin())].id;
-  warnings.add({"", 0,
-                "natural neighbours: " + std::to_string(count) + " of " +
-                    std::to_string(basins.size()) +
-                    " basins reach beyond the hull of the gauges, where the nearest gauge counts; "
-                    "basin " +
-                    quoted(id, 80) + " most, with " + share + " % of its area",
-                ""});
+  const std::string beyond = " beyond the hull of the gauges, where the nearest gauge counts";
+  const std::string text = count == 1
+                               ? share + " % of basin " + quoted(id, 80) + " lies" + beyond
+                               : "parts of " + std::to_string(count) + " basins lie" + beyond +
+                                     "; of basin " + quoted(id, 80) + " most, " + share + " %";
+  warnings.add({"", 0, "natural neighbours: " + text, ""});
 }
 
 std::unique_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, std::size_t points,
