@@ -71,6 +71,7 @@ std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
   };
   if (options.method() != RainMethod::all) return rainfall(options.method());
   std::vector<std::unique_ptr<const StepRainfall>> methods;
+  methods.reserve(all_methods.size());
   for (const auto& [method, name] : all_methods) methods.push_back(rainfall(method));
   return std::make_unique<const SeveralMethods>(std::move(methods));
 }

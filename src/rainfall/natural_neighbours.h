@@ -19,7 +19,7 @@ namespace thiessen {
 ///
 /// For each point its neighbours in the full network are kept, and its weights are those as long as
 /// all of them report. The others are found again, in the tessellation without the silent gauges,
-/// which are deleted and taken back. Memory: 120 bytes a point, and for each thread a copy of the
+/// which are deleted and taken back. Memory: 170 bytes a point, and for each thread a copy of the
 /// tessellation. Cost: 0.5 microseconds a point, once; then for each set of reporting gauges as
 /// much for each point next to a silent one, and a look at the points of the basins that have any.
 class NaturalNeighbours : public AreaMethod {

@@ -9,7 +9,7 @@
 namespace thiessen {
 namespace {
 
-constexpr double u = 0x1p-53;
+constexpr double unit = 0x1p-53;
 constexpr double largest_error = 2e-13;  // of what is taken
 
 /// A number and a bound on its error.
@@ -20,19 +20,19 @@ struct Bounded {
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
     const double value = a.value * b.value;
     return {value, a.error * std::abs(b.value) + std::abs(a.value) * b.error + a.error * b.error +
-                       4 * u * std::abs(value)};
+                       4 * unit * std::abs(value)};
   }
 };
 
 /// Of an in-circle determinant, whose vectors may be rounded.
 Bounded bounded(const Estimate& lift) {
-  return {lift.value, 16 * u * lift.magnitude};
+  return {lift.value, 16 * unit * lift.magnitude};
 }
 
-/// A lift over two areas, each right to 25 u.
+/// A lift over two areas, each right to 25 units.
 Bounded over(const Bounded& lift, double left, double right) {
   const double value = lift.value / (left * right);
-  return {value, std::abs(lift.error / (left * right)) + 64 * u * std::abs(value)};
+  return {value, std::abs(lift.error / (left * right)) + 64 * unit * std::abs(value)};
 }
 
 PlaneVector<Estimate> seen(Point v) {
@@ -52,7 +52,7 @@ Bounded difference_of_squares(const Corner& p, const Corner& q) {
   const double reach_x = std::abs(p.from_x.x) + std::abs(q.from_x.x);
   const double reach_y = std::abs(p.from_x.y) + std::abs(q.from_x.y);
   return {step_x * (p.from_x.x + q.from_x.x) + step_y * (p.from_x.y + q.from_x.y),
-          6 * u * (std::abs(step_x) * reach_x + std::abs(step_y) * reach_y)};
+          6 * unit * (std::abs(step_x) * reach_x + std::abs(step_y) * reach_y)};
 }
 
 }  // namespace

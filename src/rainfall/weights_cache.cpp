@@ -8,7 +8,8 @@ namespace {
 std::size_t bytes_of(const std::vector<bool>& reports, const AreaMethod::Weights& weights) {
   constexpr std::size_t bytes_of_an_entry = 160;  // a node, a bucket, the counters of the pointer
   std::size_t bytes = bytes_of_an_entry + reports.size() / 8;
-  for (const auto& basin : weights) bytes += sizeof basin + basin.capacity() * sizeof(PlaceWeight);
+  for (const auto& basin : weights)
+    bytes += sizeof(std::vector<PlaceWeight>) + basin.capacity() * sizeof(PlaceWeight);
   return bytes;
 }
 

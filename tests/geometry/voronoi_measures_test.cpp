@@ -36,6 +36,21 @@ TEST(SectorArea, keeps_its_digits_where_centres_are_next_to_each_other) {
   EXPECT_DOUBLE_EQ(sector_area({0, 0}, {1, 1}, {0, moved}, {1, 0}), 0x1p-54);
 }
 
+TEST(EdgeRatio, is_the_sum_of_cotangents) {
+  // As above: 2.5 long over half of 2.
+  EXPECT_DOUBLE_EQ(edge_ratio({0, 0}, {2, 0}, {0, 3}, {0, -2}), 2.5);
+  // Both on the left: the centres are (1, 1.5) and (1, 3).
+  EXPECT_DOUBLE_EQ(edge_ratio({0, 0}, {2, 0}, {0, 3}, {0, 6}), -1.5);
+  EXPECT_EQ(edge_ratio({0, 0}, {1, 1}, {0, 1}, {1, 0}), 0);
+}
+
+TEST(SquareDifference, keeps_its_digits) {
+  EXPECT_EQ(square_difference({0, 0}, {3, 4}, {6, 8}), 75);
+  EXPECT_EQ(square_difference({1, 1}, {2, 2}, {2, 0}), 0);
+  // (1 + u)^2 - 1 with u = 2^-52, where 1 is seen from afar.
+  EXPECT_DOUBLE_EQ(square_difference({0, 0x1p40}, {1, 0}, {1 + 0x1p-52, 0}), 0x1p-51);
+}
+
 TEST(VoronoiEdge, runs_from_centre_to_centre) {
   // The spheres through 0, (2, 0, 0), (0, 2, 0) and (0, 0, -2), (0, 0, 4) have their centres at
   // (1, 1, -1) and (1, 1, 2).
