@@ -2,7 +2,7 @@
 
 namespace thiessen::cli {
 
-RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, RainFormat format,
+RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
                      const std::optional<Totalling>& totalling, const std::string& rainfall)
     : has_patterns_(format.patterns) {
   if (totalling) {

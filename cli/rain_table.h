@@ -15,7 +15,7 @@ namespace thiessen::cli {
 class RainTable {
  public:
   /// `rainfall` is the file of the readings, for messages. The file and the basins must outlive it.
-  RainTable(OutputFile& file, const std::vector<Basin>& basins, RainFormat format,
+  RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
             const std::optional<Totalling>& totalling, const std::string& rainfall);
   RainTable(const RainTable&) = delete;
   RainTable& operator=(const RainTable&) = delete;

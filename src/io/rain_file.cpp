@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/number.h"
 #include "io/csv_writer.h"
@@ -27,7 +28,7 @@ void append_rain_key(std::string& row, std::string_view time, std::size_t series
 }
 
 RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format)
-    : file_(file), basins_(basins), format_(format) {
+    : file_(file), basins_(basins), format_(std::move(format)) {
   if (format_.rows_for_basins) {
     file_.append(format_.methods.empty() ? "time,basin," : "time,basin,method,");
     file_.append(format_.patterns ? "rainfall,gauges,coverage,pattern\n"

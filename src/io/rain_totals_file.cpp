@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <unordered_set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -31,7 +32,7 @@ void check_names(const std::vector<Basin>& basins) {
 
 RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basins,
                                RainFormat format)
-    : file_(file), basins_(basins), format_(format) {
+    : file_(file), basins_(basins), format_(std::move(format)) {
   if (format_.rows_for_basins) {
     file_.append(format_.methods.empty() ? "time,basin,rainfall,missing\n"
                                          : "time,basin,method,rainfall,missing\n");
