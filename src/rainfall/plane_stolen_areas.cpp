@@ -18,9 +18,9 @@ struct Bounded {
   double error;
 
   friend Bounded operator*(const Bounded& a, const Bounded& b) {
-    const double value = a.value * b.value;
-    return {value, a.error * std::abs(b.value) + std::abs(a.value) * b.error + a.error * b.error +
-                       4 * unit * std::abs(value)};
+    const double product = a.value * b.value;
+    return {product, a.error * std::abs(b.value) + std::abs(a.value) * b.error + a.error * b.error +
+                         4 * unit * std::abs(product)};
   }
 };
 
