@@ -1,7 +1,6 @@
 #include "basin/sphere_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -31,116 +30,128 @@ double reach_of(const Box& box, Direction centre) {
 /// Makes rings of great circles of rings in longitude and latitude.
 class SphereShape::Simplifying {
  public:
-  Simplifying(Direction centre, double size, std::span<const Point> bends)
-      : chart_(centre), surface_(chart_), finest_(1e-5 * size), bends_(bends) {}
+  Simplifying(Direction centre, double tolerance, std::span<const Point> bends)
+      : chart_(centre),
+        surface_(chart_),
+        farthest_off_(tolerance / scale_on_earth(centre.z)),
+        bends_(bends) {}
 
   SphereRing ring(const Ring& ring, const std::vector<double>* bulges) {
-    keeps_all_ = false;
-    const auto kept =
-        std::count_if(ring.begin(), ring.end(), [this](Point p) { return !is_bend(p); });
-    keeps_all_ = kept < 3;
-    const std::size_t first = first_kept(ring);
+    const auto is_corner = [this](Point p) {
+      return !std::binary_search(bends_.begin(), bends_.end(), p);
+    };
+    keeps_all_ = std::count_if(ring.begin(), ring.end(), is_corner) < 3;
+    const auto first = static_cast<std::size_t>(
+        keeps_all_ ? 0 : std::find_if(ring.begin(), ring.end(), is_corner) - ring.begin());
     result_ = {};
-    begin(ring[first]);
+    begin(on_sphere(ring[first]));
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t from = (first + i) % ring.size();
       const std::size_t to = (from + 1) % ring.size();
-      add_edge(ring[from], ring[to], bulges == nullptr ? 0 : (*bulges)[from],
-               i + 1 < ring.size() && is_bend(ring[to]));
+      add_edge(ring[from], ring[to], bulges == nullptr ? 0 : (*bulges)[from]);
+      if (keeps_all_ || i + 1 == ring.size() || is_corner(ring[to])) end_run();
     }
-    result_.corners.pop_back();  // the first again
-    result_.bulges.pop_back();
     return std::move(result_);
   }
 
  private:
-  bool is_bend(Point p) const {
-    return !keeps_all_ && std::binary_search(bends_.begin(), bends_.end(), p);
-  }
+  /// A point between two corners that are kept, or one of the two.
+  struct RunPoint {
+    Direction direction;
+    Point in_chart;
+    double area;  ///< from the chart's centre to the true edge, from the run's beginning to here
+  };
 
   static double to_right(Point from, Point to, Point p) {
     const Point way{to.x - from.x, to.y - from.y};
     return ((p.x - from.x) * way.y - (p.y - from.y) * way.x) / std::hypot(way.x, way.y);
   }
 
-  std::size_t first_kept(const Ring& ring) const {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      if (!is_bend(ring[i])) return i;
-    }
-    return 0;
-  }
+  void begin(Direction corner) { run_.assign(1, {corner, chart_.project(corner), 0}); }
 
-  void begin(Point corner) {
-    const Direction direction = on_sphere(corner);
-    result_.corners.push_back(direction);
-    result_.bulges.push_back(0);
-    chord_from_ = last_ = chart_.project(direction);
-    along_bends_ = 0;
-  }
-
-  // Straight in longitude and latitude; where its end is to be left out the chord goes on.
-  void add_edge(Point a, Point b, double bulge, bool goes_on) {
+  // Straight in longitude and latitude.
+  void add_edge(Point a, Point b, double bulge) {
     if (a == b) return;
-    const std::array<double, 3> shares{0.25, 0.5, 0.75};
-    const Direction end = on_sphere(b);
-    const Point to = chart_.project(end);
+    const Point from = run_.back().in_chart;
+    const Point to = chart_.project(on_sphere(b));
     double farthest = 0;
-    for (const double share : shares) {
-      farthest = std::max(
-          farthest, std::abs(to_right(last_, to, chart_.project(on_sphere(between(a, b, share))))));
+    for (const double share : {0.25, 0.5, 0.75}) {
+      const Point p = chart_.project(on_sphere(between(a, b, share)));
+      if (from != to) farthest = std::max(farthest, std::abs(to_right(from, to, p)));
     }
     constexpr double most_pieces = 1000;
-    const int pieces =
-        static_cast<int>(std::clamp(std::ceil(std::sqrt(farthest / finest_)), 1.0, most_pieces));
+    const int pieces = static_cast<int>(
+        std::clamp(std::ceil(std::sqrt(farthest / farthest_off_)), 1.0, most_pieces));
     for (int i = 1; i <= pieces; ++i) {
       const double before = (i - 1.0) / pieces;
       const double after = static_cast<double>(i) / pieces;
-      const Point piece_end = i == pieces ? b : between(a, b, after);
-      add_piece(between(a, b, before), piece_end, i == pieces && goes_on,
+      add_piece(between(a, b, before), i == pieces ? b : between(a, b, after),
                 bulge * (bulge_share(after) - bulge_share(before)));
+      if (pieces > 1 && i < pieces) end_run();
     }
   }
 
-  void add_piece(Point a, Point b, bool goes_on, double bulge) {
+  void add_piece(Point a, Point b, double bulge) {
+    const RunPoint before = run_.back();
     const Direction end = on_sphere(b);
     const Point to = chart_.project(end);
-    if (to == last_) return;
+    if (to == before.in_chart) return;
     // By G. Boole's rule.
     double mean = 0;
     for (const auto& [share, weight] :
-         {std::pair(0.25, 32. / 90), std::pair(0.5, 12. / 90), std::pair(0.75, 32. / 90)})
-      mean += weight * to_right(last_, to, chart_.project(on_sphere(between(a, b, share))));
-    const double length = std::hypot(to.x - last_.x, to.y - last_.y);
-    result_.bulges.back() += bulge + mean * length * chart_.unit_area(between(last_, to, 0.5));
-    along_bends_ -= surface_.under(last_, to, 0);
-    last_ = to;
-    if (goes_on) return;
-    result_.bulges.back() += along_bends_ + surface_.under(chord_from_, to, 0);
-    result_.corners.push_back(end);
-    result_.bulges.push_back(0);
-    chord_from_ = to;
-    along_bends_ = 0;
+         {std::pair(0.25, 32. / 90), std::pair(0.5, 12. / 90), std::pair(0.75, 32. / 90)}) {
+      mean +=
+          weight * to_right(before.in_chart, to, chart_.project(on_sphere(between(a, b, share))));
+    }
+    const double length = std::hypot(to.x - before.in_chart.x, to.y - before.in_chart.y);
+    const double off = mean * length * chart_.unit_area(between(before.in_chart, to, 0.5));
+    run_.push_back({end, to, before.area + bulge + off - surface_.under(before.in_chart, to, 0)});
+  }
+
+  // Keeps the corner at which the run begins, and as many of the bends as it takes.
+  void end_run() {
+    if (run_.size() > 1) keep(0, run_.size() - 1);
+    run_.erase(run_.begin(), run_.end() - 1);
+    run_.front().area = 0;
+  }
+
+  void keep(std::size_t first, std::size_t last) {
+    const RunPoint& from = run_[first];
+    const RunPoint& to = run_[last];
+    double farthest = 0;
+    std::size_t at = first;
+    for (std::size_t i = first + 1; i < last; ++i) {
+      const double off = std::abs(to_right(from.in_chart, to.in_chart, run_[i].in_chart));
+      if (off <= farthest) continue;
+      farthest = off;
+      at = i;
+    }
+    if (farthest > farthest_off_) {
+      keep(first, at);
+      keep(at, last);
+      return;
+    }
+    result_.corners.push_back(from.direction);
+    result_.bulges.push_back(to.area - from.area + surface_.under(from.in_chart, to.in_chart, 0));
   }
 
   GnomonicChart chart_;
   ChartSurface surface_;
-  double finest_;
+  double farthest_off_;  // in the chart
   std::span<const Point> bends_;
   bool keeps_all_ = false;  // where too few would be left for a ring
   SphereRing result_;
-  Point chord_from_;
-  Point last_;
-  double along_bends_ = 0;  // the area from the centre to what the chord stands for
+  std::vector<RunPoint> run_;  // from the last corner that is kept
 };
 
-SphereShape::SphereShape(const Basin& ground, std::span<const Point> bends) {
+SphereShape::SphereShape(const Basin& ground, std::span<const Point> bends, double tolerance) {
   for (const Polygon& part : ground.shape) {
     for (const Point p : part.outer) box_.take_in(p);
   }
   centre_ = on_sphere(box_.centre());
   reach_ = reach_of(box_, centre_);
   if (reach_ > farthest) return;
-  Simplifying simplifying(centre_, reach_, bends);
+  Simplifying simplifying(centre_, tolerance, bends);
   std::size_t ring_number = 0;
   const auto ring = [&](const Ring& all) {
     return simplifying.ring(all, ground.bulges.empty() ? nullptr : &ground.bulges[ring_number++]);

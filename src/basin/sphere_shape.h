@@ -10,16 +10,17 @@
 namespace thiessen {
 
 /// A cell's ground in a basin of the ellipsoid, with few edges, for charts: great circles of the
-/// conformal sphere from corner to corner, and for each the area between the true edge and it. It
-/// is right for areas, and for what is cut off it to the square of what its edges are off the true
-/// ones: 1e-5 of its size, or what an edge between cells bends.
+/// conformal sphere from corner to corner, and for each the area between the true edge and it. So
+/// areas are right, and what is cut off it is as if its edges bent like parabolas.
 class SphereShape {
  public:
   /// How far the ground may reach from its centre, in radians; of what is larger nothing is kept.
   static constexpr double farthest = 0.1;
 
-  /// `bends`: the corners that only bend an edge between cells, in rising order; they are left out.
-  SphereShape(const Basin& ground, std::span<const Point> bends);
+  /// `bends`: the corners that only bend an edge between cells, in rising order; they are left out
+  /// where the edge is still within `tolerance` metres of the great circle. Edges of the basin are
+  /// parted until they are. Cost: the corners, times a logarithm.
+  SphereShape(const Basin& ground, std::span<const Point> bends, double tolerance);
 
   Direction centre() const { return centre_; }
   /// Radians from the centre to the farthest corner; more than `farthest`: it has no rings.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "earth/geodesic.h"
 #include "earth/geodesic_vertices.h"
 #include "earth/sphere_tessellation.h"
@@ -21,14 +22,18 @@ struct Abscissa {
 };
 constexpr std::array<Abscissa, 3> boole{{{0.25, 32. / 90}, {0.5, 12. / 90}, {0.75, 32. / 90}}};
 
+Point between(Point from, Point to, double share) {
+  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+}
+
 class ChartDiagramBuilder {
  public:
   ChartDiagramBuilder(const SphereTessellation& sphere, std::span<const Point> places,
-                      const ChartGround& ground, double accuracy)
+                      const ChartGround& ground, const ChartAccuracy& accuracy)
       : sphere_(sphere),
         ground_(ground),
         accuracy_(accuracy),
-        vertices_(sphere, places, ground.frame, accuracy, 1),
+        vertices_(sphere, places, ground.frame, accuracy.vertices, 1),
         node_of_(vertices_.mesh().triangles(), no_node),
         places_(places) {
     const double edge = std::tan(ground.reach);
@@ -66,6 +71,16 @@ class ChartDiagramBuilder {
     std::uint32_t triangle;
     bool is_vertex;
   };
+  /// The places on either side of an edge.
+  struct Sides {
+    EarthPoint left;
+    EarthPoint right;
+  };
+  /// What an edge is off its chord.
+  struct Bend {
+    double area = 0;      ///< square metres, positive to the right
+    double farthest = 0;  ///< metres
+  };
 
   // From the vertex to the right of the way between the two places to the one on the left.
   void add_edge(SideIndex s) {
@@ -85,13 +100,39 @@ class ChartDiagramBuilder {
     End first{from, start, vertices_.is_exact(start)};
     End last{to, end, vertices_.is_exact(end)};
     if (!cut_to_reach(edge.arc(), first, last)) return;
-    const EarthPoint left_place(places_[index(left)], sphere_.direction(left));
-    const EarthPoint right_place(places_[index(right)], sphere_.direction(right));
-    const std::uint32_t from_node = node_at(edge, first, left_place, right_place);
-    const std::uint32_t to_node = node_at(edge, last, left_place, right_place);
-    diagram_.chords.push_back({from_node, to_node, left, right});
-    diagram_.bulges.push_back(
-        bulge_of(diagram_.nodes[from_node], diagram_.nodes[to_node], left_place, right_place));
+    const Sides sides{{places_[index(left)], sphere_.direction(left)},
+                      {places_[index(right)], sphere_.direction(right)}};
+    const std::uint32_t from_node = node_at(edge, first, sides);
+    const std::uint32_t to_node = node_at(edge, last, sides);
+    throw_if_interrupted();
+    add_chords({from_node, to_node, left, right}, sides);
+  }
+
+  // As many as keep what the edge bends off each of them within what is allowed.
+  void add_chords(const Chord& whole, const Sides& sides) {
+    const Bend bend = bend_of(diagram_.nodes[whole.from], diagram_.nodes[whole.to], sides);
+    constexpr double most_chords = 1000;
+    const double chords =
+        std::clamp(std::ceil(std::sqrt(bend.farthest / accuracy_.bends)), 1.0, most_chords);
+    if (chords == 1) {
+      diagram_.chords.push_back(whole);
+      diagram_.bulges.push_back(bend.area);
+      return;
+    }
+    const Point from = diagram_.nodes[whole.from];
+    const Point to = diagram_.nodes[whole.to];
+    const Direction to_right = to_right_of(from, to);
+    std::uint32_t before = whole.from;
+    for (int i = 1; i <= static_cast<int>(chords); ++i) {
+      std::uint32_t next = whole.to;
+      if (i < static_cast<int>(chords)) {
+        const Direction at = ground_.chart.direction(between(from, to, i / chords));
+        next = new_node(on_edge(at, to_right, sides));
+      }
+      diagram_.chords.push_back({before, next, whole.left, whole.right});
+      diagram_.bulges.push_back(bend_of(diagram_.nodes[before], diagram_.nodes[next], sides).area);
+      before = next;
+    }
   }
 
   // What is within reach of the centre, where anything is.
@@ -103,21 +144,17 @@ class ChartDiagramBuilder {
     const double cosine = std::cos(ground_.reach);
     if (height <= cosine) return false;
     const double half = std::acos(cosine / height);
-    const double between = first.angle + (last.angle - first.angle) / 2;
-    const double nearest = between + std::remainder(std::atan2(along_left, along_middle) - between,
-                                                    2 * std::numbers::pi);
+    const double middle = first.angle + (last.angle - first.angle) / 2;
+    const double nearest = middle + std::remainder(std::atan2(along_left, along_middle) - middle,
+                                                   2 * std::numbers::pi);
     if (nearest - half > first.angle) first = {nearest - half, 0, false};
     if (nearest + half < last.angle) last = {nearest + half, 0, false};
     return first.angle < last.angle;
   }
 
-  std::uint32_t node_at(const GeodesicBisector& edge, const End& end, const EarthPoint& left,
-                        const EarthPoint& right) {
-    if (!end.is_vertex) {
-      const Direction at = edge.arc().at(end.angle);
-      const double offset = offset_at(at, edge.arc().forward(), left, right) / scale_on_earth(at.z);
-      return new_node(edge.arc().at(end.angle, offset));
-    }
+  std::uint32_t node_at(const GeodesicBisector& edge, const End& end, const Sides& sides) {
+    if (!end.is_vertex)
+      return new_node(on_edge(edge.arc().at(end.angle), edge.arc().forward(), sides));
     std::uint32_t& node = node_of_[end.triangle];
     if (node == no_node) node = new_node(vertices_.direction(end.triangle));
     return node;
@@ -129,33 +166,53 @@ class ChartDiagramBuilder {
   }
 
   // Metres to the edge from a point near it: their distances' difference over what it grows by.
-  double offset_at(Direction at, Direction to_right, const EarthPoint& left,
-                   const EarthPoint& right) const {
-    const SphereArrival from_left = sphere_arrival(left, at, accuracy_);
-    const SphereArrival from_right = sphere_arrival(right, at, accuracy_);
+  double offset_at(Direction at, Direction to_right, const Sides& sides) const {
+    const SphereArrival from_left = sphere_arrival(sides.left, at, accuracy_.vertices);
+    const SphereArrival from_right = sphere_arrival(sides.right, at, accuracy_.vertices);
     const double growth = dot(from_left.onward - from_right.onward, to_right);
     return growth > 0 ? (from_right.distance - from_left.distance) / growth : 0;
   }
 
-  double bulge_of(Point from, Point to, const EarthPoint& left, const EarthPoint& right) const {
+  // From a point near it straight to the edge. What a step leaves is of the second order in it.
+  Direction on_edge(Direction at, Direction to_right, const Sides& sides) const {
+    constexpr double far = 1;  // metres
+    const double offset = offset_at(at, to_right, sides);
+    const auto moved = [&](double metres) {
+      const double angle = metres / scale_on_earth(at.z);
+      return std::cos(angle) * at + std::sin(angle) * to_right;
+    };
+    const Direction near = moved(offset);
+    if (std::abs(offset) <= far) return near;
+    return moved(offset + offset_at(near, to_right, sides));
+  }
+
+  /// The unit vector across the great circle of a chord; none for a chord without length.
+  Direction to_right_of(Point from, Point to) const {
+    const Direction normal = cross(ground_.chart.direction(to), ground_.chart.direction(from));
+    const double sine = length(normal);
+    return sine > 0 ? (1 / sine) * normal : Direction{};
+  }
+
+  Bend bend_of(Point from, Point to, const Sides& sides) const {
     const Direction start = ground_.chart.direction(from);
     const Direction end = ground_.chart.direction(to);
-    const Direction normal = cross(start, end);
-    const double sine = length(normal);
-    if (sine == 0) return 0;
-    const Direction to_right = (-1 / sine) * normal;
+    const Direction to_right = to_right_of(from, to);
+    Bend bend;
     double mean = 0;
     for (const Abscissa& x : boole) {
-      const Point p{from.x + x.along * (to.x - from.x), from.y + x.along * (to.y - from.y)};
-      mean += x.weight * offset_at(ground_.chart.direction(p), to_right, left, right);
+      const double offset =
+          offset_at(ground_.chart.direction(between(from, to, x.along)), to_right, sides);
+      mean += x.weight * offset;
+      bend.farthest = std::max(bend.farthest, std::abs(offset));
     }
-    const Direction middle = unit(start + end);
-    return mean * std::asin(std::min(1.0, sine)) * scale_on_earth(middle.z);
+    const double angle = 2 * std::asin(std::min(1.0, length(end - start) / 2));
+    bend.area = mean * angle * scale_on_earth(unit(start + end).z);
+    return bend;
   }
 
   const SphereTessellation& sphere_;
   const ChartGround& ground_;
-  double accuracy_;
+  ChartAccuracy accuracy_;
   GeodesicVertices vertices_;
   std::vector<std::uint32_t> node_of_;
   std::span<const Point> places_;
@@ -165,7 +222,7 @@ class ChartDiagramBuilder {
 }  // namespace
 
 std::optional<Diagram> chart_diagram(std::span<const Point> places, const ChartGround& ground,
-                                     double accuracy) {
+                                     const ChartAccuracy& accuracy) {
   constexpr double nearly_beyond = 0.17;
   const SphereTessellation sphere(places);
   if (sphere.tessellation().span() != Span::plane) return {};

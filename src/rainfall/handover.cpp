@@ -67,7 +67,7 @@ void Handovers::add_regions(std::vector<std::vector<ClippedCell>> clipped) {
     for (ClippedCell& cell : clipped[b]) {
       full_.push_back({b, cell.place, cell.area / weighing_.basin_area(b)});
       Region region{b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}};
-      if (on_earth) region.shape.emplace(region.ground, bends);
+      if (on_earth) region.shape.emplace(region.ground, bends, weighing_.ground().tolerance);
       regions_[index(cell.place)].push_back(std::move(region));
     }
   }
@@ -141,7 +141,8 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   });
   if (reach > SphereShape::farthest) return false;
   const auto diagram =
-      chart_diagram(heirs, {chart, 1.1 * reach, frame}, weighing_.ground().accuracy_for_areas());
+      chart_diagram(heirs, {chart, 1.1 * reach, frame},
+                    {weighing_.ground().accuracy_for_areas(), weighing_.ground().tolerance});
   if (!diagram) return false;
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);

@@ -14,6 +14,8 @@
 namespace thiessen {
 namespace {
 
+constexpr double tolerance = 0.1;
+
 Point random_centre(Seeded& seeded) {
   return {seeded.uniform(-180, 180), seeded.uniform(-75, 75)};
 }
@@ -33,7 +35,7 @@ TEST(SphereShape, has_the_ground_s_area_in_any_chart) {
     Basin basin = shapes::basin({{shapes::star(seeded, centre, size, 12), {}}});
     basin.shape[0].holes.push_back(
         shapes::reversed(shapes::scaled(basin.shape[0].outer, centre, 0.2)));
-    const SphereShape shape(basin, {});
+    const SphereShape shape(basin, {}, tolerance);
     const double area = area_of(basin, ellipsoid);
     EXPECT_NEAR(area_in_chart(shape, shape.centre()), area, 1e-8 * area);
     const Direction elsewhere = on_sphere({centre.x + size, centre.y - size / 2});
@@ -63,7 +65,7 @@ TEST(SphereShape, leaves_bends_out_and_keeps_their_area) {
     }
     std::sort(bends.begin(), bends.end());
     const Basin basin = shapes::basin({{ring, {}}});
-    const SphereShape shape(basin, bends);
+    const SphereShape shape(basin, bends, tolerance);
     const GnomonicChart chart(shape.centre());
     EXPECT_EQ(shape.in_chart(chart).shape[0].outer.size(), corners.size());
     const double area = area_of(basin, ellipsoid);
@@ -75,7 +77,7 @@ TEST(SphereShape, keeps_its_corners_where_all_are_bends) {
   const Ring ring = shapes::rectangle({10, 50}, {10.001, 50.001});
   std::vector<Point> bends = ring;
   std::sort(bends.begin(), bends.end());
-  const SphereShape shape(shapes::basin({{ring, {}}}), bends);
+  const SphereShape shape(shapes::basin({{ring, {}}}), bends, tolerance);
   EXPECT_EQ(shape.in_chart(GnomonicChart(shape.centre())).shape[0].outer.size(), 4u);
 }
 
@@ -83,13 +85,14 @@ TEST(SphereShape, keeps_its_corners_where_all_are_bends) {
 TEST(SphereShape, keeps_the_bulges_of_the_basin_s_edges) {
   Basin basin = shapes::basin({{shapes::rectangle({10, 50}, {13, 52}), {}}});
   basin.bulges = {{1e6, -2e6, 3e6, 4e6}};
-  const SphereShape shape(basin, {});
+  const SphereShape shape(basin, {}, tolerance);
   const double area = area_of(basin, EllipsoidSurface());
   EXPECT_NEAR(area_in_chart(shape, shape.centre()), area, 1e-8 * area);
 }
 
 TEST(SphereShape, keeps_nothing_of_what_is_too_large_for_a_chart) {
-  const SphereShape half(shapes::basin({{shapes::rectangle({-180, 0}, {180, 90}), {}}}), {});
+  const SphereShape half(shapes::basin({{shapes::rectangle({-180, 0}, {180, 90}), {}}}), {},
+                         tolerance);
   EXPECT_GT(half.reach(), SphereShape::farthest);
   EXPECT_TRUE(half.in_chart(GnomonicChart(half.centre())).shape.empty());
 }
@@ -107,9 +110,10 @@ TEST(SphereShape, is_cut_as_the_ground_is) {
           {centre.x + seeded.uniform(-2, 2) * size, centre.y + seeded.uniform(-2, 2) * size});
     }
     const Basin basin = shapes::basin({{shapes::star(seeded, centre, size, 9), {}}});
-    const SphereShape shape(basin, {});
+    const SphereShape shape(basin, {}, tolerance);
     const GnomonicChart chart(shape.centre());
-    const auto in_chart = chart_diagram(places, {chart, 1.1 * shape.reach(), shape.box()}, 1e-5);
+    const auto in_chart =
+        chart_diagram(places, {chart, 1.1 * shape.reach(), shape.box()}, {1e-5, tolerance});
     if (!in_chart) continue;
     const ChartSurface surface(chart);
     CellClipper chart_clipper(*in_chart, surface);
@@ -121,7 +125,8 @@ TEST(SphereShape, is_cut_as_the_ground_is) {
     std::vector<double> difference(places.size());
     for (const CellShare& share : expected) difference[index(share.place)] += share.area;
     for (const CellShare& share : found) difference[index(share.place)] -= share.area;
-    for (const double off : difference) EXPECT_NEAR(off / area, 0, 1e-6 * size + 1e-7) << size;
+    for (const double off : difference)
+      EXPECT_NEAR(off / area, 0, 1e-6 * tolerance / size + 1e-8) << size;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "basin/shapes.h"
+#include "earth/geodesic.h"
 #include "geometry/seeded.h"
 #include "rainfall/rain_series.h"
 #include "rainfall/textbook.h"
@@ -272,6 +274,54 @@ TEST(SilentGaugesOnTheEarth, have_the_values_of_the_network_without_them) {
                   place.allowed)
             << place.centre.y << ' ' << place.degrees << ' ' << lattice << ' ' << share;
       }
+    }
+  }
+}
+
+// New edges lie where they should, to the tolerance, however far apart the gauges are: small basins
+// on them tell by how much their weights are off.
+TEST(SilentGaugesOnTheEarth, hand_over_along_edges_within_the_tolerance) {
+  Seeded seeded;
+  constexpr double tolerance = 0.1;
+  for (const double spacing : {0.2, 1.0, 3.0, 8.0, 15.0}) {  // degrees
+    std::vector<Station> stations;
+    std::vector<double> readings;
+    for (int i = -2; i <= 2; ++i) {
+      for (int j = -2; j <= 2; ++j) {
+        const Point at{20 + spacing * (i + seeded.uniform(-0.3, 0.3)),
+                       30 + spacing * (j + seeded.uniform(-0.3, 0.3))};
+        stations.push_back({std::to_string(stations.size()), at, 0});
+        readings.push_back(i == 0 && j == 0 ? silent : seeded.uniform(0, 100));
+      }
+    }
+    const Network network(stations, Metric::geodesic);
+    std::vector<Basin> basins;
+    constexpr double side = 500 / 111e3;  // degrees
+    // Along the edges between those that report: where two are nearly as near.
+    for (int tries = 0; basins.size() < 20 && tries < 2000000; ++tries) {
+      const Point p{20 + spacing * seeded.uniform(-0.8, 0.8),
+                    30 + spacing * seeded.uniform(-0.8, 0.8)};
+      std::vector<double> distances;
+      for (std::size_t s = 0; s < stations.size(); ++s) {
+        if (!std::isnan(readings[s]))
+          distances.push_back(geodesic_distance(p, stations[s].position));
+      }
+      std::sort(distances.begin(), distances.end());
+      if (distances[1] - distances[0] > 300) continue;
+      basins.push_back(shapes::basin({{shapes::rectangle(p, {p.x + side, p.y + side}), {}}}));
+    }
+    ASSERT_GE(basins.size(), 5u);
+    const Weighing weighing(network, basins, Ground{Metric::geodesic, 1, tolerance});
+    const Weighing fine(network, basins, Ground{Metric::geodesic, 1, 1e-3});
+    std::vector<bool> reports;
+    for (const double reading : readings) reports.push_back(!std::isnan(reading));
+    const auto expected = fine.weights(reports, 1);
+    const auto found = ArealRainfall(weighing, {}, 1).weights_at(readings);
+    for (std::size_t b = 0; b < basins.size(); ++b) {
+      std::vector<double> difference(stations.size(), 0);
+      for (const StationWeight& s : expected[b].stations) difference[index(s.station)] += s.weight;
+      for (const StationWeight& s : found[b].stations) difference[index(s.station)] -= s.weight;
+      for (const double d : difference) EXPECT_NEAR(d * 500, 0, tolerance) << spacing;
     }
   }
 }
