@@ -32,8 +32,8 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::string what, bool quiet, Share share)
-    : what_(std::move(what)),
+Progress::Progress(std::string unit, bool quiet, Share share)
+    : unit_(std::move(unit)),
       share_(std::move(share)),
       shows_(!quiet && isatty(STDERR_FILENO) == 1),
       begin_(Clock::now()),
@@ -52,8 +52,8 @@ void Progress::advance(std::size_t count) {
 }
 
 std::string Progress::line() const {
-  std::string text = "thiessen: " + grouped(done_) + ' ' + what_;
-  const double share = share_();
+  std::string text = "thiessen: " + grouped(done_) + ' ' + unit_ + (done_ == 1 ? "" : "s");
+  const double share = share_(done_);
   if (!(share > 0)) return text;
   text += ", " + fixed_text(std::floor(100 * share), 0) + " %";
   if (share >= 1) return text;

@@ -12,9 +12,10 @@ namespace thiessen::cli {
 class Progress {
  public:
   /// How much is done, from 0 to 1; NaN where nobody knows.
-  using Share = std::function<double()>;
+  using Share = std::function<double(std::size_t done)>;
 
-  Progress(std::string what, bool quiet, Share share);
+  /// `unit`: what is counted, one of them.
+  Progress(std::string unit, bool quiet, Share share);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -24,7 +25,7 @@ class Progress {
  private:
   std::string line() const;
 
-  std::string what_;
+  std::string unit_;
   Share share_;
   bool shows_;
   bool shown_ = false;

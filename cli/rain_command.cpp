@@ -61,7 +61,8 @@ class RainCommand : public Command {
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, session.weighing());
     GaugePatterns patterns;
-    Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
+    Progress progress("time step", common_.quiet,
+                      [&](std::size_t done) { return readings->share_of(done); });
     for_each_step(
         *readings, *rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
         [&](const RainStep& step) {
@@ -72,7 +73,7 @@ class RainCommand : public Command {
           series.add(step, pattern.number);
           progress.advance();
         });
-    series.finish();
+    series.finish(warnings);
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

@@ -26,8 +26,8 @@ void RainTable::add(const RainStep& step, std::size_t pattern) {
   }
 }
 
-void RainTable::finish() {
-  if (periods_) periods_->finish();
+void RainTable::finish(Warnings& warnings) {
+  if (periods_) periods_->finish(warnings);
 }
 
 }  // namespace thiessen::cli

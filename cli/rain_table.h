@@ -24,8 +24,8 @@ class RainTable {
   void prepare(RainStep& step) const;
   /// `pattern`: of its gauges, where the format has such a column.
   void add(const RainStep& step, std::size_t pattern = 0);
-  /// Writes what is still held; nothing comes after.
-  void finish();
+  /// Writes what is still held, and warns of what is odd about it; nothing comes after.
+  void finish(Warnings& warnings);
 
  private:
   bool has_patterns_;

@@ -59,7 +59,8 @@ class RunCommand : public Command {
     MeanReadings means(session.network().stations().size());
     Summary summary(session, rainfall.full_weights());
     {
-      Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
+      Progress progress("time step", common_.quiet,
+                        [&](std::size_t done) { return readings->share_of(done); });
       for_each_step(
           *readings, rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
           [&](const RainStep& step) {
@@ -69,7 +70,7 @@ class RunCommand : public Command {
             progress.advance();
           });
     }
-    series.finish();
+    series.finish(warnings);
     const GaugeReadings mean = means.result();
     const auto cells = cells_of(session, &mean, threads);
     cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));

@@ -42,10 +42,10 @@ AreaUnit Session::area_unit() const {
   return {known ? 1e-6 : 1.0};
 }
 
-std::unique_ptr<Readings> Session::open_readings(const StudyOptions& study,
-                                                 const RainfallOptions& rainfall,
-                                                 Warnings& warnings,
-                                                 const std::optional<StepTimes>& wanted) {
+std::unique_ptr<WatchedReadings> Session::open_readings(const StudyOptions& study,
+                                                        const RainfallOptions& rainfall,
+                                                        Warnings& warnings,
+                                                        const std::optional<StepTimes>& wanted) {
   auto readings = open_rainfall(rainfall.rainfall, study.separator(), network_->stations(),
                                 filtered_ids_, rainfall.readings(study.decimal_comma()), warnings);
   if (wanted) {

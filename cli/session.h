@@ -9,6 +9,7 @@
 #include "io/study.h"
 #include "io/weights_file.h"
 #include "rainfall/rain_series.h"
+#include "rainfall/watched_readings.h"
 #include "rainfall/weights.h"
 
 namespace thiessen::cli {
@@ -32,9 +33,9 @@ class Session {
 
   /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
   /// thread may ask it for the share that is read. The session must outlive it.
-  std::unique_ptr<Readings> open_readings(const StudyOptions& study,
-                                          const RainfallOptions& rainfall, Warnings& warnings,
-                                          const std::optional<StepTimes>& wanted = std::nullopt);
+  std::unique_ptr<WatchedReadings> open_readings(
+      const StudyOptions& study, const RainfallOptions& rainfall, Warnings& warnings,
+      const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
   void add_extent_as_basin(double margin);

@@ -78,7 +78,12 @@ Outputs::~Outputs() {
 }
 
 OutputFile& Outputs::add(const std::string& path) {
-  if (path == "-") return streams_.emplace_back(standard_output(OutputFile::Care::held));
+  if (path == "-") {
+    if (has_standard_output_)
+      throw Error(Message{"", 0, "standard output would be written twice", ""});
+    has_standard_output_ = true;
+    return streams_.emplace_back(standard_output(OutputFile::Care::held));
+  }
   const bool standing = standing_descriptor(path).has_value();
   const Destination destination =
       standing ? Destination{Kind::stream} : examine_destination(path, rules_);

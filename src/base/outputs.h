@@ -74,6 +74,7 @@ class Outputs {
   std::vector<Staged> staged_;
   std::vector<Foreign> foreign_;
   std::vector<std::string> new_folders_;
+  bool has_standard_output_ = false;
   bool committed_ = false;
 };
 

@@ -104,6 +104,10 @@ void DlyReadings::scan_record(const DlyRecord& record, std::uint32_t file) {
     stations_.push_back(found.station);
   }
   scan_days(record, found.station);
+  const Day begin = {record.month, 1};
+  const Day end = {record.month, days_in(record.month)};
+  if (first_.day == 0 || begin < first_) first_ = begin;
+  if (last_ < end) last_ = end;
   if (stretches_.empty() || stretches_.back().file != file ||
       stretches_.back().last > record.month) {
     stretches_.push_back({file, record.month, record.month, lines_.place()});
@@ -128,9 +132,7 @@ void DlyReadings::scan_days(const DlyRecord& record, StationIndex station) {
     const DlyDay read = read_dly_day(record, day);
     check_day(record, day, read, station);
     if (!read.is_number || read.value == dly_missing) continue;
-    const Day here = {record.month, day};
-    if (first_.day == 0 || here < first_) first_ = here;
-    if (last_ < here) last_ = here;
+    any_value_ = true;
     if (read.is_flagged && !source_.keep_flagged) continue;
     source_.findings.note({0.1 * read.value, ReadingKind::amount}, station);
   }
@@ -156,7 +158,7 @@ void DlyReadings::complain(std::string text) {
 }
 
 void DlyReadings::begin_blocks() {
-  today_ = first_;
+  if (any_value_) today_ = first_;
   const std::size_t month = stations_.size() * sizeof(MonthOfStation) + 1;
   block_months_ =
       static_cast<std::int32_t>(std::clamp<std::size_t>(memory_ / month, 1, most_months));

@@ -87,6 +87,7 @@ class DlyReadings : public Readings {
   ReadingsStations::Found last_found_;
   Day first_;
   Day last_;
+  bool any_value_ = false;
 
   std::vector<std::uint32_t> slots_;  ///< by station: which of the block's; none: it has no record
   std::vector<StationIndex> stations_;  ///< by slot
@@ -101,8 +102,9 @@ class DlyReadings : public Readings {
 };
 
 /// The rain (PRCP) of a `.dly` file of GHCN-Daily, or of all `.dly` files of a folder, in
-/// millimetres. A step is a day, YYYY-MM-DD: every day from the first to the last for which a
-/// station of the study has a value; a day without any is a step of silent gauges. A value that
+/// millimetres. A step is a day, YYYY-MM-DD: every day of the months from the first to the last for
+/// which a station of the study has a record; a day without any value is a step of silent gauges,
+/// and where there is no value at all there is no step. A value that
 /// failed a check of quality is missing, unless the options keep it.
 ///
 /// Throws Error here where there is no such file, or an option is given that is for tables; from

@@ -1,5 +1,7 @@
 #include "rainfall/rain_periods.h"
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -24,11 +26,21 @@ RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
     : totalling_(totalling), file_(std::move(file)), take_(std::move(take)) {}
 
 void RainPeriods::add(const RainStep& step) {
-  const IsoTime time = time_of_step(step.time, totalling_.every, file_, 0);
-  if (!open_ || order_of_dates(time, period_, totalling_.every) != 0) {
-    finish();
-    begin(time, step.time, step.basins.size());
+  const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line);
+  if (!begun_.empty() && step.time != text_before_ && time.precision == before_.precision &&
+      time.ahead_of_utc == before_.ahead_of_utc && order_of_moments(time, before_) == 0) {
+    throw Error({file_, step.line,
+                 "time " + quoted(step.time, 80) + " is that of the step before, written again",
+                 ""});
   }
+  before_ = time;
+  text_before_ = step.time;
+  if (!open_ || order_of_dates(time, first_, totalling_.every) != 0) {
+    if (open_) end();
+    begin(time, step);
+  }
+  if (order_of_dates(time, first_, TimePrecision::day) < 0) first_ = time;
+  if (order_of_dates(time, last_, TimePrecision::day) > 0) last_ = time;
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const double rainfall = step.basins[b].rainfall;
     Sum& sum = sums_[b];
@@ -41,24 +53,53 @@ void RainPeriods::add(const RainStep& step) {
   }
 }
 
-void RainPeriods::begin(const IsoTime& time, const std::string& text, std::size_t basins) {
+void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
   if (!begun_.insert(number_of(time, totalling_.every)).second) {
-    throw Error({file_, 0,
-                 "time " + quoted(text, 80) + " comes back to " +
+    throw Error({file_, step.line,
+                 "time " + quoted(step.time, 80) + " comes back to " +
                      date_text(time, totalling_.every) + " after another period has begun",
                  "sort the file by time"});
   }
-  period_ = time;
-  sums_.assign(basins, Sum{});
+  first_ = last_ = time;
+  sums_.assign(step.basins.size(), Sum{});
   open_ = true;
 }
 
-void RainPeriods::finish() {
-  if (!open_) return;
-  RainPeriod period{date_text(period_, totalling_.every), {}};
+bool RainPeriods::is_partial() const {
+  using std::chrono::month;
+  using std::chrono::year;
+  const TimePrecision steps = std::min(first_.precision, TimePrecision::day);
+  const auto year_begins = first_.month == 1 && last_.month == 12;
+  if (totalling_.every < TimePrecision::month && steps >= TimePrecision::month && !year_begins)
+    return true;
+  if (totalling_.every == TimePrecision::day || steps < TimePrecision::day) return false;
+  const auto last_day = std::chrono::year_month_day_last(
+      year{last_.year} / month{static_cast<unsigned>(last_.month)} / std::chrono::last);
+  return first_.day != 1 ||
+         static_cast<unsigned>(last_.day) != static_cast<unsigned>(last_day.day());
+}
+
+void RainPeriods::end() {
+  RainPeriod period{date_text(first_, totalling_.every), {}};
   for (const Sum& sum : sums_) period.basins.push_back(total_of(sum));
   open_ = false;
+  if (is_partial() && ++partial_ == 1) {
+    const TimePrecision steps = std::min(first_.precision, TimePrecision::day);
+    first_partial_ = period.time + ", with steps from " + date_text(first_, steps) + " to " +
+                     date_text(last_, steps);
+  }
   take_(period);
+}
+
+void RainPeriods::finish(Warnings& warnings) {
+  if (open_) end();
+  if (partial_ == 0) return;
+  const std::string subject =
+      partial_ == 1 ? "a period lacks steps at its beginning or end: "
+                    : std::to_string(partial_) +
+                          " periods lack steps at their beginning or end, the first is ";
+  warnings.add(
+      {file_, 0, subject + first_partial_ + "; totals are of the steps that there are", ""});
 }
 
 BasinTotal RainPeriods::total_of(const Sum& sum) const {

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/error.h"
 #include "base/iso_time.h"
 #include "geometry/long_sum.h"
 #include "rainfall/rain_series.h"
@@ -45,11 +46,12 @@ class RainPeriods {
   /// `take` gets each period once it has ended; `file` is for messages.
   RainPeriods(Totalling totalling, std::string file, Take take);
 
-  /// Throws Error where the step's time is not ISO 8601 or does not say its period, and where its
-  /// period has ended before.
+  /// Throws Error where the step's time is not ISO 8601 or does not say its period, is that of the
+  /// step before written otherwise, and where its period has ended before.
   void add(const RainStep& step);
-  /// Hands on the last period.
-  void finish();
+  /// Hands on the last period, and warns where periods have no step on their first or last day (or
+  /// month, where steps are months): what is missing there is not counted.
+  void finish(Warnings& warnings);
 
  private:
   struct Sum {
@@ -58,15 +60,22 @@ class RainPeriods {
     std::size_t missing = 0;
   };
 
-  void begin(const IsoTime& time, const std::string& text, std::size_t basins);
+  void begin(const IsoTime& time, const RainStep& step);
+  void end();
+  bool is_partial() const;
   BasinTotal total_of(const Sum& sum) const;
 
   Totalling totalling_;
   std::string file_;
   Take take_;
-  IsoTime period_;  ///< a time in it
+  IsoTime first_;  ///< of the period's steps, by date
+  IsoTime last_;
+  IsoTime before_;  ///< of the step before
+  std::string text_before_;
   std::vector<Sum> sums_;
   std::unordered_set<int> begun_;
+  std::size_t partial_ = 0;
+  std::string first_partial_;
   bool open_ = false;
 };
 

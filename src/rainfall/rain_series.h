@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,12 +16,13 @@ struct RainStep {
   std::vector<double> readings;       ///< by station; NaN where silent
   std::vector<BasinRainfall> basins;  ///< by basin, or by basin and method
   std::string text;                   ///< what `prepare` makes of it
+  std::size_t line = 0;               ///< see TimeStep
 };
 
 /// How a series is computed: what comes out does not depend on it.
 struct SeriesWork {
   unsigned threads = 1;
-  std::size_t steps_in_a_block = 256;  ///< of which two are in memory
+  std::size_t steps_in_a_block = 256;  ///< at the most; two blocks are in memory
 };
 
 /// Reads step after step, computes them and calls `prepare` for each on several threads, then hands

@@ -28,7 +28,8 @@ std::vector<RainPeriod> periods_of(const Steps& steps, Totalling totalling) {
     for (const double value : values) step.basins.push_back({value, 1, 1});
     periods.add(step);
   }
-  periods.finish();
+  Warnings warnings;
+  periods.finish(warnings);
   return taken;
 }
 

@@ -18,6 +18,8 @@ TEST(WatchedReadings, tell_how_much_is_read) {
   EXPECT_EQ(readings.share_read(), 0.25);
   EXPECT_TRUE(readings.next(step) && readings.next(step));
   EXPECT_EQ(readings.share_read(), 0.75);
+  EXPECT_EQ(readings.share_of(0), 0);
+  EXPECT_EQ(readings.share_of(2), 0.5);
 }
 
 }  // namespace
