@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "geometry/long_sum.h"
@@ -12,6 +13,20 @@ namespace thiessen {
 namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+/// Of those that report; NaN: none does.
+double mean_reading(std::span<const StationIndex> stations, std::span<const double> readings) {
+  if (stations.size() == 1) return readings[index(stations.front())];
+  LongSum sum;
+  std::size_t count = 0;
+  for (const StationIndex s : stations) {
+    const double reading = readings[index(s)];
+    if (std::isnan(reading)) continue;
+    sum.add(reading);
+    ++count;
+  }
+  return count == 0 ? no_value : sum.value() / static_cast<double>(count);
+}
 
 /// Of weights by basin, the first of each basin, then the second of each.
 std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
@@ -34,7 +49,7 @@ std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
 
 ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings,
                              unsigned threads)
-    : settings_(settings) {
+    : settings_(settings), network_(weighing.network()) {
   if (settings.gaps == Gaps::retessellate) {
     handovers_ = std::make_unique<const Handovers>(weighing, threads);
     remembered_ = std::make_unique<HandoverCache>(*handovers_, settings.remembered_bytes);
@@ -61,28 +76,10 @@ ArealRainfall::State ArealRainfall::state_of(std::span<const double> readings) c
   for (std::uint32_t p = 0; p < state.of_cell.size(); ++p) {
     const auto stations = cells.stations_of(PlaceIndex{p});
     if (stations.empty()) continue;
-    if (stations.size() == 1) {
-      const double reading = readings[index(stations.front())];
-      state.of_cell[p] = reading;
-      if (std::isnan(reading)) {
-        silent.push_back(PlaceIndex{p});
-      } else {
-        state.any = true;
-      }
-      continue;
-    }
-    LongSum sum;
-    std::size_t count = 0;
-    for (const StationIndex s : stations) {
-      const double reading = readings[index(s)];
-      if (std::isnan(reading)) continue;
-      sum.add(reading);
-      ++count;
-    }
-    if (count == 0) {
+    state.of_cell[p] = mean_reading(stations, readings);
+    if (std::isnan(state.of_cell[p])) {
       silent.push_back(PlaceIndex{p});
     } else {
-      state.of_cell[p] = sum.value() / static_cast<double>(count);
       state.any = true;
     }
   }
@@ -92,8 +89,18 @@ ArealRainfall::State ArealRainfall::state_of(std::span<const double> readings) c
   return state;
 }
 
-std::vector<BasinRainfall> ArealRainfall::retessellated(std::span<const double> readings) const {
-  const State state = state_of(readings);
+std::vector<double> ArealRainfall::cell_readings(std::span<const double> readings) const {
+  std::vector<double> of_cell(network_.places().size());
+  for (std::uint32_t p = 0; p < of_cell.size(); ++p) {
+    const PlaceIndex cell{p};
+    of_cell[p] = mean_reading(
+        handovers_ ? handovers_->cells().stations_of(cell) : network_.stations_at(cell), readings);
+  }
+  return of_cell;
+}
+
+std::vector<BasinRainfall> ArealRainfall::retessellated(const State& state,
+                                                        std::span<const double> readings) const {
   std::vector<LongSum> sums(full_.size());
   for (const CellWeight& full : full_in_turn_) {
     const double reading = state.of_cell[index(full.cell)];
@@ -145,18 +152,72 @@ void ArealRainfall::count_gauges(const State& state, std::span<const double> rea
   }
 }
 
+void ArealRainfall::add_coverage(std::span<const double> readings,
+                                 std::vector<BasinRainfall>& result) const {
+  for (std::size_t b = 0; settings_.accounts && b < full_.size(); ++b)
+    result[b].coverage = coverage(full_[b], readings);
+}
+
 std::vector<BasinRainfall> ArealRainfall::at(std::span<const double> readings) const {
   std::vector<BasinRainfall> result;
-  if (settings_.gaps == Gaps::retessellate) {
-    result = retessellated(readings);
+  if (handovers_) {
+    result = retessellated(state_of(readings), readings);
   } else {
     for (const BasinWeights& weights : full_)
       result.push_back(
           rainfall_of_full_network(weights, readings, settings_.gaps, settings_.min_gauges));
   }
-  for (std::size_t b = 0; settings_.accounts && b < full_.size(); ++b)
-    result[b].coverage = coverage(full_[b], readings);
+  add_coverage(readings, result);
   return result;
+}
+
+std::vector<BasinRainfall> ArealRainfall::at(std::span<const double> readings,
+                                             CellAccount& account) const {
+  if (!handovers_) {
+    account.readings = cell_readings(readings);
+    if (settings_.gaps == Gaps::renormalise) account.change = silent_weights(readings);
+    return at(readings);
+  }
+  State state = state_of(readings);
+  std::vector<BasinRainfall> result = retessellated(state, readings);
+  add_coverage(readings, result);
+  account.change = change_of(state);
+  account.readings = std::move(state.of_cell);
+  return result;
+}
+
+std::vector<CellWeight> ArealRainfall::change_of(const State& state) const {
+  std::vector<CellWeight> change;
+  for (const CellWeight& full : handovers_->full()) {
+    if (std::isnan(state.of_cell[index(full.cell)]))
+      change.push_back({full.basin, full.cell, -full.weight});
+  }
+  for (const auto& handover : state.handovers)
+    change.insert(change.end(), handover->begin(), handover->end());
+  return change;
+}
+
+std::vector<CellWeight> ArealRainfall::silent_weights(std::span<const double> readings) const {
+  std::vector<CellWeight> change;
+  for (std::uint32_t b = 0; b < full_.size(); ++b) {
+    for (const StationWeight& s : full_[b].stations) {
+      if (std::isnan(readings[index(s.station)]))
+        change.push_back({b, network_.place_of(s.station), -s.weight});
+    }
+  }
+  return change;
+}
+
+std::vector<CellWeight> ArealRainfall::full_cells() const {
+  if (handovers_) return handovers_->full();
+  std::vector<CellWeight> cells;
+  for (std::uint32_t b = 0; b < full_.size(); ++b) {
+    std::map<PlaceIndex, LongSum> weights;
+    for (const StationWeight& s : full_[b].stations)
+      weights[network_.place_of(s.station)].add(s.weight);
+    for (const auto& [place, weight] : weights) cells.push_back({b, place, weight.value()});
+  }
+  return cells;
 }
 
 std::vector<BasinWeights> ArealRainfall::weights_at(std::span<const double> readings) const {

@@ -13,6 +13,15 @@
 
 namespace thiessen {
 
+/// What values at one time are made of, by cell: a cell's stations, that of a place where silent
+/// gauges hand nothing over, count as one gauge.
+struct CellAccount {
+  std::vector<double> readings;  ///< by cell, the mean of its stations that report; NaN: none does
+  /// What is added to the full network's weights, in any order and perhaps in several parts; then
+  /// all of a basin are divided by their sum.
+  std::vector<CellWeight> change;
+};
+
 struct ArealRainfallSettings {
   Gaps gaps = Gaps::retessellate;
   std::size_t min_gauges = 1;  ///< fewer that weigh give no value
@@ -35,6 +44,14 @@ class ArealRainfall : public StepRainfall {
   std::vector<BasinRainfall> at(std::span<const double> readings) const override;
   std::vector<BasinWeights> weights_at(std::span<const double> readings) const override;
 
+  /// The same, and what the values are made of; where a basin has none its change says nothing.
+  std::vector<BasinRainfall> at(std::span<const double> readings, CellAccount& account) const;
+
+  /// The full network's weights of the account's cells, by basin, then by cell.
+  std::vector<CellWeight> full_cells() const;
+  /// The account's readings.
+  std::vector<double> cell_readings(std::span<const double> readings) const;
+
  private:
   /// What the cells read and hand over at one time.
   struct State {
@@ -44,13 +61,18 @@ class ArealRainfall : public StepRainfall {
   };
 
   State state_of(std::span<const double> readings) const;
-  std::vector<BasinRainfall> retessellated(std::span<const double> readings) const;
+  std::vector<BasinRainfall> retessellated(const State& state,
+                                           std::span<const double> readings) const;
+  std::vector<CellWeight> change_of(const State& state) const;
+  std::vector<CellWeight> silent_weights(std::span<const double> readings) const;
+  void add_coverage(std::span<const double> readings, std::vector<BasinRainfall>& result) const;
   void count_gauges(const State& state, std::span<const double> readings,
                     std::vector<BasinRainfall>& result) const;
   std::vector<CellWeight> weights_of(const State& state) const;
   std::size_t reporting_in(PlaceIndex cell, std::span<const double> readings) const;
 
   ArealRainfallSettings settings_;
+  const Network& network_;
   std::unique_ptr<const Handovers> handovers_;  // to retessellate
   mutable std::unique_ptr<HandoverCache> remembered_;
   std::vector<BasinWeights> full_;

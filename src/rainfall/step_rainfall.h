@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct BasinRainfall {
   double rainfall;  ///< sum of weight x reading, in the readings' unit; NaN where it cannot be had
   std::size_t gauges;  ///< that weigh in the value
   double coverage;     ///< share of the basin that the full network gives to gauges that report
+  /// Of the rainfall, where it was asked for (see RainfallError) and can be had; else NaN.
+  double standard_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Turns readings into areal rainfall. Safe for several threads at once; what it gives depends on
