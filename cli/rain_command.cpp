@@ -1,6 +1,9 @@
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands.h"
 #include "cli/option_values.h"
@@ -11,6 +14,7 @@
 #include "cli/session.h"
 #include "io/weights_log.h"
 #include "rainfall/gauge_patterns.h"
+#include "rainfall/rainfall_error.h"
 
 namespace thiessen::cli {
 namespace {
@@ -28,6 +32,11 @@ class RainCommand : public Command {
     rainfall_.add_to(app, Need::required);
     method_.add_to(app);
     gaps_.add_to(app);
+    app.add_flag("--error", errors_,
+                 "the standard error of each value, in columns BASIN_se after all others, or with "
+                 "--long in a column se: how far it may be off the true mean, by how the gauges "
+                 "differ with distance. RAINFALL is read twice; empty where fewer than five gauges "
+                 "report, or all that do read the same");
     format_.add_to(app);
     periods_.add_to(app);
     output_.add_to(app, Need::optional, "rain.csv",
@@ -45,18 +54,27 @@ class RainCommand : public Command {
       throw UsageError{"--weights-log is the account of one method, and --method says all",
                        "give one of thiessen, arithmetic, idw and natural"};
     }
+    check_errors_can_be_had(method);
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
     Session session(study_, 0, warnings);
-    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
+    format.errors = errors_;
     format.methods = names_of_methods(method);
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format.rows_for_basins && !periods_.totalling();
-    const auto rainfall = rainfall_by(method_, session.weighing(), settings, threads, warnings);
+    std::unique_ptr<const ArealRainfall> values;
+    std::unique_ptr<const StepRainfall> rainfall;
+    if (errors_) {
+      values = std::make_unique<const ArealRainfall>(session.weighing(), settings, threads);
+      rainfall = fit_errors(session, *values, warnings);
+    } else {
+      rainfall = rainfall_by(method_, session.weighing(), settings, threads, warnings);
+    }
+    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     RainTable series(file, session.basins(), format, periods_.totalling(), rainfall_.name());
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, session.weighing());
@@ -79,6 +97,53 @@ class RainCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
+  void check_errors_can_be_had(RainMethod method) const {
+    if (!errors_) return;
+    if (method != RainMethod::thiessen) {
+      throw UsageError{"--error is of Thiessen's weights, and --method wants others",
+                       "leave one of them out"};
+    }
+    if (periods_.totalling()) {
+      throw UsageError{
+          "--error is of steps, and --every sums them: how far their errors cancel is "
+          "not known",
+          "leave one of them out, or sum the readings first"};
+    }
+    if (rainfall_.rainfall == "-") {
+      throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
+                       "give a file"};
+    }
+    std::error_code none;
+    const auto kind = std::filesystem::status(rainfall_.rainfall, none).type();
+    using Kind = std::filesystem::file_type;
+    if (kind == Kind::fifo || kind == Kind::character || kind == Kind::socket) {
+      throw UsageError{
+          "--error reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
+          ""};
+    }
+  }
+
+  /// Reads RAINFALL for the first time; what is odd in it is told of the second time.
+  std::unique_ptr<const RainfallError> fit_errors(Session& session, const ArealRainfall& values,
+                                                  Warnings& warnings) const {
+    Warnings told_later;
+    const auto readings = session.open_readings(study_, rainfall_, told_later, periods_.times());
+    const std::size_t stations = session.network().stations().size();
+    StepSample sample(stations, steps_for_errors(stations));
+    Progress progress("time steps looked through", common_.quiet,
+                      [&] { return readings->share_read(); });
+    for (TimeStep step; readings->next(step); progress.advance()) {
+      throw_if_interrupted();
+      sample.add(step.readings);
+    }
+    auto error = std::make_unique<const RainfallError>(values, session.weighing(), sample,
+                                                       static_cast<unsigned>(common_.threads));
+    if (!error->shortfall().empty()) {
+      warnings.add({rainfall_.name(), 0, "no standard errors: " + error->shortfall(), ""});
+    }
+    return error;
+  }
+
   StudyOptions study_;
   RainfallOptions rainfall_;
   MethodOptions method_;
@@ -87,6 +152,7 @@ class RainCommand : public Command {
   PeriodOptions periods_;
   OutputOptions output_;
   std::string weights_log_;
+  bool errors_ = false;
   CommonOptions common_;
 };
 

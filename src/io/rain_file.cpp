@@ -5,9 +5,15 @@
 #include <utility>
 
 #include "base/number.h"
+#include "io/column_names.h"
 #include "io/csv_writer.h"
 
 namespace thiessen {
+namespace {
+
+constexpr const char* error_suffix = "_se";
+
+}  // namespace
 
 std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const RainFormat& format) {
   std::vector<std::string> columns;
@@ -31,14 +37,27 @@ RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainForma
     : file_(file), basins_(basins), format_(std::move(format)) {
   if (format_.rows_for_basins) {
     file_.append(format_.methods.empty() ? "time,basin," : "time,basin,method,");
-    file_.append(format_.patterns ? "rainfall,gauges,coverage,pattern\n"
-                                  : "rainfall,gauges,coverage\n");
+    std::string columns = "rainfall,gauges,coverage";
+    if (format_.errors) columns += ",se";
+    if (format_.patterns) columns += ",pattern";
+    file_.append(columns + '\n');
     return;
   }
+  // A method's name between the two keeps them apart.
+  if (format_.errors && format_.methods.empty()) check_column_names(basins_, error_suffix);
+  write_header();
+}
+
+void RainFile::write_header() {
   std::string row = "time";
-  for (const std::string& column : rain_columns(basins_, format_)) {
+  const std::vector<std::string> columns = rain_columns(basins_, format_);
+  for (const std::string& column : columns) {
     row += ',';
     append_csv_field(row, column);
+  }
+  for (std::size_t i = 0; format_.errors && i < columns.size(); ++i) {
+    row += ',';
+    append_csv_field(row, columns[i] + error_suffix);
   }
   row += '\n';
   file_.append(row);
@@ -50,10 +69,18 @@ std::string RainFile::text_of(const RainStep& step, std::size_t pattern) const {
   append_csv_field(row, step.time);
   for (const BasinRainfall& basin : step.basins) {
     row += ',';
-    if (!std::isnan(basin.rainfall)) append_fixed(row, basin.rainfall, format_.decimals);
+    append_value(row, basin.rainfall);
+  }
+  for (std::size_t b = 0; format_.errors && b < step.basins.size(); ++b) {
+    row += ',';
+    append_value(row, step.basins[b].standard_error);
   }
   row += '\n';
   return row;
+}
+
+void RainFile::append_value(std::string& row, double value) const {
+  if (!std::isnan(value)) append_fixed(row, value, format_.decimals);
 }
 
 std::string RainFile::row_for_each_basin(const RainStep& step, std::size_t pattern) const {
@@ -62,9 +89,13 @@ std::string RainFile::row_for_each_basin(const RainStep& step, std::size_t patte
     const BasinRainfall& basin = step.basins[b];
     append_rain_key(rows, step.time, b, basins_, format_);
     rows += ',';
-    if (!std::isnan(basin.rainfall)) append_fixed(rows, basin.rainfall, format_.decimals);
+    append_value(rows, basin.rainfall);
     rows += ',' + std::to_string(basin.gauges) + ',';
     append_shortest(rows, basin.coverage);
+    if (format_.errors) {
+      rows += ',';
+      append_value(rows, basin.standard_error);
+    }
     if (format_.patterns) rows += ',' + std::to_string(pattern);
     rows += '\n';
   }

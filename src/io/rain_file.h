@@ -17,19 +17,24 @@ struct RainFormat {
   /// for basins that have a column `method`. Empty: there is one, which is not named.
   std::vector<std::string> methods = {};
   bool patterns = false;  ///< rows for basins have a column `pattern`: see WeightsLog
+  bool errors = false;    ///< standard errors, too: columns `<basin id>_se`, or a column `se`
 };
 
-/// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...`, or
-/// `time,basin[,method],rainfall,gauges,coverage[,pattern]`. A value that cannot be had is empty.
+/// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...[,<basin
+/// id>_se,...]`, or `time,basin[,method],rainfall,gauges,coverage[,se][,pattern]`. A value that
+/// cannot be had is empty.
 class RainFile {
  public:
-  /// Writes the header. The file and the basins must outlive it.
+  /// Writes the header. The file and the basins must outlive it. Throws Error where two columns
+  /// would have one name.
   RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format);
   /// A step's rows. Safe for several threads at once.
   std::string text_of(const RainStep& step, std::size_t pattern = 0) const;
   void append(std::string_view text) { file_.append(text); }
 
  private:
+  void write_header();
+  void append_value(std::string& row, double value) const;
   std::string row_for_each_basin(const RainStep& step, std::size_t pattern) const;
 
   OutputFile& file_;

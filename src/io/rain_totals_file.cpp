@@ -1,32 +1,16 @@
 #include "io/rain_totals_file.h"
 
 #include <cmath>
-#include <unordered_set>
 #include <utility>
 
-#include "base/error.h"
 #include "base/number.h"
-#include "base/utf8.h"
+#include "io/column_names.h"
 #include "io/csv_writer.h"
 
 namespace thiessen {
 namespace {
 
 constexpr const char* missing_suffix = "_missing";
-
-// A method's name between the two keeps them apart.
-void check_names(const std::vector<Basin>& basins) {
-  std::unordered_set<std::string> ids;
-  for (const Basin& basin : basins) ids.insert(basin.id);
-  for (const Basin& basin : basins) {
-    const std::string second = basin.id + missing_suffix;
-    if (ids.count(second) == 0) continue;
-    throw Error({"", 0,
-                 "basins " + quoted(basin.id) + " and " + quoted(second) +
-                     " would both have a column of the latter name",
-                 "--long has a row a basin"});
-  }
-}
 
 }  // namespace
 
@@ -37,7 +21,8 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
     file_.append(format_.methods.empty() ? "time,basin,rainfall,missing\n"
                                          : "time,basin,method,rainfall,missing\n");
   } else {
-    if (format_.methods.empty()) check_names(basins_);
+    // A method's name between the two keeps them apart.
+    if (format_.methods.empty()) check_column_names(basins_, missing_suffix);
     write_header();
   }
 }
