@@ -116,6 +116,18 @@ void RainfallError::weigh(const Weighing& weighing, unsigned threads) {
   });
 }
 
+std::vector<double> RainfallError::mean_squares_at(std::span<const double> readings) const {
+  CellAccount account;
+  const std::vector<BasinRainfall> rainfall = rainfall_.at(readings, account);
+  const WeightsOfBasins changes(account.change, rainfall.size(), sites_);
+  std::vector<double> squares;
+  for (std::size_t b = 0; b < rainfall.size(); ++b) {
+    squares.push_back(std::isnan(rainfall[b].rainfall) ? rainfall[b].rainfall
+                                                       : basins_[b]->mean_square(changes.of(b)));
+  }
+  return squares;
+}
+
 std::vector<BasinRainfall> RainfallError::at(std::span<const double> readings) const {
   if (!variance_) return rainfall_.at(readings);
   CellAccount account;

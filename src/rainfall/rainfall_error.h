@@ -60,6 +60,12 @@ class RainfallError : public StepRainfall {
     return rainfall_.weights_at(readings);
   }
 
+  /// Of its parts, by basin: the mean square of the error in units of the field's variance, by the
+  /// weights alone; NaN where there is no value. Requires no shortfall.
+  std::vector<double> mean_squares_at(std::span<const double> readings) const;
+  const StepVariance& variance() const { return *variance_; }
+  const Sites& sites() const { return sites_; }
+
  private:
   StepSample by_site(const StepSample& sample) const;
   std::vector<double> by_site(const std::vector<double>& of_cell) const;

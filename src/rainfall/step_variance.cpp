@@ -66,9 +66,29 @@ FieldVariance StepVariance::of(std::span<const double> readings) const {
   }
   if (result.gauges < least_reporting || !(squares > 0) || !(expected > 0)) return result;
   result.variance = squares / expected;
-  result.degrees = degrees_ * static_cast<double>(result.gauges - 1) /
-                   static_cast<double>(std::max<std::size_t>(sites_.size(), 2) - 1);
+  result.degrees = degrees_of(result.gauges);
   return result;
+}
+
+FieldVariance StepVariance::of(std::span<const SquaredDifference> differences,
+                               std::size_t gauges) const {
+  double squares = 0;
+  double expected = 0;
+  for (const SquaredDifference& d : differences) {
+    const double semivariance = variogram_(sites_[d.a], sites_[d.b]);
+    squares += weight(semivariance) * d.square;
+    expected += 2 * weight(semivariance) * semivariance;
+  }
+  FieldVariance result{std::numeric_limits<double>::quiet_NaN(), 0, gauges};
+  if (gauges < least_reporting || !(squares > 0) || !(expected > 0)) return result;
+  result.variance = squares / expected;
+  result.degrees = degrees_of(gauges);
+  return result;
+}
+
+double StepVariance::degrees_of(std::size_t gauges) const {
+  return degrees_ * static_cast<double>(gauges - 1) /
+         static_cast<double>(std::max<std::size_t>(sites_.size(), 2) - 1);
 }
 
 std::vector<StepVariance::Pair> StepVariance::pairs_of_all(std::size_t sites) const {
