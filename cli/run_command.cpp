@@ -9,6 +9,7 @@
 #include "cli/summary.h"
 #include "io/weights_file.h"
 #include "rainfall/gauge_readings.h"
+#include "rainfall/mean_error.h"
 
 namespace thiessen::cli {
 namespace {
@@ -57,6 +58,7 @@ class RunCommand : public Command {
     RainTable series(rain_file, session.basins(), format_.format(), periods_.totalling(),
                      rainfall_.name());
     MeanReadings means(session.network().stations().size());
+    MeanError error(rainfall, session.weighing());
     Summary summary(session, rainfall.full_weights());
     {
       Progress progress("time step", common_.quiet,
@@ -66,12 +68,14 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
+            error.add(step.readings);
             summary.add(step);
             progress.advance();
           });
     }
     series.finish(warnings);
     const GaugeReadings mean = means.result();
+    if (!common_.quiet) summary.set_errors_of_mean(error.result(threads));
     const auto cells = cells_of(session, &mean, threads);
     cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
     warn_of_own_coordinates(session, cells_file.name(), warnings);

@@ -38,18 +38,21 @@ std::string Summary::text(const std::string& units) const {
   const bool known = session_.area_unit().km2 != 1;
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
-                  "largest weight", "mean" + unit, "largest" + unit, "empty steps"});
+                  "largest weight", "mean" + unit, "standard error", "largest" + unit,
+                  "empty steps"});
   for (std::size_t b = 0; b < lines_.size(); ++b) {
     const Line& line = lines_[b];
     double largest_weight = 0;
     for (const StationWeight& s : weights_[b].stations)
       largest_weight = std::max(largest_weight, s.weight);
     const bool has_values = line.values > 0;
+    const bool has_error = has_values && b < errors_.size() && !std::isnan(errors_[b]);
     rows.push_back({printable(session_.basins()[b].id),
                     fixed_text(weights_[b].area * session_.area_unit().km2, 2),
                     std::to_string(line.inside), std::to_string(weights_[b].stations.size()),
                     fixed_text(largest_weight, 3),
                     has_values ? fixed_text(line.sum / static_cast<double>(line.values), 2) : "-",
+                    has_error ? fixed_text(errors_[b], 2) : "-",
                     has_values ? fixed_text(line.largest, 2) : "-", std::to_string(line.empty)});
   }
   return aligned(rows);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/session.h"
@@ -9,11 +10,13 @@
 namespace thiessen::cli {
 
 /// What `run` says in the end: for each basin its area, the gauges inside and weighing, the largest
-/// weight, the mean and the largest rainfall, and the steps without a value.
+/// weight, the mean rainfall and its standard error, the largest, and the steps without a value.
 class Summary {
  public:
   Summary(const Session& session, const std::vector<BasinWeights>& weights);
   void add(const RainStep& step);
+  /// Of the mean over all steps, by basin; NaN where it cannot be had, as without this.
+  void set_errors_of_mean(std::vector<double> errors) { errors_ = std::move(errors); }
   /// Lines of aligned columns.
   std::string text(const std::string& units) const;
 
@@ -28,6 +31,7 @@ class Summary {
   const Session& session_;
   const std::vector<BasinWeights>& weights_;
   std::vector<Line> lines_;
+  std::vector<double> errors_;
 };
 
 }  // namespace thiessen::cli
