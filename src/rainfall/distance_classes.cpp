@@ -138,6 +138,7 @@ std::vector<DistanceClass> classes_of(const std::vector<Pair>& pairs, const Site
     sum.pairs += 1;
   }
   std::vector<DistanceClass> classes;
+  classes.reserve(sums.size());
   for (const auto& [number, sum] : sums)
     classes.push_back({sum.distance / sum.pairs, sum.semivariance / sum.pairs, sum.pairs});
   return classes;
