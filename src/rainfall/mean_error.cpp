@@ -51,44 +51,69 @@ void MeanError::add(std::span<const double> readings) {
   }
 }
 
-FieldVariance MeanError::variance(const StepVariance& of_field) const {
+MeanError::Variance MeanError::variance(const StepVariance& of_field) const {
   std::size_t most = 1;
   for (const Pair& pair : pairs_) most = std::max(most, pair.steps);
-  std::vector<SquaredDifference> differences;
+  std::vector<SquaredDifference> whole;
+  std::vector<SquaredDifference> passing;
   std::unordered_set<std::uint32_t> gauges;
   for (const Pair& pair : pairs_) {
     if (pair.steps < 2 || 2 * pair.steps < most) continue;
     const auto count = static_cast<double>(pair.steps);
     const double mean = pair.sum / count;
     const double scatter = (pair.squares - pair.sum * mean) / (count - 1);
-    const double lost = scatter * (1 / count - 1 / static_cast<double>(steps_));
-    differences.push_back({pair.a, pair.b, mean * mean - lost});
+    const double over_all = scatter / static_cast<double>(steps_);
+    whole.push_back({pair.a, pair.b, mean * mean - scatter / count + over_all});
+    passing.push_back({pair.a, pair.b, over_all});
     gauges.insert({pair.a, pair.b});
   }
-  return of_field.of(differences, gauges.size());
+  return {of_field.of(whole, gauges.size()), of_field.of(passing, gauges.size()).variance};
+}
+
+MeanError::Squares MeanError::squares(const RainfallError& error, unsigned threads) const {
+  const std::size_t basins = weighing_.basins().size();
+  const std::size_t steps = std::min(sample_.steps(), weighed_steps);
+  std::vector<CellAccount> accounts(steps);
+  std::vector<std::vector<BasinRainfall>> values(steps);
+  std::vector<std::vector<double>> at_step(steps);
+  in_parallel(steps, threads, [&](std::size_t, std::size_t i) {
+    values[i] = rainfall_.at(sample_[i * sample_.steps() / steps], accounts[i]);
+    at_step[i] = error.mean_squares(accounts[i].change);
+  });
+  std::vector<double> count(basins, 0);
+  Squares result{std::vector<double>(basins, 0), {}};
+  for (std::size_t i = 0; i < steps; ++i) {
+    for (std::size_t b = 0; b < basins; ++b) {
+      if (std::isnan(values[i][b].rainfall)) continue;
+      result.mean[b] += at_step[i][b];
+      ++count[b];
+    }
+  }
+  std::vector<CellWeight> mean_change;
+  for (std::size_t i = 0; i < steps; ++i) {
+    for (const CellWeight& c : accounts[i].change) {
+      if (!std::isnan(values[i][c.basin].rainfall))
+        mean_change.push_back({c.basin, c.cell, c.weight / count[c.basin]});
+    }
+  }
+  result.of_mean = error.mean_squares(mean_change);
+  for (std::size_t b = 0; b < basins; ++b) result.mean[b] /= count[b];  // NaN where there is none
+  return result;
 }
 
 std::vector<double> MeanError::result(unsigned threads) const {
   std::vector<double> errors(weighing_.basins().size(), std::numeric_limits<double>::quiet_NaN());
   const RainfallError error(rainfall_, weighing_, sample_, threads);
   if (!error.shortfall().empty()) return errors;
-  const FieldVariance field = variance(error.variance());
-  if (std::isnan(field.variance)) return errors;
-  const std::size_t steps = std::min(sample_.steps(), weighed_steps);
-  std::vector<std::vector<double>> squares(steps);
-  in_parallel(steps, threads, [&](std::size_t, std::size_t i) {
-    squares[i] = error.mean_squares_at(sample_[i * sample_.steps() / steps]);
-  });
+  const Variance field = variance(error.variance());
+  if (std::isnan(field.whole.variance)) return errors;
+  const double passing = std::isnan(field.passing) ? 0 : field.passing;
+  const double lasting = field.whole.variance - passing;
+  const double widening = StepVariance::widening(field.whole.degrees);
+  const Squares weights = squares(error, threads);
   for (std::size_t b = 0; b < errors.size(); ++b) {
-    double sum = 0;
-    double count = 0;
-    for (const auto& at_step : squares) {
-      if (std::isnan(at_step[b])) continue;
-      sum += at_step[b];
-      ++count;
-    }
-    if (count > 0)
-      errors[b] = StepVariance::widening(field.degrees) * std::sqrt(field.variance * sum / count);
+    const double square = passing * weights.mean[b] + lasting * weights.of_mean[b];
+    if (!std::isnan(square)) errors[b] = widening * std::sqrt(std::max(0.0, square));
   }
   return errors;
 }

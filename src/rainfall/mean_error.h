@@ -13,15 +13,17 @@
 
 namespace thiessen {
 
+class RainfallError;
+
 /// The standard error of the mean rainfall over a series, by basin, in one pass.
 ///
 /// As RainfallError has it of one step, but with the variance that near gauges' mean differences
 /// tell, over the steps that both report: so what cancels from step to step cancels here, and what
 /// lasts does not. Two gauges count where they report together at half as many steps or more as the
-/// two that do so most often; what their mean difference would have lost over all steps, were it
-/// for the scatter of single ones, is taken off its square. The mean square for the weights is that
-/// of a sample of the steps, in the mean. With errors independent from step to step it is what
-/// adding up their squares gives.
+/// two that do so most often. What of the mean differences' squares the scatter of single steps
+/// explains, were steps independent, comes and goes: it counts with the mean square for the weights
+/// of a step, in the mean over a sample of them. The rest lasts, and counts with that for the mean
+/// of these weights: where now this gauge is silent and now that, its error cancels in part.
 ///
 /// Cost of a step: six differences a gauge. In the end: RainfallError's, and a hundred of its
 /// steps. Memory: 100 bytes a gauge, and the sample.
@@ -44,7 +46,19 @@ class MeanError {
   };
 
   void add_pairs();
-  FieldVariance variance(const StepVariance& of_field) const;
+  /// The variance of the mean field, and how much of it comes and goes.
+  struct Variance {
+    FieldVariance whole;
+    double passing;
+  };
+  /// By basin, the mean square for the weights of a step, in the mean, and for the mean weights.
+  struct Squares {
+    std::vector<double> mean;
+    std::vector<double> of_mean;
+  };
+
+  Variance variance(const StepVariance& of_field) const;
+  Squares squares(const RainfallError& error, unsigned threads) const;
 
   const ArealRainfall& rainfall_;
   const Weighing& weighing_;

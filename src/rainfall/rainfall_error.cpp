@@ -116,15 +116,11 @@ void RainfallError::weigh(const Weighing& weighing, unsigned threads) {
   });
 }
 
-std::vector<double> RainfallError::mean_squares_at(std::span<const double> readings) const {
-  CellAccount account;
-  const std::vector<BasinRainfall> rainfall = rainfall_.at(readings, account);
-  const WeightsOfBasins changes(account.change, rainfall.size(), sites_);
-  std::vector<double> squares;
-  for (std::size_t b = 0; b < rainfall.size(); ++b) {
-    squares.push_back(std::isnan(rainfall[b].rainfall) ? rainfall[b].rainfall
-                                                       : basins_[b]->mean_square(changes.of(b)));
-  }
+std::vector<double> RainfallError::mean_squares(const std::vector<CellWeight>& change) const {
+  const WeightsOfBasins changes(change, basins_.size(), sites_);
+  std::vector<double> squares(basins_.size());
+  for (std::size_t b = 0; b < squares.size(); ++b)
+    squares[b] = basins_[b]->mean_square(changes.of(b));
   return squares;
 }
 

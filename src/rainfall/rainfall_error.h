@@ -60,9 +60,9 @@ class RainfallError : public StepRainfall {
     return rainfall_.weights_at(readings);
   }
 
-  /// Of its parts, by basin: the mean square of the error in units of the field's variance, by the
-  /// weights alone; NaN where there is no value. Requires no shortfall.
-  std::vector<double> mean_squares_at(std::span<const double> readings) const;
+  /// Of its parts, by basin: the mean square of the error in units of the field's variance, where
+  /// weights change as in CellAccount. Requires no shortfall.
+  std::vector<double> mean_squares(const std::vector<CellWeight>& change) const;
   const StepVariance& variance() const { return *variance_; }
   const Sites& sites() const { return sites_; }
 

@@ -90,7 +90,7 @@ class Series {
 };
 
 // Whether errors cancel from step to step or last, and with gaps, the mean's bars hold the truth in
-// 93 to 97 % of cases.
+// 93 to 97 % of cases, of which 2,000 tell to half a percent.
 TEST(MeanError, has_bars_that_hold_the_true_mean) {
   Seeded seeded;
   const std::vector<Basin> basins = quarters();
@@ -120,8 +120,8 @@ TEST(MeanError, has_bars_that_hold_the_true_mean) {
       }
     }
     std::printf("%-32s %5.2f %%\n", setting.name, 100 * within / bars);
-    EXPECT_GE(within / bars, 0.93) << setting.name;
-    EXPECT_LE(within / bars, 0.97) << setting.name;
+    EXPECT_GE(within / bars, 0.925) << setting.name;
+    EXPECT_LE(within / bars, 0.975) << setting.name;
   }
 }
 
