@@ -119,6 +119,17 @@ void RainfallOptions::add_to(CLI::App& app, Need need) {
          "GHCN-Daily: a .dly file, or a folder of them")
       ->required(need == Need::required)
       ->type_name("");
+  add_meaning_to(app);
+}
+
+void RainfallOptions::add_as_option_to(CLI::App& app, const std::string& name,
+                                       const std::string& help) {
+  add_text(app, name, rainfall, "RAINFALL", help);
+  app.option_defaults()->group("Readings");
+  add_meaning_to(app);
+}
+
+void RainfallOptions::add_meaning_to(CLI::App& app) {
   app.add_option("--missing", readings_.missing,
                  "a further text or number that means no reading; may be repeated")
       ->type_name("V")
@@ -156,6 +167,11 @@ void GapOptions::add_to(CLI::App& app) {
       "full network's weights scaled to them, or no value");
   add_count(app, "--min-gauges", settings_.min_gauges, 1, 1'000'000'000,
             "leave a value empty where fewer gauges weigh; default 1");
+  add_cache_to(app);
+}
+
+void GapOptions::add_cache_to(CLI::App& app) {
+  app.option_defaults()->group("Method");
   add_count(app, "--cache", cache_, 0, 1'000'000,
             "MB of memory for what silent gauges' neighbours take over; default 256. It changes "
             "no value");
@@ -194,7 +210,7 @@ void RainFormatOptions::add_to(CLI::App& app) {
   add_count(app, "--decimals", decimals_, 0, 15, "decimals of rainfall; default 3");
 }
 
-void PeriodOptions::add_to(CLI::App& app) {
+void PeriodOptions::add_range_to(CLI::App& app) {
   app_ = &app;
   app.option_defaults()->group("Readings");
   add_time(app, "--from", range_.from,
@@ -202,6 +218,10 @@ void PeriodOptions::add_to(CLI::App& app) {
            "own clock");
   add_time(app, "--to", range_.to,
            "only the steps up to this time, and with it: a year, month or day to its end");
+}
+
+void PeriodOptions::add_to(CLI::App& app) {
+  add_range_to(app);
   app.option_defaults()->group("Output");
   add_choice<std::optional<TimePrecision>>(
       app, "--every", every_,
@@ -216,7 +236,8 @@ void PeriodOptions::add_to(CLI::App& app) {
 }
 
 std::optional<StepTimes> PeriodOptions::times() const {
-  if (app_->count("--allow-missing") > 0 && !every_) {
+  const CLI::Option* allow_missing = app_->get_option_no_throw("--allow-missing");
+  if (allow_missing != nullptr && allow_missing->count() > 0 && !every_) {
     throw UsageError{"--allow-missing is about totals, and there is no --every",
                      "give --every day, month or year, or leave it out"};
   }

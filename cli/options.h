@@ -49,6 +49,8 @@ struct RainfallOptions {
   std::string rainfall;
 
   void add_to(CLI::App& app, Need need);
+  /// RAINFALL as the value of an option.
+  void add_as_option_to(CLI::App& app, const std::string& name, const std::string& help);
   /// `decimal_comma` is an option of the study.
   ReadingsOptions readings(bool decimal_comma) const;
   bool given() const { return !rainfall.empty(); }
@@ -56,12 +58,16 @@ struct RainfallOptions {
   std::string name() const { return rainfall == "-" ? "standard input" : rainfall; }
 
  private:
+  void add_meaning_to(CLI::App& app);
+
   ReadingsOptions readings_;
 };
 
 /// How steps with silent gauges are treated.
 struct GapOptions {
   void add_to(CLI::App& app);
+  /// Only how much may be remembered.
+  void add_cache_to(CLI::App& app);
   ArealRainfallSettings settings() const {
     ArealRainfallSettings settings = settings_;
     settings.remembered_bytes = cache_ << 20U;
@@ -102,6 +108,8 @@ struct RainFormatOptions {
 /// Which steps count, and what they are summed over.
 struct PeriodOptions {
   void add_to(CLI::App& app);
+  /// Only which steps count.
+  void add_range_to(CLI::App& app);
   /// What that asks of the times, if anything. Throws UsageError for options that contradict each
   /// other.
   std::optional<StepTimes> times() const;

@@ -1,11 +1,21 @@
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "base/outputs.h"
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/session.h"
+#include "io/influence_file.h"
 #include "io/weights_file.h"
+#include "rainfall/influence.h"
+#include "rainfall/step_blocks.h"
 
 namespace thiessen::cli {
 namespace {
+
+constexpr std::size_t steps_in_a_block = 64;
 
 class WeightsCommand : public Command {
  public:
@@ -17,25 +27,78 @@ class WeightsCommand : public Command {
     return "samples/textbook/stations.csv samples/textbook/basin.csv";
   }
   void set_up(CLI::App& app) override {
+    app_ = &app;
     study_.add_to(app, Need::required);
+    app.option_defaults()->group("What if");
+    rainfall_.add_as_option_to(
+        app, "--influence",
+        "what each gauge is worth by these readings (- reads standard input): CSV "
+        "basin,station,weight,rms_change,mean_change, of what a basin's rainfall changes by where "
+        "the gauge is left out");
+    range_.add_range_to(app);
+    gaps_.add_cache_to(app);
     output_.add_to(app, Need::optional, "weights.csv",
                    "where the table goes; default standard output");
     common_.add_to(app);
   }
 
   void run(Warnings& warnings) override {
-    Outputs outputs(output_.rules({study_.stations, study_.basins}));
+    check_options();
+    const std::optional<StepTimes> times = range_.times();
+    Outputs outputs(output_.rules(inputs()));
     OutputFile& file = outputs.add(output_.output);
-    const Session session(study_, 0, warnings);
-    const auto weights =
-        session.weighing().weights(session.all_report(), static_cast<unsigned>(common_.threads));
-    write_weights(file, session.weighing(), weights, session.area_unit());
+    Session session(study_, 0, warnings);
+    if (rainfall_.given()) {
+      write_influence(file, session.weighing(), influence(session, times, warnings));
+    } else {
+      write_weights(file, session.weighing(),
+                    session.weighing().weights(session.all_report(), threads()),
+                    session.area_unit());
+    }
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
 
  private:
+  unsigned threads() const { return static_cast<unsigned>(common_.threads); }
+
+  std::vector<std::string> inputs() const {
+    std::vector<std::string> files{study_.stations, study_.basins};
+    if (rainfall_.given()) files.push_back(rainfall_.rainfall);
+    return files;
+  }
+
+  void check_options() const {
+    if (rainfall_.given()) return;
+    for (const char* option :
+         {"--missing", "--trace", "--time-field", "--station-field", "--value-field",
+          "--ignore-unknown", "--keep-flagged", "--from", "--to", "--cache"}) {
+      if (app_->count(option) > 0) {
+        throw UsageError{std::string(option) + " is about readings, and there is no --influence",
+                         "give --influence RAINFALL, or leave it out"};
+      }
+    }
+  }
+
+  std::vector<std::vector<GaugeInfluence>> influence(Session& session,
+                                                     const std::optional<StepTimes>& times,
+                                                     Warnings& warnings) const {
+    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
+    const Handovers handovers(session.weighing(), threads());
+    Influence influence(handovers, gaps_.settings().remembered_bytes, threads());
+    Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
+    for_each_block(*readings, steps_in_a_block, threads(), [&](StepRows rows) {
+      influence.add(rows);
+      progress.advance(rows.size());
+    });
+    return influence.result();
+  }
+
+  CLI::App* app_ = nullptr;
   StudyOptions study_;
+  RainfallOptions rainfall_;
+  PeriodOptions range_;
+  GapOptions gaps_;
   OutputOptions output_;
   CommonOptions common_;
 };
