@@ -1,9 +1,11 @@
 #include "cli/option_values.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/number.h"
+#include "base/utf8.h"
 #include "map/picture.h"
 
 namespace thiessen::cli {
@@ -57,6 +59,23 @@ CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoT
     target = parsed.time;
   };
   return app.add_option_function<std::string>(name, read, help)->type_name("TIME");
+}
+
+CLI::Option* add_points(CLI::App& app, const std::string& name, std::vector<Point>& target,
+                        const std::string& help) {
+  const auto read = [name, &target](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) {
+      const std::size_t comma = std::min(text.find(','), text.size());
+      const auto x = parse_number(trimmed(text.substr(0, comma)));
+      const auto y = parse_number(trimmed(text.substr(std::min(comma + 1, text.size()))));
+      if (!x || !y) refuse(name, "two numbers such as 8.25,47.5", text);
+      target.push_back({x.value, y.value});
+    }
+    return true;
+  };
+  return app.add_option_function<std::vector<std::string>>(name, read, help)
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
 }
 
 CLI::Option* add_size(CLI::App& app, PixelSize& target) {

@@ -4,8 +4,10 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/iso_time.h"
+#include "geometry/point.h"
 
 namespace thiessen::cli {
 
@@ -32,6 +34,10 @@ CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& targe
 /// A time of ISO 8601.
 CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoTime>& target,
                       const std::string& help);
+
+/// Two numbers and a comma between them: a point. May be given again.
+CLI::Option* add_points(CLI::App& app, const std::string& name, std::vector<Point>& target,
+                        const std::string& help);
 
 /// WIDTH or WIDTHxHEIGHT in pixels; the height is 0 where it is not given.
 struct PixelSize {

@@ -96,6 +96,7 @@ StudyRequest StudyOptions::request() const {
                 "--basins-where", "--basins-crs", separator_,    decimal_comma_};
     b.id = basin_id_;
   }
+  request.opened = opened;
   check_texts();
   if (!metric_.empty()) request.metric = metric_ == "planar" ? Metric::planar : Metric::geodesic;
   request.plane = plane_;

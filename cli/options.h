@@ -23,6 +23,7 @@ struct StudyOptions {
   std::string stations;
   std::string basins;
   bool attributes = false;
+  std::vector<Point> opened;  ///< gauges that STATIONS lacks, in its coordinates
 
   void add_to(CLI::App& app, Need basins_need);
   void add_attributes_to(CLI::App& app);

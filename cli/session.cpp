@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t named_at_most = 5;
 
 std::string place_text(const Study& study, const Station& station) {
-  const bool has_line = study.stations_have_lines;
+  const bool has_line = study.stations_have_lines || station.line == 0;
   return "station '" + station.id + "'" +
          (has_line ? "" : " (feature " + std::to_string(station.line) + ")");
 }
@@ -69,7 +69,8 @@ void Session::check_range() const {
   const std::string range(outside_exact_range);
   for (const Station& station : study_.stations) {
     if (in_exact_range(station.position)) continue;
-    complaints.add({study_.stations_file, study_.stations_have_lines ? station.line : 0,
+    complaints.add({station.line == 0 ? "--with" : study_.stations_file,
+                    study_.stations_have_lines ? station.line : 0,
                     "a coordinate of " + place_text(study_, station) + " is " + range, ""});
   }
   for (const Basin& basin : study_.basins) {
@@ -89,7 +90,10 @@ void Session::check_range() const {
 void Session::warn_of_shared_places(Warnings& warnings) const {
   std::size_t shared = 0;
   for (std::uint32_t p = 0; p < network_->places().size(); ++p) {
-    const auto stations = network_->stations_at(PlaceIndex{p});
+    std::vector<StationIndex> stations;  // of the file: what is opened is not there yet
+    for (const StationIndex s : network_->stations_at(PlaceIndex{p})) {
+      if (index(s) + study_.opened < network_->stations().size()) stations.push_back(s);
+    }
     if (stations.size() < 2 || ++shared > named_at_most) continue;
     std::string ids;
     for (std::size_t i = 0; i < std::min(stations.size(), named_at_most); ++i) {

@@ -4,6 +4,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands.h"
+#include "cli/network_changes.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/session.h"
@@ -35,6 +36,7 @@ class WeightsCommand : public Command {
         "what each gauge is worth by these readings (- reads standard input): CSV "
         "basin,station,weight,rms_change,mean_change, of what a basin's rainfall changes by where "
         "the gauge is left out");
+    changes_.add_to(app);
     range_.add_range_to(app);
     gaps_.add_cache_to(app);
     output_.add_to(app, Need::optional, "weights.csv",
@@ -47,9 +49,16 @@ class WeightsCommand : public Command {
     const std::optional<StepTimes> times = range_.times();
     Outputs outputs(output_.rules(inputs()));
     OutputFile& file = outputs.add(output_.output);
+    study_.opened = changes_.opened();
     Session session(study_, 0, warnings);
     if (rainfall_.given()) {
       write_influence(file, session.weighing(), influence(session, times, warnings));
+    } else if (changes_.given()) {
+      const std::vector<bool> after = changes_.after(session);
+      changes_.warn_of_shared_places(session, warnings);
+      write_changed_weights(file, session.weighing(),
+                            session.weighing().weights(changes_.before(session), threads()),
+                            session.weighing().weights(after, threads()), session.area_unit());
     } else {
       write_weights(file, session.weighing(),
                     session.weighing().weights(session.all_report(), threads()),
@@ -69,7 +78,11 @@ class WeightsCommand : public Command {
   }
 
   void check_options() const {
-    if (rainfall_.given()) return;
+    if (rainfall_.given()) {
+      if (!changes_.given()) return;
+      throw UsageError{"--influence looks at the network as it is, --with and --without change it",
+                       "ask for one at a time"};
+    }
     for (const char* option :
          {"--missing", "--trace", "--time-field", "--station-field", "--value-field",
           "--ignore-unknown", "--keep-flagged", "--from", "--to", "--cache"}) {
@@ -97,6 +110,7 @@ class WeightsCommand : public Command {
   CLI::App* app_ = nullptr;
   StudyOptions study_;
   RainfallOptions rainfall_;
+  NetworkChanges changes_;
   PeriodOptions range_;
   GapOptions gaps_;
   OutputOptions output_;

@@ -125,8 +125,8 @@ void require_degrees(const StationsFile& file, const Crs& crs) {
   Complaints complaints;
   for (const Station& station : file.stations) {
     if (is_well(station.position, unit)) continue;
-    const std::string where =
-        file.has_lines ? "" : "feature " + std::to_string(station.line) + ": ";
+    const bool is_feature = !file.has_lines && station.line != 0;
+    const std::string where = is_feature ? "feature " + std::to_string(station.line) + ": " : "";
     complaints.add({file.file, file.has_lines ? station.line : 0,
                     where + fault_of(station.position, "station " + quoted(station.id, 80), unit),
                     std::exchange(hint, {})});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -17,6 +18,9 @@
 
 namespace thiessen {
 namespace {
+
+constexpr const char* with = "--with";
+constexpr std::size_t no_line = 0;  // of a gauge that the file lacks
 
 std::string coordinates(Point point) {
   return shortest_text(point.x) + " " + shortest_text(point.y);
@@ -50,6 +54,7 @@ class StudyMaker {
   Study make() {
     agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
     choose_coordinates();
+    open_gauges();
     settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
     mend_basins();
     bring_stations();
@@ -79,6 +84,30 @@ class StudyMaker {
     }
   }
 
+  // Behind those of the file, whose CRS they have.
+  void open_gauges() {
+    std::set<std::string> ids;
+    for (const Station& station : stations_.stations) ids.insert(station.id);
+    StationsFile opened;
+    opened.file = with;
+    for (const Point at : request_.opened) {
+      std::string id = "with " + std::to_string(opened.stations.size() + 1);
+      while (ids.contains(id)) id += '\'';
+      opened.stations.push_back({id, {at.x + 0.0, at.y + 0.0}, no_line});
+    }
+    if (stations_.crs && stations_.crs->geographic()) {
+      require_degrees(opened, *stations_.crs);
+      if (!planar_degrees()) turn_longitudes(opened, *stations_.crs, warnings_);
+    }
+    study_.opened = opened.stations.size();
+    std::move(opened.stations.begin(), opened.stations.end(),
+              std::back_inserter(stations_.stations));
+  }
+
+  std::string file_of(const Station& station) const {
+    return station.line == no_line ? with : stations_.file;
+  }
+
   void require_crs(const std::string& option) const {
     const bool known = stations_.crs && (!basins_ || basins_->crs);
     if (known) return;
@@ -106,7 +135,7 @@ class StudyMaker {
     const double unit = study_.crs->degrees_per_unit();
     LongitudeRange range;
     for (const Station& station : study_.stations) {
-      range.see(station.position.x * unit, "station " + quoted(station.id, 80), stations_.file,
+      range.see(station.position.x * unit, "station " + quoted(station.id, 80), file_of(station),
                 stations_.has_lines ? station.line : 0);
     }
     for (std::size_t i = 0; i < study_.basins.size(); ++i) {
@@ -163,9 +192,9 @@ class StudyMaker {
   }
 
   void complain_of_area(const Station& station, Complaints& complaints) const {
-    const std::string where =
-        stations_.has_lines ? "" : "feature " + std::to_string(station.line) + ": ";
-    complaints.add({stations_.file,
+    const bool is_feature = !stations_.has_lines && station.line != no_line;
+    const std::string where = is_feature ? "feature " + std::to_string(station.line) + ": " : "";
+    complaints.add({file_of(station),
                     stations_.has_lines ? station.line : 0,
                     where + "station " + quoted(station.id, 80) + " at " +
                         coordinates(station.position) + " lies outside the projection's area (" +

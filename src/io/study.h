@@ -19,6 +19,7 @@ namespace thiessen {
 struct StudyRequest {
   StationsRequest stations;
   std::optional<BasinsRequest> basins;
+  std::vector<Point> opened;     ///< --with: gauges that the file lacks, in its coordinates
   std::optional<Metric> metric;  ///< --metric; none: geodesic where the coordinates have a CRS
   std::string plane;             ///< --plane; empty: not given
   double tolerance = 0.1;        ///< metres
@@ -30,6 +31,7 @@ struct Study {
   std::string stations_file;
   std::string basins_file;
   std::vector<Station> stations;     ///< in the study's coordinates, in file order
+  std::size_t opened = 0;            ///< how many, the last of `stations`, the file lacks
   bool stations_have_lines = false;  ///< Station::line is a line, and not a feature's number
   Attributes attributes;
   std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out

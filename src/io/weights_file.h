@@ -18,4 +18,10 @@ struct AreaUnit {
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit);
 
+/// The same before and after a change of the network: CSV
+/// `basin,station,area_km2,weight,area_km2_after,weight_after`, the stations that weigh in either.
+void write_changed_weights(OutputFile& file, const Weighing& weighing,
+                           const std::vector<BasinWeights>& before,
+                           const std::vector<BasinWeights>& after, AreaUnit unit);
+
 }  // namespace thiessen

@@ -1,0 +1,93 @@
+#include "cli/network_changes.h"
+
+#include <algorithm>
+#include <set>
+#include <unordered_map>
+
+#include "base/error.h"
+#include "base/utf8.h"
+#include "cli/command.h"
+#include "cli/option_values.h"
+#include "cli/similar_ids.h"
+
+namespace thiessen::cli {
+namespace {
+
+constexpr std::size_t longest_id = 80;
+
+Message unknown(const std::string& id, const Session& session) {
+  const Study& study = session.study();
+  const std::string text = "--without names station " + quoted(id, longest_id);
+  if (study.filtered_ids.contains(id))
+    return {study.stations_file, 0, text + ", which --stations-where leaves out", ""};
+  std::string hint;
+  for (const std::string& similar : similar_ids(id, study.stations))
+    hint += (hint.empty() ? "did you mean " : " or ") + quoted(similar, longest_id);
+  return {study.stations_file, 0, text + ", which is not there", hint + (hint.empty() ? "" : "?")};
+}
+
+}  // namespace
+
+void NetworkChanges::add_to(CLI::App& app) {
+  app.option_defaults()->group("What if");
+  app.add_option("--without", closed_,
+                 "what if this station closed: the weights with columns area_km2_after and "
+                 "weight_after; may be repeated")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  add_points(app, "--with", opened_,
+             "what if a gauge opened here, in the coordinates of STATIONS; the first is called "
+             "'with 1'; may be repeated, and beside --without");
+}
+
+std::vector<bool> NetworkChanges::before(const Session& session) const {
+  std::vector<bool> reports = session.all_report();
+  std::fill(reports.end() - static_cast<std::ptrdiff_t>(opened_.size()), reports.end(), false);
+  return reports;
+}
+
+std::vector<bool> NetworkChanges::after(const Session& session) const {
+  const std::vector<Station>& stations = session.network().stations();
+  std::unordered_map<std::string_view, std::size_t> by_id;
+  for (std::size_t s = 0; s + opened_.size() < stations.size(); ++s)
+    by_id.emplace(stations[s].id, s);
+  std::vector<bool> reports = session.all_report();
+  std::set<std::string_view> seen;
+  Complaints complaints;
+  for (const std::string& id : closed_) {
+    if (!seen.insert(id).second)
+      throw UsageError{"--without names station " + quoted(id, longest_id) + " twice", ""};
+    const auto station = by_id.find(id);
+    if (station == by_id.end()) {
+      complaints.add(unknown(id, session));
+    } else {
+      reports[station->second] = false;
+    }
+  }
+  complaints.throw_if_any();
+  if (std::find(reports.begin(), reports.end(), true) == reports.end()) {
+    throw Error({session.study().stations_file, 0, "--without closes every gauge",
+                 "leave one open, or open one with --with X,Y"});
+  }
+  return reports;
+}
+
+void NetworkChanges::warn_of_shared_places(const Session& session, Warnings& warnings) const {
+  const Network& network = session.network();
+  const std::vector<bool> is_there = after(session);
+  std::set<PlaceIndex> warned;
+  for (std::size_t i = network.stations().size() - opened_.size(); i < is_there.size(); ++i) {
+    const PlaceIndex place = network.place_of(StationIndex{static_cast<std::uint32_t>(i)});
+    if (!warned.insert(place).second) continue;
+    std::string ids;
+    std::size_t count = 0;
+    for (const StationIndex s : network.stations_at(place)) {
+      if (!is_there[index(s)]) continue;
+      ids += (count++ == 0 ? "" : ", ") + quoted(network.stations()[index(s)].id, longest_id);
+    }
+    if (count > 1)
+      warnings.add({"--with", 0, "stations " + ids + " stand at one place and share its cell", ""});
+  }
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/session.h"
+
+namespace thiessen::cli {
+
+/// Gauges that close and open: `--without ID` and `--with X,Y`.
+class NetworkChanges {
+ public:
+  void add_to(CLI::App& app);
+  bool given() const { return !closed_.empty() || !opened_.empty(); }
+  /// In the coordinates of STATIONS.
+  const std::vector<Point>& opened() const { return opened_; }
+
+  /// Which stations there are before the changes and after, of those of a session that was given
+  /// the opened ones. Throws Error for ids that STATIONS lacks, with those that are most like them,
+  /// and where no gauge is left; UsageError for an id given twice.
+  std::vector<bool> before(const Session& session) const;
+  std::vector<bool> after(const Session& session) const;
+  /// Of opened gauges at a place with others that are there after the changes.
+  void warn_of_shared_places(const Session& session, Warnings& warnings) const;
+
+ private:
+  std::vector<std::string> closed_;
+  std::vector<Point> opened_;
+};
+
+}  // namespace thiessen::cli
