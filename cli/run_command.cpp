@@ -74,6 +74,7 @@ class RunCommand : public Command {
           });
     }
     series.finish(warnings);
+    if (!common_.quiet) summary.find_most_influential(rainfall, threads);
     const GaugeReadings mean = means.result();
     if (!common_.quiet) summary.set_errors_of_mean(error.result(threads));
     const auto cells = cells_of(session, &mean, threads);

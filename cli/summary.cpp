@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -9,9 +10,21 @@
 #include "cli/text_table.h"
 
 namespace thiessen::cli {
+namespace {
+
+// Of the sample in which gauges' influence is looked for.
+constexpr std::size_t sample_bytes = std::size_t{32} << 20;
+constexpr std::size_t sampled_steps = 256;
+constexpr std::size_t sampled_handovers = 2000;
+
+}  // namespace
 
 Summary::Summary(const Session& session, const std::vector<BasinWeights>& weights)
-    : session_(session), weights_(weights), lines_(weights.size()) {
+    : session_(session),
+      weights_(weights),
+      lines_(weights.size()),
+      sample_(session.network().stations().size(),
+              steps_within(sample_bytes, session.network().stations().size(), sampled_steps)) {
   std::vector<Point> positions;
   for (const Station& station : session.network().stations()) positions.push_back(station.position);
   const double period = session.study().metric == Metric::geodesic ? 360 : 0;
@@ -20,6 +33,8 @@ Summary::Summary(const Session& session, const std::vector<BasinWeights>& weight
 }
 
 void Summary::add(const RainStep& step) {
+  ++steps_;
+  sample_.add(step.readings);
   for (std::size_t b = 0; b < lines_.size(); ++b) {
     const double value = step.basins[b].rainfall;
     Line& line = lines_[b];
@@ -33,13 +48,27 @@ void Summary::add(const RainStep& step) {
   }
 }
 
+void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned threads) {
+  std::optional<Handovers> own;
+  if (rainfall.handovers() == nullptr) own.emplace(session_.weighing(), threads);
+  influence_ = thiessen::most_influential(own ? *own : *rainfall.handovers(), sample_,
+                                          sampled_handovers, threads);
+}
+
+std::string Summary::most_influential(std::size_t basin, const std::string& unit) const {
+  if (basin >= influence_.gauges.size() || !(influence_.gauges[basin].rms_change > 0)) return "-";
+  const MostInfluential& gauge = influence_.gauges[basin];
+  return printable(session_.network().stations()[index(gauge.station)].id) + " (" +
+         fixed_text(gauge.rms_change, 2) + unit + ")";
+}
+
 std::string Summary::text(const std::string& units) const {
   const std::string unit = units.empty() ? "" : " " + printable(units);
   const bool known = session_.area_unit().km2 != 1;
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
                   "largest weight", "mean" + unit, "standard error", "largest" + unit,
-                  "empty steps"});
+                  "empty steps", "most influential gauge"});
   for (std::size_t b = 0; b < lines_.size(); ++b) {
     const Line& line = lines_[b];
     double largest_weight = 0;
@@ -53,9 +82,15 @@ std::string Summary::text(const std::string& units) const {
                     fixed_text(largest_weight, 3),
                     has_values ? fixed_text(line.sum / static_cast<double>(line.values), 2) : "-",
                     has_error ? fixed_text(errors_[b], 2) : "-",
-                    has_values ? fixed_text(line.largest, 2) : "-", std::to_string(line.empty)});
+                    has_values ? fixed_text(line.largest, 2) : "-", std::to_string(line.empty),
+                    most_influential(b, unit)});
   }
-  return aligned(rows);
+  std::string text = aligned(rows);
+  if (influence_.steps < steps_) {
+    text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
+            " of the " + std::to_string(steps_) + " steps, evenly spaced.\n";
+  }
+  return text;
 }
 
 }  // namespace thiessen::cli

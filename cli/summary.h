@@ -5,22 +5,28 @@
 #include <vector>
 
 #include "cli/session.h"
+#include "rainfall/most_influential.h"
 #include "rainfall/rain_series.h"
 
 namespace thiessen::cli {
 
 /// What `run` says in the end: for each basin its area, the gauges inside and weighing, the largest
-/// weight, the mean rainfall and its standard error, the largest, and the steps without a value.
+/// weight, the mean rainfall and its standard error, the largest, the steps without a value, and the
+/// gauge whose leaving changes the rainfall most, of a sample of the steps.
 class Summary {
  public:
   Summary(const Session& session, const std::vector<BasinWeights>& weights);
   void add(const RainStep& step);
   /// Of the mean over all steps, by basin; NaN where it cannot be had, as without this.
   void set_errors_of_mean(std::vector<double> errors) { errors_ = std::move(errors); }
+  /// When all steps have come.
+  void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
   /// Lines of aligned columns.
   std::string text(const std::string& units) const;
 
  private:
+  std::string most_influential(std::size_t basin, const std::string& unit) const;
+
   struct Line {
     std::size_t inside = 0;
     double sum = 0;
@@ -32,6 +38,9 @@ class Summary {
   const std::vector<BasinWeights>& weights_;
   std::vector<Line> lines_;
   std::vector<double> errors_;
+  std::size_t steps_ = 0;
+  StepSample sample_;
+  SampledInfluence influence_{{}, 0};
 };
 
 }  // namespace thiessen::cli

@@ -86,6 +86,7 @@ class StudyMaker {
 
   // Behind those of the file, whose CRS they have.
   void open_gauges() {
+    if (request_.opened.empty()) return;
     std::set<std::string> ids;
     for (const Station& station : stations_.stations) ids.insert(station.id);
     StationsFile opened;

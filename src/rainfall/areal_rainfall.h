@@ -40,6 +40,9 @@ class ArealRainfall : public StepRainfall {
   /// The full network's weights.
   const std::vector<BasinWeights>& full_weights() const { return full_; }
 
+  /// What it retessellates with; null where `gaps` says otherwise.
+  const Handovers* handovers() const { return handovers_.get(); }
+
   /// By basin.
   std::vector<BasinRainfall> at(std::span<const double> readings) const override;
   std::vector<BasinWeights> weights_at(std::span<const double> readings) const override;

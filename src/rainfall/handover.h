@@ -40,7 +40,9 @@ class Handovers {
   const CellAdjacency& adjacency() const { return adjacency_; }
   /// The full network's weights, by basin, then by cell.
   const std::vector<CellWeight>& full() const { return full_; }
-  /// The same by station: what Weighing::weights gives where all report.
+  /// Whether a cell has a part in any basin, in the full network.
+  bool has_ground(PlaceIndex cell) const { return !regions_[index(cell)].empty(); }
+  /// The weights by station: what Weighing::weights gives where all report.
   std::vector<BasinWeights> full_weights() const;
 
   /// The component's handover: a function of its cells alone. Empty where no cell is next to it.
