@@ -7,7 +7,8 @@
 latitude and in the plane; the same with twice and four times as many of both, which shows how it grows; `run` on the
 Colorado sample (goal: 1 s); `map` of 1,000 gauges as a GeoTIFF of 4,000 x 4,000 pixels (goal: 1 s);
 geodesic cells in a basin of 10,000 corners (goal: 1 s); `rain` with gauges silent at random (goals: 0.03 ms a step at 5 %,
-over 100,000 steps; 1 ms at 20 %).
+over 100,000 steps; 1 ms at 20 %); `weights --influence` of 1,000 gauges, 100 basins and 10,000 steps beside `check`,
+which only reads them (goal: 2 s more), and of fewer steps with silent gauges.
 """
 
 import math
@@ -134,6 +135,16 @@ def main():
                 report(f"rain, 1,000 gauges, 100 basins, {steps:,} steps, {silent:.0%} silent, {crs or 'a plane'}",
                        [program, "rain", gauges, basins, folder / "rain.csv", "-q", *(lon_lat if crs else []),
                         "--overwrite", "-o", folder / "areal.csv"])
+        for crs, box in (("EPSG:4326", (5, 46, 10, 49.5)), (None, (0, 0, 400_000, 400_000))):
+            write_gauges(gauges, 1_000, box)
+            write_basins(basins, 10, 10, box)
+            for silent, steps in ((0, 10_000), (0.05, 1_000), (0.2, 100)):
+                write_readings(folder / "rain.csv", 1_000, steps, silent)
+                options = ["-q", *(lon_lat if crs else [])]
+                where = f"{steps:,} steps, {silent:.0%} silent, {crs or 'a plane'}"
+                report(f"check, {where}", [program, "check", gauges, basins, folder / "rain.csv", *options])
+                report(f"weights --influence, {where}",
+                       [program, "weights", gauges, basins, "--influence", folder / "rain.csv", *options])
         for crs, box, pixel in (("EPSG:4326", (9, 42, 19, 52), 0.0025), ("EPSG:32633", (2e5, 47e5, 8e5, 53e5), 150),
                                 (None, (0, 0, 6e5, 6e5), 150)):
             gauges, basins = folder / "gauges.csv", folder / "basins.csv"
