@@ -130,8 +130,8 @@ class RainCommand : public Command {
     const auto readings = session.open_readings(study_, rainfall_, told_later, periods_.times());
     const std::size_t stations = session.network().stations().size();
     StepSample sample(stations, steps_for_errors(stations));
-    Progress progress("time steps looked through", common_.quiet,
-                      [&] { return readings->share_read(); });
+    Progress progress("time step", common_.quiet,
+                      [&](std::size_t done) { return readings->share_of(done); });
     for (TimeStep step; readings->next(step); progress.advance()) {
       throw_if_interrupted();
       sample.add(step.readings);

@@ -99,7 +99,8 @@ class WeightsCommand : public Command {
     const auto readings = session.open_readings(study_, rainfall_, warnings, times);
     const Handovers handovers(session.weighing(), threads());
     Influence influence(handovers, gaps_.settings().remembered_bytes, threads());
-    Progress progress("time steps", common_.quiet, [&] { return readings->share_read(); });
+    Progress progress("time step", common_.quiet,
+                      [&](std::size_t done) { return readings->share_of(done); });
     for_each_block(*readings, steps_in_a_block, threads(), [&](StepRows rows) {
       influence.add(rows);
       progress.advance(rows.size());
