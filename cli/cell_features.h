@@ -5,7 +5,7 @@
 
 #include "cli/session.h"
 #include "io/cells_file.h"
-#include "rainfall/gauge_readings.h"
+#include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "cli/session.h"
-#include "rainfall/gauge_readings.h"
+#include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 

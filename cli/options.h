@@ -11,8 +11,8 @@
 #include "io/readings_reader.h"
 #include "io/study.h"
 #include "rainfall/areal_rainfall.h"
-#include "rainfall/dated_readings.h"
-#include "rainfall/rain_periods.h"
+#include "rainfall/series/dated_readings.h"
+#include "rainfall/series/rain_periods.h"
 
 namespace thiessen::cli {
 

@@ -4,7 +4,7 @@
 
 #include "cli/session.h"
 #include "map/picture.h"
-#include "rainfall/gauge_readings.h"
+#include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 

@@ -13,8 +13,8 @@
 #include "cli/rain_table.h"
 #include "cli/session.h"
 #include "io/weights_log.h"
-#include "rainfall/gauge_patterns.h"
-#include "rainfall/rainfall_error.h"
+#include "rainfall/errors/rainfall_error.h"
+#include "rainfall/series/gauge_patterns.h"
 
 namespace thiessen::cli {
 namespace {

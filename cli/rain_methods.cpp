@@ -6,10 +6,10 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "rainfall/arithmetic_mean.h"
-#include "rainfall/inverse_distance.h"
-#include "rainfall/method_rainfall.h"
-#include "rainfall/natural_neighbours.h"
+#include "rainfall/methods/arithmetic_mean.h"
+#include "rainfall/methods/inverse_distance.h"
+#include "rainfall/methods/method_rainfall.h"
+#include "rainfall/methods/natural_neighbours.h"
 
 namespace thiessen::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "cli/options.h"
 #include "io/rain_file.h"
 #include "io/rain_totals_file.h"
-#include "rainfall/rain_periods.h"
+#include "rainfall/series/rain_periods.h"
 
 namespace thiessen::cli {
 

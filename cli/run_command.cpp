@@ -8,8 +8,8 @@
 #include "cli/session.h"
 #include "cli/summary.h"
 #include "io/weights_file.h"
-#include "rainfall/gauge_readings.h"
-#include "rainfall/mean_error.h"
+#include "rainfall/errors/mean_error.h"
+#include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 namespace {

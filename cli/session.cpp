@@ -5,7 +5,7 @@
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
 #include "rainfall/extent.h"
-#include "rainfall/watched_readings.h"
+#include "rainfall/series/watched_readings.h"
 
 namespace thiessen::cli {
 namespace {

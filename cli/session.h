@@ -8,8 +8,8 @@
 #include "cli/options.h"
 #include "io/study.h"
 #include "io/weights_file.h"
-#include "rainfall/rain_series.h"
-#include "rainfall/watched_readings.h"
+#include "rainfall/series/rain_series.h"
+#include "rainfall/series/watched_readings.h"
 #include "rainfall/weights.h"
 
 namespace thiessen::cli {

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "cli/session.h"
-#include "rainfall/most_influential.h"
-#include "rainfall/rain_series.h"
+#include "rainfall/influence/most_influential.h"
+#include "rainfall/series/rain_series.h"
 
 namespace thiessen::cli {
 
 /// What `run` says in the end: for each basin its area, the gauges inside and weighing, the largest
-/// weight, the mean rainfall and its standard error, the largest, the steps without a value, and the
-/// gauge whose leaving changes the rainfall most, of a sample of the steps.
+/// weight, the mean rainfall and its standard error, the largest, the steps without a value, and
+/// the gauge whose leaving changes the rainfall most, of a sample of the steps.
 class Summary {
  public:
   Summary(const Session& session, const std::vector<BasinWeights>& weights);

@@ -10,8 +10,8 @@
 #include "cli/session.h"
 #include "io/influence_file.h"
 #include "io/weights_file.h"
-#include "rainfall/influence.h"
-#include "rainfall/step_blocks.h"
+#include "rainfall/influence/influence.h"
+#include "rainfall/influence/step_blocks.h"
 
 namespace thiessen::cli {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "base/file.h"
-#include "rainfall/influence.h"
+#include "rainfall/influence/influence.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {

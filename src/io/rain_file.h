@@ -6,7 +6,7 @@
 
 #include "base/file.h"
 #include "basin/basin.h"
-#include "rainfall/rain_series.h"
+#include "rainfall/series/rain_series.h"
 
 namespace thiessen {
 

@@ -6,7 +6,7 @@
 #include "base/file.h"
 #include "basin/basin.h"
 #include "io/rain_file.h"
-#include "rainfall/rain_periods.h"
+#include "rainfall/series/rain_periods.h"
 
 namespace thiessen {
 

@@ -12,7 +12,7 @@
 #include "io/readings_reader.h"
 #include "io/readings_stations.h"
 #include "io/seekable_lines.h"
-#include "rainfall/readings.h"
+#include "rainfall/series/readings.h"
 
 namespace thiessen {
 

@@ -6,7 +6,7 @@
 
 #include "io/readings_pieces.h"
 #include "io/readings_rows.h"
-#include "rainfall/readings.h"
+#include "rainfall/series/readings.h"
 
 namespace thiessen {
 

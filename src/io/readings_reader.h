@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "io/table.h"
 #include "rainfall/network.h"
-#include "rainfall/readings.h"
+#include "rainfall/series/readings.h"
 
 namespace thiessen {
 

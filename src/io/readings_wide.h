@@ -5,7 +5,7 @@
 #include "io/readings_layout.h"
 #include "io/readings_repeats.h"
 #include "io/readings_source.h"
-#include "rainfall/readings.h"
+#include "rainfall/series/readings.h"
 
 namespace thiessen {
 

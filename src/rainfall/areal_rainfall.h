@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "rainfall/full_network.h"
-#include "rainfall/handover.h"
-#include "rainfall/handover_cache.h"
+#include "rainfall/gaps/handover.h"
+#include "rainfall/gaps/handover_cache.h"
 #include "rainfall/step_rainfall.h"
 #include "rainfall/weights.h"
 

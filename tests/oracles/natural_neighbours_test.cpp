@@ -14,7 +14,7 @@
 #include "earth/geodesic.h"
 #include "earth/ground.h"
 #include "geometry/seeded.h"
-#include "rainfall/natural_weights.h"
+#include "rainfall/methods/natural_weights.h"
 
 namespace thiessen {
 namespace {

@@ -12,7 +12,7 @@
 #include "basin/shapes.h"
 #include "earth/geodesic.h"
 #include "geometry/seeded.h"
-#include "rainfall/rain_series.h"
+#include "rainfall/series/rain_series.h"
 #include "rainfall/textbook.h"
 
 namespace thiessen {

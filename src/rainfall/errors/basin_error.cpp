@@ -1,0 +1,90 @@
+#include "rainfall/errors/basin_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace thiessen {
+namespace {
+
+/// Of the mean distance of two points in a square, in its side (E. Borel, 1924).
+constexpr double mean_distance_in_square = 0.521405433164721;
+
+/// A few thousand gauges that come to weigh now and then are remembered.
+constexpr std::size_t remembered = 4096;
+
+}  // namespace
+
+BasinError::BasinError(std::vector<SiteWeight> full, std::vector<Direction> points,
+                       double side_of_point, const Sites& sites, const Variogram& variogram)
+    : sites_(sites), variogram_(variogram), full_(std::move(full)), points_(std::move(points)) {
+  terms_.reserve(full_.size());
+  for (const SiteWeight& w : full_) terms_.push_back(terms_of(w.site));
+  for (std::size_t i = 0; i < full_.size(); ++i) {
+    weights_weights_ += full_[i].weight * terms_[i].with_weights;
+    weights_points_ += full_[i].weight * terms_[i].with_points;
+  }
+  points_points_ = within_points(side_of_point);
+}
+
+double BasinError::within_points(double side_of_point) const {
+  const double own = side_of_point * mean_distance_in_square;
+  double sum = 0;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t j = i + 1; j < points_.size(); ++j) sum += variogram_(points_[i], points_[j]);
+  }
+  const auto count = static_cast<double>(points_.size());
+  return (2 * sum / count + variogram_.at_square(own * own)) / count;
+}
+
+BasinError::Terms BasinError::terms_of(std::uint32_t site) const {
+  const Direction at = sites_[site];
+  Terms terms{0, 0};
+  for (const SiteWeight& w : full_) {
+    if (w.site != site) terms.with_weights += w.weight * variogram_(at, sites_[w.site]);
+  }
+  for (const Direction& point : points_) terms.with_points += variogram_(at, point);
+  terms.with_points /= static_cast<double>(points_.size());
+  return terms;
+}
+
+std::vector<BasinError::Terms> BasinError::terms_of(std::span<const SiteWeight> change) const {
+  std::vector<Terms> terms;
+  terms.reserve(change.size());
+  const std::lock_guard lock(mutex_);
+  auto own = full_.begin();
+  for (const SiteWeight& c : change) {
+    own = std::lower_bound(own, full_.end(), c.site,
+                           [](const SiteWeight& w, std::uint32_t site) { return w.site < site; });
+    if (own != full_.end() && own->site == c.site) {
+      terms.push_back(terms_[static_cast<std::size_t>(own - full_.begin())]);
+    } else if (const auto known = others_.find(c.site); known != others_.end()) {
+      terms.push_back(known->second);
+    } else {
+      terms.push_back(terms_of(c.site));
+      if (others_.size() < remembered) others_.emplace(c.site, terms.back());
+    }
+  }
+  return terms;
+}
+
+double BasinError::mean_square(std::span<const SiteWeight> change) const {
+  double weights = weights_weights_;
+  double points = weights_points_;
+  double sum = 1;
+  if (!change.empty()) {
+    const std::vector<Terms> terms = terms_of(change);
+    for (std::size_t i = 0; i < change.size(); ++i) {
+      double among = 0;
+      const Direction at = sites_[change[i].site];
+      for (std::size_t j = i + 1; j < change.size(); ++j)
+        among += change[j].weight * variogram_(at, sites_[change[j].site]);
+      weights += 2 * change[i].weight * (terms[i].with_weights + among);
+      points += change[i].weight * terms[i].with_points;
+      sum += change[i].weight;
+    }
+  }
+  return std::max(0.0, 2 * points / sum - weights / (sum * sum) - points_points_);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,173 @@
+#include "rainfall/gaps/handover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "base/parallel.h"
+#include "earth/chart_diagram.h"
+#include "geometry/long_sum.h"
+
+namespace thiessen {
+namespace {
+
+/// The nodes that only bend an edge between two cells, in rising order.
+std::vector<Point> bends_of(const Diagram& diagram) {
+  struct Passing {
+    std::uint8_t chords = 0;
+    PlaceIndex left{};
+    PlaceIndex right{};
+  };
+  std::vector<Passing> passing(diagram.nodes.size());
+  constexpr std::uint8_t corner = 3;
+  const auto pass = [&](std::uint32_t node, const Chord& chord) {
+    Passing& here = passing[node];
+    const bool is_same = here.chords == 0 || (here.left == chord.left && here.right == chord.right);
+    here.chords = is_same ? static_cast<std::uint8_t>(here.chords + 1) : corner;
+    here.left = chord.left;
+    here.right = chord.right;
+  };
+  for (const Chord& chord : diagram.chords) {
+    pass(chord.from, chord);
+    pass(chord.to, chord);
+  }
+  std::vector<Point> bends;
+  for (std::size_t node = 0; node < passing.size(); ++node) {
+    if (passing[node].chords == 2) bends.push_back(diagram.nodes[node]);
+  }
+  std::sort(bends.begin(), bends.end());
+  return bends;
+}
+
+}  // namespace
+
+Handovers::Handovers(const Weighing& weighing, unsigned threads)
+    : weighing_(weighing),
+      cells_(weighing.network(), std::vector<bool>(weighing.network().stations().size(), true),
+             weighing.ground(), weighing.frame(), threads),
+      adjacency_(cells_.diagram()),
+      regions_(cells_.diagram().places.size()) {
+  if (!cells_.any()) return;
+  std::vector<std::vector<ClippedCell>> clipped(weighing.basins().size());
+  std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
+  in_parallel(clipped.size(), threads, [&](std::size_t worker, std::size_t b) {
+    auto& clipper = clippers[worker];
+    if (!clipper) clipper = std::make_unique<CellClipper>(cells_.diagram(), weighing.surface());
+    clipped[b] = clipper->cells(weighing.basins()[b]);
+  });
+  add_regions(std::move(clipped));
+}
+
+void Handovers::add_regions(std::vector<std::vector<ClippedCell>> clipped) {
+  const bool on_earth = weighing_.ground().metric == Metric::geodesic;
+  const std::vector<Point> bends = on_earth ? bends_of(cells_.diagram()) : std::vector<Point>{};
+  for (std::uint32_t b = 0; b < clipped.size(); ++b) {
+    for (ClippedCell& cell : clipped[b]) {
+      full_.push_back({b, cell.place, cell.area / weighing_.basin_area(b)});
+      Region region{b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}};
+      if (on_earth) region.shape.emplace(region.ground, bends, weighing_.ground().tolerance);
+      regions_[index(cell.place)].push_back(std::move(region));
+    }
+  }
+}
+
+std::vector<BasinWeights> Handovers::full_weights() const {
+  std::vector<BasinWeights> weights(weighing_.basins().size());
+  for (std::size_t b = 0; b < weights.size(); ++b) weights[b].area = weighing_.basin_area(b);
+  for (std::uint32_t cell = 0; cell < regions_.size(); ++cell) {
+    for (const Region& region : regions_[cell]) {
+      add_shares(weights[region.basin], cells_.stations_of(PlaceIndex{cell}), region.area);
+    }
+  }
+  for (BasinWeights& basin : weights) sort_by_station(basin.stations);
+  return weights;
+}
+
+std::vector<PlaceIndex> Handovers::heirs_of(std::span<const PlaceIndex> component) const {
+  std::vector<PlaceIndex> heirs;
+  for (const PlaceIndex cell : component) {
+    const auto next = adjacency_.neighbours(cell);
+    heirs.insert(heirs.end(), next.begin(), next.end());
+  }
+  std::sort(heirs.begin(), heirs.end());
+  heirs.erase(std::unique(heirs.begin(), heirs.end()), heirs.end());
+  std::erase_if(heirs, [&](PlaceIndex cell) {
+    return std::binary_search(component.begin(), component.end(), cell);
+  });
+  return heirs;
+}
+
+Handover Handovers::of(std::span<const PlaceIndex> component) const {
+  const bool has_ground = std::any_of(component.begin(), component.end(), [&](PlaceIndex cell) {
+    return !regions_[index(cell)].empty();
+  });
+  const std::vector<PlaceIndex> heirs = heirs_of(component);
+  if (!has_ground || heirs.empty()) return {};
+  std::vector<Point> positions;
+  positions.reserve(heirs.size());
+  for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
+  std::map<std::pair<std::uint32_t, PlaceIndex>, LongSum> areas;
+  const Take take = [&](const Region& region, const std::vector<CellShare>& shares) {
+    for (const CellShare& share : shares)
+      areas[{region.basin, heirs[index(share.place)]}].add(share.area);
+  };
+  if (!share_in_chart(component, positions, take)) share(component, positions, take);
+  Handover handover;
+  handover.reserve(areas.size());
+  for (const auto& [key, area] : areas)
+    handover.push_back({key.first, key.second, area.value() / weighing_.basin_area(key.first)});
+  return handover;
+}
+
+// Where the ground is small against the Earth. Each region's shares are scaled to its area, which
+// is known.
+bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
+                               const Take& take) const {
+  if (weighing_.ground().metric == Metric::planar) return false;
+  Box frame;
+  Direction sum;
+  for_each_region(component, [&](const Region& region) {
+    frame.take_in(region.shape->box());
+    sum = sum + region.shape->centre();
+  });
+  if (length(sum) == 0) return false;
+  const GnomonicChart chart(unit(sum));
+  double reach = 0;
+  for_each_region(component, [&](const Region& region) {
+    const double half = length(region.shape->centre() - chart.centre()) / 2;
+    reach = std::max(reach, 2 * std::asin(std::min(1.0, half)) + region.shape->reach());
+  });
+  if (reach > SphereShape::farthest) return false;
+  const auto diagram =
+      chart_diagram(heirs, {chart, 1.1 * reach, frame},
+                    {weighing_.ground().accuracy_for_areas(), weighing_.ground().tolerance});
+  if (!diagram) return false;
+  const ChartSurface surface(chart);
+  CellClipper clipper(*diagram, surface);
+  for_each_region(component, [&](const Region& region) {
+    std::vector<CellShare> shares = clipper.shares(region.shape->in_chart(chart));
+    double whole = 0;
+    for (const CellShare& share : shares) whole += share.area;
+    for (CellShare& share : shares) share.area *= region.area / whole;
+    take(region, shares);
+  });
+  return true;
+}
+
+void Handovers::share(std::span<const PlaceIndex> component, std::span<const Point> heirs,
+                      const Take& take) const {
+  Box frame;
+  for_each_region(component, [&](const Region& region) {
+    for (const Polygon& part : region.ground.shape) {
+      for (const Point p : part.outer) frame.take_in(p);
+    }
+  });
+  const Diagram diagram = weighing_.ground().diagram_for_areas(heirs, frame);
+  CellClipper clipper(diagram, weighing_.surface());
+  for_each_region(component,
+                  [&](const Region& region) { take(region, clipper.shares(region.ground)); });
+}
+
+}  // namespace thiessen

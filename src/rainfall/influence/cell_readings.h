@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rainfall/gaps/cell_adjacency.h"
+#include "rainfall/influence/step_blocks.h"
+#include "rainfall/network_cells.h"
+
+namespace thiessen {
+
+/// What the cells read in a block of steps, each cell's steps side by side, and which of them are
+/// silent together.
+class CellReadings {
+ public:
+  /// The cells must outlive it.
+  CellReadings(const NetworkCells& cells, const CellAdjacency& adjacency)
+      : cells_(cells), adjacency_(adjacency) {}
+
+  /// Takes up a block in place of the one before; its rows are looked at only here. Cost: the
+  /// stations of every step, and the neighbours of silent cells.
+  void take_up(StepRows rows, unsigned threads);
+
+  std::size_t steps() const { return steps_.size(); }
+  /// By step: the mean of the cell's stations that report, NaN where none does.
+  std::span<const double> of(PlaceIndex cell) const {
+    return std::span(values_).subspan(index(cell) * steps(), steps());
+  }
+  /// How many stations report at a step, of the whole network.
+  std::size_t reporting(std::size_t step) const { return steps_[step].reporting; }
+  /// The connected component of silent cells that a silent one belongs to at a step, in rising
+  /// order.
+  const std::vector<PlaceIndex>& component_of(PlaceIndex silent, std::size_t step) const {
+    return steps_[step].components[component_[index(silent) * steps() + step]];
+  }
+
+ private:
+  struct Step {
+    std::size_t reporting = 0;
+    std::vector<std::vector<PlaceIndex>> components;
+  };
+
+  void take_up(std::size_t step, std::span<const double> readings);
+
+  const NetworkCells& cells_;
+  const CellAdjacency& adjacency_;
+  std::vector<Step> steps_;
+  std::vector<double> values_;            // by cell, then by step
+  std::vector<std::uint32_t> component_;  // the same; of silent cells
+};
+
+}  // namespace thiessen

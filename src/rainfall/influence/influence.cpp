@@ -1,0 +1,225 @@
+#include "rainfall/influence/influence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+
+namespace thiessen {
+
+Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads)
+    : handovers_(handovers),
+      remembered_(handovers, remembered_bytes),
+      threads_(std::max(1u, threads)),
+      full_(handovers.full_weights()),
+      readings_(handovers.cells(), handovers.adjacency()),
+      cells_(handovers.adjacency().cells()),
+      benches_(threads_) {
+  for (const CellWeight& full : handovers.full()) {
+    Part& part = part_of(full.cell, full.basin);
+    part.weight = full.weight;
+    for (Sums& sums : part.sums) sums.weighs = true;
+  }
+}
+
+Influence::Part& Influence::part_of(PlaceIndex cell, std::uint32_t basin) {
+  std::vector<Part>& parts = cells_[index(cell)].parts;
+  const auto at =
+      std::lower_bound(parts.begin(), parts.end(), basin,
+                       [](const Part& part, std::uint32_t b) { return part.basin < b; });
+  if (at != parts.end() && at->basin == basin) return *at;
+  const std::size_t stations = handovers_.cells().stations_of(cell).size();
+  return *parts.insert(at, {basin, 0, std::vector<Sums>(stations)});
+}
+
+void Influence::add(StepRows rows) {
+  rows_ = rows;
+  readings_.take_up(rows, threads_);
+  count_alone();
+  in_parallel(cells_.size(), threads_, [&](std::size_t worker, std::size_t cell) {
+    take(PlaceIndex{static_cast<std::uint32_t>(cell)}, benches_[worker]);
+  });
+}
+
+void Influence::count_alone() {
+  for (std::size_t step = 0; step < rows_.size(); ++step) {
+    const std::span<const double> readings = rows_[step];
+    if (readings_.reporting(step) > 0) ++steps_with_values_;
+    if (readings_.reporting(step) != 1) continue;
+    alone_.resize(std::max(alone_.size(), readings.size()));
+    const auto it = std::find_if(readings.begin(), readings.end(),
+                                 [](double reading) { return !std::isnan(reading); });
+    ++alone_[static_cast<std::size_t>(it - readings.begin())];
+  }
+}
+
+void Influence::take(PlaceIndex cell, Bench& bench) {
+  const std::size_t stations = handovers_.cells().stations_of(cell).size();
+  if (stations == 0) return;
+  find_gaps(cell, bench);
+  if (stations == 1) take_steps_without_gaps(cell, bench);
+  const std::span<const double> own = readings_.of(cell);
+  for (std::size_t step = 0; step < own.size(); ++step) {
+    const bool counts = !std::isnan(own[step]) && readings_.reporting(step) > 1;
+    if (counts && (stations > 1 || std::isnan(bench.gaps[step]))) take_step(cell, step, bench);
+  }
+}
+
+void Influence::find_gaps(PlaceIndex cell, Bench& bench) const {
+  const auto add = [&](std::span<const double> readings) {
+    for (std::size_t step = 0; step < readings.size(); ++step)
+      bench.gaps[step] += 0 * readings[step];
+  };
+  bench.gaps.assign(readings_.steps(), 0);
+  add(readings_.of(cell));
+  for (const PlaceIndex q : handovers_.adjacency().neighbours(cell)) add(readings_.of(q));
+}
+
+void Influence::take_steps_without_gaps(PlaceIndex cell, Bench& bench) {
+  const std::size_t steps = readings_.steps();
+  const bool none =
+      std::all_of(bench.gaps.begin(), bench.gaps.end(), [](double gap) { return std::isnan(gap); });
+  if (none) return;
+  const Handover& handover = handover_of(cell);
+  const double* const own = readings_.of(cell).data();
+  for (auto share = handover.begin(); share != handover.end();) {
+    const std::uint32_t basin = share->basin;
+    bench.change.assign(steps, 0);
+    double* const change = bench.change.data();
+    for (; share != handover.end() && share->basin == basin; ++share) {
+      const double weight = share->weight;
+      const double* const heir = readings_.of(share->cell).data();
+      for (std::size_t step = 0; step < steps; ++step)
+        change[step] += weight * (heir[step] - own[step]);
+    }
+    Sums& sums = part_of(cell, basin).sums.front();
+    for (std::size_t step = 0; step < steps; ++step) {
+      if (!std::isnan(bench.gaps[step])) sums.add(change[step]);
+    }
+  }
+}
+
+const Handover& Influence::handover_of(PlaceIndex cell) {
+  std::shared_ptr<const Handover>& handover = cells_[index(cell)].handover;
+  if (!handover) handover = remembered_.of({&cell, 1});
+  return *handover;
+}
+
+// Whatever else is silent, and however many stations report in the cell.
+void Influence::take_step(PlaceIndex cell, std::size_t step, Bench& bench) {
+  const auto stations = handovers_.cells().stations_of(cell);
+  bench.here.clear();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    if (!std::isnan(rows_[step][index(stations[i])])) bench.here.push_back(i);
+  }
+  find_components(cell, step, bench);
+  find_moments(cell, bench);
+  if (bench.moments.empty()) return;
+  if (bench.here.size() > 1) {
+    for (const Moment& moment : bench.moments) share(cell, step, moment, bench.here);
+  } else {
+    find_changes(cell, step, bench);
+    for (const Moment& moment : bench.moments)
+      part_of(cell, moment.basin).sums[bench.here.front()].add(moment.change);
+  }
+}
+
+// The silent ones beside the cell, and what they hand over.
+void Influence::find_components(PlaceIndex cell, std::size_t step, Bench& bench) {
+  bench.beside.clear();
+  bench.handed_over.clear();
+  for (const PlaceIndex q : handovers_.adjacency().neighbours(cell)) {
+    if (!std::isnan(readings_.of(q)[step])) continue;
+    const std::vector<PlaceIndex>* component = &readings_.component_of(q, step);
+    if (std::find(bench.beside.begin(), bench.beside.end(), component) != bench.beside.end())
+      continue;
+    bench.beside.push_back(component);
+    bench.handed_over.push_back(remembered_.of(*component));
+  }
+}
+
+// The cell's weights at the step: its own, and what is handed to it.
+void Influence::find_moments(PlaceIndex cell, Bench& bench) const {
+  bench.moments.clear();
+  for (const Part& part : cells_[index(cell)].parts) {
+    if (part.weight > 0) bench.moments.push_back({part.basin, part.weight, 0});
+  }
+  for (const auto& handover : bench.handed_over) {
+    for (const CellWeight& share : *handover) {
+      if (share.cell != cell) continue;
+      const auto at = std::lower_bound(
+          bench.moments.begin(), bench.moments.end(), share.basin,
+          [](const Moment& moment, std::uint32_t basin) { return moment.basin < basin; });
+      if (at != bench.moments.end() && at->basin == share.basin) {
+        at->weight += share.weight;
+      } else {
+        bench.moments.insert(at, {share.basin, share.weight, 0});
+      }
+    }
+  }
+}
+
+void Influence::find_changes(PlaceIndex cell, std::size_t step, Bench& bench) {
+  const double own = readings_.of(cell)[step];
+  const auto add = [&](const Handover& handover, double sign) {
+    auto moment = bench.moments.begin();
+    for (const CellWeight& share : handover) {
+      while (moment != bench.moments.end() && moment->basin < share.basin) ++moment;
+      if (moment == bench.moments.end()) return;
+      if (moment->basin == share.basin)
+        moment->change += sign * share.weight * (readings_.of(share.cell)[step] - own);
+    }
+  };
+  if (bench.beside.empty()) return add(handover_of(cell), 1);
+  bench.component.assign(1, cell);
+  for (std::size_t i = 0; i < bench.beside.size(); ++i) {
+    bench.component.insert(bench.component.end(), bench.beside[i]->begin(), bench.beside[i]->end());
+    add(*bench.handed_over[i], -1);
+  }
+  std::sort(bench.component.begin(), bench.component.end());
+  add(*remembered_.of(bench.component), 1);
+}
+
+// Without one of the cell's stations that report its mean is that of the others.
+void Influence::share(PlaceIndex cell, std::size_t step, const Moment& moment,
+                      const std::vector<std::size_t>& here) {
+  const auto stations = handovers_.cells().stations_of(cell);
+  const auto reading = [&](std::size_t i) { return rows_[step][index(stations[i])]; };
+  const auto count = static_cast<double>(here.size());
+  for (const std::size_t i : here) {
+    double shift = 0;
+    for (const std::size_t other : here) shift += reading(other) - reading(i);
+    part_of(cell, moment.basin).sums[i].add(moment.weight * shift / (count * (count - 1)));
+  }
+}
+
+std::vector<std::vector<GaugeInfluence>> Influence::result() const {
+  std::vector<std::vector<GaugeInfluence>> result(full_.size());
+  for (std::uint32_t c = 0; c < cells_.size(); ++c) {
+    const auto stations = handovers_.cells().stations_of(PlaceIndex{c});
+    for (const Part& part : cells_[c].parts) {
+      for (std::size_t i = 0; i < stations.size(); ++i) {
+        const Sums& sums = part.sums[i];
+        if (!sums.weighs) continue;
+        const std::size_t station = index(stations[i]);
+        const std::size_t without = station < alone_.size() ? alone_[station] : 0;
+        const auto steps = static_cast<long double>(steps_with_values_ - without);
+        result[part.basin].push_back({stations[i], 0,
+                                      static_cast<double>(std::sqrt(sums.squares / steps)),
+                                      static_cast<double>(sums.changes / steps)});
+      }
+    }
+  }
+  for (std::size_t b = 0; b < result.size(); ++b) {
+    sort_by_station(result[b]);
+    auto gauge = result[b].begin();
+    for (const StationWeight& full : full_[b].stations) {
+      while (gauge->station < full.station) ++gauge;
+      gauge->weight = full.weight;
+    }
+  }
+  return result;
+}
+
+}  // namespace thiessen

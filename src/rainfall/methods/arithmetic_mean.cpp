@@ -1,0 +1,22 @@
+#include "rainfall/methods/arithmetic_mean.h"
+
+#include "basin/containment.h"
+
+namespace thiessen {
+
+ArithmeticMean::ArithmeticMean(const Weighing& weighing)
+    : inside_(points_within(weighing.basins(), weighing.network().places(),
+                            weighing.ground().metric == Metric::geodesic ? 360 : 0)) {}
+
+AreaMethod::Weights ArithmeticMean::weights(const std::vector<bool>& reports) const {
+  Weights weights(inside_.size());
+  for (std::size_t b = 0; b < inside_.size(); ++b) {
+    for (const std::size_t p : inside_[b]) {
+      if (reports[p]) weights[b].push_back({PlaceIndex{static_cast<std::uint32_t>(p)}, 0});
+    }
+    for (PlaceWeight& w : weights[b]) w.weight = 1 / static_cast<double>(weights[b].size());
+  }
+  return weights;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "rainfall/methods/area_method.h"
+#include "rainfall/weights.h"
+
+namespace thiessen {
+
+/// The mean of the gauges inside a basin, or on its edge; none inside: no value.
+class ArithmeticMean : public AreaMethod {
+ public:
+  /// Cost: as Containment for each place in a basin's box.
+  explicit ArithmeticMean(const Weighing& weighing);
+  Weights weights(const std::vector<bool>& reports) const override;
+
+ private:
+  std::vector<std::vector<std::size_t>> inside_;  // by basin, places in their order
+};
+
+}  // namespace thiessen

@@ -1,0 +1,125 @@
+#include "rainfall/methods/inverse_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "rainfall/methods/basin_points.h"
+
+namespace thiessen {
+namespace {
+
+constexpr float at_the_point = std::numeric_limits<float>::infinity();
+
+/// Adds the weights of the neighbours that report, the first 12, made to add up to 1.
+template <typename Neighbour>
+class Shares {
+ public:
+  bool is_full() const { return count_ == nearest_.size(); }
+  void add(const Neighbour& neighbour) {
+    nearest_[count_++] = neighbour;
+    total_ += static_cast<double>(neighbour.weight);
+  }
+  void add_to(WeightSums& sums) const {
+    if (total_ == static_cast<double>(at_the_point)) {
+      for (std::size_t i = 0; i < count_; ++i) {
+        if (nearest_[i].weight == at_the_point) return sums.add(nearest_[i].place, 1);
+      }
+    }
+    const double scale = 1 / total_;
+    for (std::size_t i = 0; i < count_; ++i)
+      sums.add(nearest_[i].place, scale * static_cast<double>(nearest_[i].weight));
+  }
+
+ private:
+  std::array<Neighbour, InverseDistance::neighbours> nearest_;
+  std::size_t count_ = 0;
+  double total_ = 0;
+};
+
+}  // namespace
+
+InverseDistance::InverseDistance(const Weighing& weighing, std::size_t points, unsigned threads)
+    : weighing_(weighing),
+      nearest_(weighing.network().places(), weighing.ground().metric),
+      kept_(std::min(kept, weighing.network().places().size())),
+      points_(weighing.basins().size()) {
+  const std::vector<Point>& places = weighing.network().places();
+  if (weighing.ground().metric == Metric::geodesic) {
+    for (const Point p : places) on_earth_.emplace_back(p);
+  }
+  in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
+    points_[b].at = basin_points(weighing.basins()[b], weighing.ground(), points);
+    keep_neighbours(points_[b]);
+    WeightSums sums(places.size());
+    points_[b].full = weights_of(points_[b], std::vector<bool>(places.size(), true), sums);
+  });
+}
+
+void InverseDistance::keep_neighbours(Points& points) const {
+  points.near.resize(points.at.size() * kept_);
+  std::vector<NearestGauges::Near> near;
+  for (std::size_t i = 0; i < points.at.size(); ++i) {
+    nearest_.find(points.at[i], kept_, {}, near);
+    weigh(points.at[i], near, std::span(points.near).subspan(i * kept_, kept_));
+  }
+}
+
+// By the nearest one's distance, so that no unit of length is too large or too small for a float.
+void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
+                            std::span<Neighbour> weighed) const {
+  constexpr double accuracy = 1;  // metres, of geodesics longer than 1,000 km
+  const bool planar = weighing_.ground().metric == Metric::planar;
+  const EarthPoint here = planar ? EarthPoint(Point{}, Direction{}) : EarthPoint(at);
+  double least = 0;
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    double square = near[k].square;
+    if (!planar && square > 0) {
+      const double distance = arrival(on_earth_[index(near[k].place)], here, accuracy).distance;
+      square = distance * distance;
+    }
+    if (least == 0) least = square;
+    weighed[k] = {near[k].place, square == 0 ? at_the_point : static_cast<float>(least / square)};
+  }
+}
+
+std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
+                                                     const std::vector<bool>& reports,
+                                                     WeightSums& sums) const {
+  std::vector<NearestGauges::Near> near;
+  std::array<Neighbour, neighbours> others{};
+  const bool has_all = kept_ == reports.size();
+  for (std::size_t i = 0; i < points.at.size(); ++i) {
+    Shares<Neighbour> shares;
+    for (const Neighbour& neighbour : kept_at(points, i)) {
+      if (!reports[index(neighbour.place)]) continue;
+      shares.add(neighbour);
+      if (shares.is_full()) break;
+    }
+    if (!shares.is_full() && !has_all) {
+      nearest_.find(points.at[i], neighbours, reports, near);
+      weigh(points.at[i], near, others);
+      shares = {};
+      for (std::size_t k = 0; k < near.size(); ++k) shares.add(others[k]);
+    }
+    shares.add_to(sums);
+  }
+  return sums.take();
+}
+
+AreaMethod::Weights InverseDistance::weights(const std::vector<bool>& reports) const {
+  Weights weights(points_.size());
+  if (std::find(reports.begin(), reports.end(), true) == reports.end()) return weights;
+  WeightSums sums(reports.size());
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    const auto& full = points_[b].full;
+    const bool is_full = std::all_of(full.begin(), full.end(),
+                                     [&](const PlaceWeight& w) { return reports[index(w.place)]; });
+    weights[b] = is_full ? full : weights_of(points_[b], reports, sums);
+  }
+  return weights;
+}
+
+}  // namespace thiessen

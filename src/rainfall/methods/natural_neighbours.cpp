@@ -1,0 +1,178 @@
+#include "rainfall/methods/natural_neighbours.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+#include "rainfall/methods/basin_points.h"
+
+namespace thiessen {
+namespace {
+
+bool all_report(const std::vector<PlaceIndex>& places, const std::vector<bool>& reports) {
+  return std::all_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[index(p)]; });
+}
+
+std::vector<ChartPoint> charted(const std::vector<Point>& positions, const GaugeChart& chart) {
+  std::vector<ChartPoint> points;
+  points.reserve(positions.size());
+  for (const Point p : positions) points.push_back(chart.at(p));
+  return points;
+}
+
+}  // namespace
+
+class NaturalNeighbours::Workplace {
+ public:
+  explicit Workplace(const NaturalNeighbours& all)
+      : all_(all), natural_(*all.natural_), sums(all.weighing_.network().places().size()) {}
+
+  /// Where these places report, the weights at a point, and whether it is in the hull. Requires
+  /// that one does; the tessellation is of those that report.
+  bool find(const ChartPoint& at, Point position, const std::vector<bool>& reports,
+            std::vector<PlaceWeight>& weights) {
+    weights.clear();
+    const bool is_inside = natural_.find(at, gauges_);
+    if (!is_inside) {
+      all_.nearest_.find(position, 1, reports, near_);
+      weights.push_back({near_.front().place, 1});
+    }
+    for (const NaturalWeight& w : gauges_) add_places(w, reports, weights);
+    return is_inside;
+  }
+
+  void begin_anew() { natural_.begin_anew(); }
+  /// Does `work` with the tessellation of those that report.
+  template <typename Work>
+  void with(const std::vector<bool>& reports, Work&& work) {
+    std::vector<PointId> silent;
+    for (std::size_t n = 0; n < all_.places_of_.size(); ++n) {
+      const auto& places = all_.places_of_[n];
+      const bool is_silent = std::none_of(places.begin(), places.end(),
+                                          [&](PlaceIndex p) { return reports[index(p)]; });
+      if (!places.empty() && is_silent) silent.push_back(PointId{static_cast<std::uint32_t>(n)});
+    }
+    natural_.without(silent, work);
+  }
+
+ private:
+  void add_places(const NaturalWeight& w, const std::vector<bool>& reports,
+                  std::vector<PlaceWeight>& weights) const {
+    const std::size_t first = weights.size();
+    for (const PlaceIndex p : all_.places_of_[index(w.gauge)]) {
+      if (reports[index(p)]) weights.push_back({p, w.weight});
+    }
+    const auto count = static_cast<double>(weights.size() - first);
+    for (std::size_t i = first; i < weights.size(); ++i) weights[i].weight /= count;
+  }
+
+  const NaturalNeighbours& all_;
+  NaturalWeights natural_;
+  std::vector<NaturalWeight> gauges_;
+  std::vector<NearestGauges::Near> near_;
+
+ public:
+  WeightSums sums;
+};
+
+NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads)
+    : weighing_(weighing),
+      chart_(weighing.network().places(), weighing.ground().metric),
+      nearest_(weighing.network().places(), weighing.ground().metric),
+      points_(weighing.basins().size()),
+      shares_outside_(points_.size()) {
+  const std::vector<Point>& places = weighing.network().places();
+  natural_ = std::make_unique<const NaturalWeights>(charted(places, chart_), chart_.is_of_earth());
+  for (std::uint32_t p = 0; p < places.size(); ++p) {
+    const std::size_t number = index(natural_->numbers()[p]);
+    if (number >= places_of_.size()) places_of_.resize(number + 1);
+    places_of_[number].push_back(PlaceIndex{p});
+  }
+  in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
+    points_[b].positions = basin_points(weighing.basins()[b], weighing.ground(), points);
+    points_[b].at = charted(points_[b].positions, chart_);
+    auto workplace = borrow();
+    shares_outside_[b] =
+        static_cast<double>(keep_neighbours(points_[b], *workplace)) / static_cast<double>(points);
+    give_back(std::move(workplace));
+  });
+}
+
+NaturalNeighbours::~NaturalNeighbours() = default;
+
+// Returns how many points are outside.
+std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workplace) const {
+  const std::vector<bool> reports(weighing_.network().places().size(), true);
+  std::vector<PlaceWeight> weights;
+  std::size_t outside = 0;
+  workplace.begin_anew();
+  for (std::size_t i = 0; i < points.at.size(); ++i) {
+    if (!workplace.find(points.at[i], points.positions[i], reports, weights)) ++outside;
+    points.neighbours.insert(points.neighbours.end(), weights.begin(), weights.end());
+    points.first.push_back(static_cast<std::uint32_t>(points.neighbours.size()));
+  }
+  points.neighbours.shrink_to_fit();
+  for (const PlaceWeight& w : points.neighbours) points.all.push_back(w.place);
+  std::sort(points.all.begin(), points.all.end());
+  points.all.erase(std::unique(points.all.begin(), points.all.end()), points.all.end());
+  points.all.shrink_to_fit();
+  points.full = weights_of(points, reports, workplace);
+  return outside;
+}
+
+std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points,
+                                                       const std::vector<bool>& reports,
+                                                       Workplace& workplace) const {
+  std::vector<PlaceWeight> found;
+  for (std::size_t i = 0; i < points.at.size(); ++i) {
+    const auto first = points.neighbours.begin() + points.first[i];
+    const auto end = points.neighbours.begin() + points.first[i + 1];
+    const bool as_ever =
+        std::all_of(first, end, [&](const PlaceWeight& w) { return reports[index(w.place)]; });
+    if (as_ever) {
+      for (auto w = first; w != end; ++w) workplace.sums.add(w->place, w->weight);
+    } else {
+      workplace.find(points.at[i], points.positions[i], reports, found);
+      for (const PlaceWeight& w : found) workplace.sums.add(w.place, w.weight);
+    }
+  }
+  return workplace.sums.take();
+}
+
+AreaMethod::Weights NaturalNeighbours::weights(const std::vector<bool>& reports) const {
+  Weights weights(points_.size());
+  if (std::find(reports.begin(), reports.end(), true) == reports.end()) return weights;
+  std::vector<std::size_t> changed;
+  for (std::size_t b = 0; b < points_.size(); ++b) {
+    if (all_report(points_[b].all, reports)) {
+      weights[b] = points_[b].full;
+    } else {
+      changed.push_back(b);
+    }
+  }
+  if (changed.empty()) return weights;
+  auto workplace = borrow();
+  workplace->with(reports, [&] {
+    for (const std::size_t b : changed) weights[b] = weights_of(points_[b], reports, *workplace);
+  });
+  give_back(std::move(workplace));
+  return weights;
+}
+
+std::unique_ptr<NaturalNeighbours::Workplace> NaturalNeighbours::borrow() const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!idle_.empty()) {
+      auto workplace = std::move(idle_.back());
+      idle_.pop_back();
+      return workplace;
+    }
+  }
+  return std::make_unique<Workplace>(*this);
+}
+
+void NaturalNeighbours::give_back(std::unique_ptr<Workplace> workplace) const {
+  const std::lock_guard lock(mutex_);
+  idle_.push_back(std::move(workplace));
+}
+
+}  // namespace thiessen

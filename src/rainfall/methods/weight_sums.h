@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "rainfall/methods/area_method.h"
+
+namespace thiessen {
+
+/// Adds up what places count for at the points of a basin, one basin after the other. Cost: that of
+/// the places touched.
+class WeightSums {
+ public:
+  explicit WeightSums(std::size_t places) : sum_(places, 0), is_touched_(places, false) {}
+
+  void add(PlaceIndex place, double weight) {
+    if (!is_touched_[index(place)]) {
+      is_touched_[index(place)] = true;
+      touched_.push_back(place);
+    }
+    sum_[index(place)] += weight;
+  }
+
+  /// The weights of the basin, made to add up to 1, and begins the next. Less than 1e-14 of it is
+  /// rounding, and left out.
+  std::vector<PlaceWeight> take() {
+    constexpr double rounding = 1e-14;
+    std::sort(touched_.begin(), touched_.end());
+    double total = 0;
+    for (const PlaceIndex p : touched_) total += sum_[index(p)];
+    std::vector<PlaceWeight> weights;
+    for (const PlaceIndex p : touched_) {
+      const double weight = sum_[index(p)] / total;
+      if (weight > rounding) weights.push_back({p, weight});
+      sum_[index(p)] = 0;
+      is_touched_[index(p)] = false;
+    }
+    touched_.clear();
+    return weights;
+  }
+
+ private:
+  std::vector<double> sum_;
+  std::vector<char> is_touched_;
+  std::vector<PlaceIndex> touched_;
+};
+
+}  // namespace thiessen

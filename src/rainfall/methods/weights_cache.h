@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+#include <vector>
+
+#include "rainfall/methods/area_method.h"
+
+namespace thiessen {
+
+/// Remembers a method's weights for the sets of reporting places that were asked for lately, within
+/// a bound of memory. Safe for several threads at once; what it gives depends on the set alone.
+class WeightsCache {
+ public:
+  /// The method must outlive it.
+  WeightsCache(const AreaMethod& method, std::size_t bytes)
+      : method_(method), generation_bytes_(bytes / 2) {}
+
+  std::shared_ptr<const AreaMethod::Weights> of(const std::vector<bool>& reports);
+
+ private:
+  using Generation =
+      std::unordered_map<std::vector<bool>, std::shared_ptr<const AreaMethod::Weights>>;
+
+  std::shared_ptr<const AreaMethod::Weights> find(const std::vector<bool>& reports);
+  void keep(const std::vector<bool>& reports,
+            const std::shared_ptr<const AreaMethod::Weights>& weights);
+
+  const AreaMethod& method_;
+  std::size_t generation_bytes_;
+  std::mutex mutex_;
+  // When the young are too many they become the old, and the old are forgotten but for those asked
+  // for since.
+  Generation young_;
+  Generation old_;
+  std::size_t young_bytes_ = 0;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,79 @@
+#include "rainfall/series/dated_readings.h"
+
+#include <utility>
+
+#include "base/interrupt.h"
+#include "base/utf8.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t longest_time = 80;
+
+const char* name_of(TimePrecision precision) {
+  return precision == TimePrecision::day ? "day" : "month";
+}
+
+}  // namespace
+
+IsoTime time_of_step(std::string_view text, TimePrecision least, const std::string& file,
+                     std::size_t line) {
+  const ParsedTime parsed = parse_iso_time(trimmed(text));
+  const std::string time = "time " + quoted(text, longest_time);
+  const std::string wanted = std::string("wanted: ") + iso_time_forms;
+  if (parsed.fault == IsoTimeFault::form)
+    throw Error({file, line, time + " is not written as ISO 8601 wants it", wanted});
+  if (parsed.fault == IsoTimeFault::value)
+    throw Error({file, line, time + " does not exist", wanted});
+  if (parsed.time.precision < least) {
+    throw Error({file, line, time + " does not say the " + name_of(least),
+                 "--every takes periods that are no shorter than the steps"});
+  }
+  return parsed.time;
+}
+
+DatedReadings::DatedReadings(std::unique_ptr<Readings> all, std::string file, StepTimes wanted,
+                             Warnings& warnings)
+    : all_(std::move(all)), file_(std::move(file)), wanted_(wanted), warnings_(warnings) {}
+
+bool DatedReadings::next(TimeStep& step) {
+  while (read(step)) {
+    throw_if_interrupted();
+    const bool is_wanted = counts(step);
+    if (is_wanted && complaints_.empty()) return any_ = true;
+    if (any_) continue;
+    if (first_.empty()) first_ = step.time;
+    last_ = step.time;
+  }
+  complaints_.throw_if_any();
+  if (!any_ && !first_.empty()) warn_of_none();
+  return false;
+}
+
+bool DatedReadings::read(TimeStep& step) {
+  try {
+    return all_->next(step);
+  } catch (const Error& error) {
+    complaints_.add(error);
+    return false;
+  }
+}
+
+bool DatedReadings::counts(const TimeStep& step) {
+  try {
+    return wanted_.range.holds(time_of_step(step.time, wanted_.least, file_, step.line));
+  } catch (const Error& error) {
+    complaints_.add(error);
+    return false;
+  }
+}
+
+void DatedReadings::warn_of_none() {
+  warnings_.add({file_, 0,
+                 "no time step is in the range: the first is " + quoted(first_, longest_time) +
+                     ", the last " + quoted(last_, longest_time),
+                 ""});
+  first_.clear();  // once is enough
+}
+
+}  // namespace thiessen

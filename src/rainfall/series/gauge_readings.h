@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/long_sum.h"
+#include "rainfall/series/readings.h"
+
+namespace thiessen {
+
+/// One reading a gauge: at one time, or the mean of the times at which each reports.
+struct GaugeReadings {
+  std::vector<double> readings;  ///< by station; NaN: none
+  std::string label;             ///< the time, or "mean of 120 time steps"
+
+  std::vector<bool> reports() const;
+};
+
+/// Gathers the means, a step after the other. Cost of a step: its gauges.
+class MeanReadings {
+ public:
+  explicit MeanReadings(std::size_t stations) : sum_(stations), count_(stations, 0) {}
+
+  void add(std::span<const double> readings);
+  GaugeReadings result() const;
+
+ private:
+  std::vector<LongSum> sum_;  // so that the order of the steps does not show
+  std::vector<std::size_t> count_;
+  std::size_t steps_ = 0;
+};
+
+/// Reads the whole table: the step at `time`, or the means where that is empty. A time that the
+/// table lacks gives no label and no readings.
+GaugeReadings read_gauges(Readings& readings, std::size_t stations, const std::string& time);
+
+}  // namespace thiessen

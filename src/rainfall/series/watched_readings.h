@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "rainfall/series/readings.h"
+
+namespace thiessen {
+
+/// Other readings, of which any thread may ask how much is read, or done, while another reads them.
+class WatchedReadings : public Readings {
+ public:
+  explicit WatchedReadings(std::unique_ptr<Readings> all) : all_(std::move(all)) {}
+
+  bool next(TimeStep& step) override {
+    const bool more = all_->next(step);
+    if (more) steps_.fetch_add(1, std::memory_order_relaxed);
+    share_.store(all_->share_read(), std::memory_order_relaxed);
+    return more;
+  }
+  double share_read() const override { return share_.load(std::memory_order_relaxed); }
+  /// The share of all that the first `steps` of those read are.
+  double share_of(std::size_t steps) const {
+    const auto read = static_cast<double>(steps_.load(std::memory_order_relaxed));
+    return read > 0 ? share_read() * std::min(1.0, static_cast<double>(steps) / read) : 0;
+  }
+
+ private:
+  std::unique_ptr<Readings> all_;
+  std::atomic<std::size_t> steps_ = 0;
+  std::atomic<double> share_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace thiessen
