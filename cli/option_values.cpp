@@ -55,6 +55,8 @@ CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoT
                       const std::string& help) {
   const auto read = [name, &target](const std::string& text) {
     const ParsedTime parsed = parse_iso_time(text);
+    if (parsed.fault == IsoTimeFault::value)
+      throw CLI::ValidationError(name, quoted(text, 80) + " does not exist");
     if (!parsed) refuse(name, std::string("an ISO 8601 time such as ") + iso_time_forms, text);
     target = parsed.time;
   };

@@ -43,7 +43,7 @@ class RainCommand : public Command {
                    "where the series goes; default standard output");
     add_text(app, "--weights-log", weights_log_, "FILE",
              "the account: CSV pattern,first_time,basin,station,weight, a block for each set of "
-             "reporting gauges; --long then has a column pattern");
+             "reporting gauges; --long, without --every, then has a column pattern");
     common_.add_to(app);
   }
 

@@ -10,34 +10,6 @@
 namespace thiessen {
 namespace {
 
-Box box_of(const Diagram& diagram, const Chord& chord) {
-  return box_of(diagram.nodes[chord.from], diagram.nodes[chord.to]);
-}
-
-/// Where runs of chords begin, each the next one's continuation, and the number of chords at the
-/// end: a tree of runs is a quarter of the size of one of chords.
-std::vector<std::uint32_t> runs_of(const Diagram& diagram) {
-  constexpr std::uint32_t longest = 4;
-  std::vector<std::uint32_t> first;
-  const auto count = static_cast<std::uint32_t>(diagram.chords.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const bool goes_on = i > 0 && diagram.chords[i].from == diagram.chords[i - 1].to;
-    if (!goes_on || i - first.back() == longest) first.push_back(i);
-  }
-  first.push_back(count);
-  return first;
-}
-
-std::vector<Box> boxes_of(const Diagram& diagram, const std::vector<std::uint32_t>& first_of_run) {
-  std::vector<Box> boxes(first_of_run.size() - 1);
-  for (std::size_t run = 0; run < boxes.size(); ++run) {
-    for (std::uint32_t i = first_of_run[run]; i < first_of_run[run + 1]; ++i) {
-      boxes[run].take_in(box_of(diagram, diagram.chords[i]));
-    }
-  }
-  return boxes;
-}
-
 void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place, int step) {
   for (std::size_t i = 0; i < presence.size(); ++i) {
     if (presence[i].first != place) continue;
@@ -47,8 +19,6 @@ void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place,
   }
   presence.emplace_back(place, step);
 }
-
-constexpr std::size_t few_chords = 40;
 
 /// Along an edge or a chord, from 0 to 1: what rounding may change in the place of a crossing.
 constexpr double rounding = 1e-9;
@@ -84,17 +54,9 @@ bool is_within(const Basin& basin, Point p) {
 
 }  // namespace
 
-// A few chords, as of the cells next to a silent one, are looked through faster than a tree.
 Overlay::Overlay(const Diagram& diagram)
-    : diagram_(diagram),
-      first_of_run_(diagram.chords.size() <= few_chords ? std::vector<std::uint32_t>{0}
-                                                        : runs_of(diagram)),
-      tree_(boxes_of(diagram, first_of_run_)),
-      stamp_(diagram.chords.size(), 0) {
+    : diagram_(diagram), chord_index_(diagram), stamp_(diagram.chords.size(), 0) {
   first_chord_at_.assign(diagram.nodes.size() + 1, 0);
-  if (diagram.chords.size() <= few_chords) {
-    for (const Chord& chord : diagram.chords) boxes_.push_back(box_of(diagram, chord));
-  }
   for (const Chord& chord : diagram.chords) {
     ++first_chord_at_[chord.from + 1];
     ++first_chord_at_[chord.to + 1];
@@ -107,18 +69,6 @@ Overlay::Overlay(const Diagram& diagram)
     chord_at_[next[diagram.chords[i].from]++] = i;
     chord_at_[next[diagram.chords[i].to]++] = i;
   }
-}
-
-template <typename Found>
-void Overlay::for_each_chord_near(const Box& box, Found&& found) const {
-  for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
-    if (boxes_[i].meets(box)) found(i);
-  }
-  tree_.search(box, [&](std::uint32_t run) {
-    for (std::uint32_t i = first_of_run_[run]; i < first_of_run_[run + 1]; ++i) {
-      if (box_of(diagram_, diagram_.chords[i]).meets(box)) found(i);
-    }
-  });
 }
 
 const CutBasin& Overlay::cut(const Basin& basin) {
@@ -192,8 +142,8 @@ Overlay::Presence Overlay::presence_at_start() const {
 }
 
 void Overlay::find_events(std::uint32_t edge_number, const Edge& edge) {
-  for_each_chord_near(box_of(edge.from, edge.to),
-                      [&](std::uint32_t chord) { add_events(edge_number, edge, chord); });
+  chord_index_.for_each_near(box_of(edge.from, edge.to),
+                             [&](std::uint32_t chord) { add_events(edge_number, edge, chord); });
 }
 
 void Overlay::add_events(std::uint32_t edge_number, const Edge& edge, std::uint32_t chord_number) {
@@ -398,7 +348,7 @@ PlaceIndex Overlay::locate(Point p) const {
   if (goal == p) return guess;
   std::vector<Step> steps;
   double first = 2;
-  for_each_chord_near(box_of(p, goal), [&](std::uint32_t number) {
+  chord_index_.for_each_near(box_of(p, goal), [&](std::uint32_t number) {
     const Chord& chord = diagram_.chords[number];
     const Meeting meeting = meet(p, goal, diagram_.nodes[chord.from], diagram_.nodes[chord.to]);
     if (!meeting.crossing) return;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "basin/basin.h"
-#include "geometry/box_tree.h"
+#include "basin/chord_index.h"
 #include "tessellation/diagram.h"
 
 namespace thiessen {
@@ -81,13 +81,9 @@ class Overlay {
   };
   void emit_chord_piece(std::uint32_t number, ChordEnd from, ChordEnd to, int count);
   PlaceIndex locate(Point p) const;
-  template <typename Found>
-  void for_each_chord_near(const Box& box, Found&& found) const;
 
   const Diagram& diagram_;
-  std::vector<std::uint32_t> first_of_run_;  // chords, a few that follow each other at a time
-  BoxTree tree_;                             // of the runs
-  std::vector<Box> boxes_;                   // of chords where they are few, in place of the tree
+  ChordIndex chord_index_;
   std::vector<std::uint32_t>
       first_chord_at_;  // chords by node: chord_at_[first_chord_at_[node]] ...
   std::vector<std::uint32_t> chord_at_;

@@ -41,6 +41,7 @@ bool LongReadings::next(TimeStep& step) {
   done_ = true;
   findings.complaints().add(twice_);
   findings.conclude(steps_);
+  if (steps_ == 0) findings.warn("there is no time step");
   return false;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "io/dly_record.h"
 
 namespace thiessen {
 
@@ -23,10 +24,12 @@ void WideReadings::match_columns() {
   const std::vector<std::string>& header = source_.table->header();
   const std::size_t line = source_.table->header_line();
   if (header.size() < 2) {
+    std::string fault;
+    const bool is_dly_record = header.size() == 1 && read_dly_record(header[0], true, fault);
     throw Error({source_.table->file(), line,
                  "has the one column " + quoted(header.empty() ? "" : header[0], 80) +
                      ", and none of readings",
-                 ""});
+                 is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : ""});
   }
   constexpr std::size_t none = 0;  // a column's number counts from 1
   std::vector<std::size_t> column_of(readings_.size(), none);
@@ -80,6 +83,7 @@ void WideReadings::conclude() {
   }
   source_.findings.complaints().add(twice);
   source_.findings.conclude(steps_);
+  if (steps_ == 0) source_.findings.warn("there is no time step");
 }
 
 void WideReadings::read_row() {

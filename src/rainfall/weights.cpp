@@ -24,7 +24,8 @@ Box box_of_all(const std::vector<Basin>& basins) {
 
 void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area) {
   const double share = area / static_cast<double>(stations.size());
-  for (const StationIndex s : stations) basin.stations.push_back({s, share, share / basin.area});
+  for (const StationIndex s : stations)
+    basin.stations.push_back({s, share, std::min(share / basin.area, 1.0)});
 }
 
 Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, const Ground& ground)

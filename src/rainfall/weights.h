@@ -20,7 +20,7 @@ struct StationWeight {
 };
 
 /// The weights of one basin, positive ones only, in the order of the stations. They add up to 1
-/// within 1e-13.
+/// within 2e-13.
 struct BasinWeights {
   double area = 0;
   std::vector<StationWeight> stations;

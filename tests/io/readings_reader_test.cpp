@@ -203,7 +203,8 @@ TEST(WideReadings, warn_of_stations_without_readings) {
             Texts{"r.csv: station 'B' has no readings"});
   EXPECT_EQ(Reader().read("time,B,C\n1,1,NA\n").warnings,
             Texts{"r.csv: 2 stations have no readings: 'A', 'C'"});
-  EXPECT_EQ(Reader().read("time,A,B\n").warnings, Texts{}) << "there is no time at all";
+  EXPECT_EQ(Reader().read("time,A,B\n").warnings, Texts{"r.csv: there is no time step"})
+      << "there is no time at all";
 }
 
 TEST(WideReadings, warn_once_of_absurd_amounts) {

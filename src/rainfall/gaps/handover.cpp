@@ -6,12 +6,16 @@
 #include <memory>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "earth/chart_diagram.h"
 #include "geometry/long_sum.h"
 
 namespace thiessen {
 namespace {
+
+/// Of a region's area, in a chart: its shapes are right to a hundredth of this.
+constexpr double most_astray = 1e-4;
 
 /// The nodes that only bend an edge between two cells, in rising order.
 std::vector<Point> bends_of(const Diagram& diagram) {
@@ -146,13 +150,19 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   if (!diagram) return false;
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);
+  std::vector<std::pair<const Region*, std::vector<CellShare>>> all;
+  bool is_right = true;
   for_each_region(component, [&](const Region& region) {
-    std::vector<CellShare> shares = clipper.shares(region.shape->in_chart(chart));
+    throw_if_interrupted();
+    auto& shares = all.emplace_back(&region, clipper.shares(region.shape->in_chart(chart))).second;
     double whole = 0;
     for (const CellShare& share : shares) whole += share.area;
+    is_right = is_right && std::abs(whole - region.area) <= most_astray * region.area;
     for (CellShare& share : shares) share.area *= region.area / whole;
-    take(region, shares);
   });
+  // A sliver may be less than a chart's rounding.
+  if (!is_right) return false;
+  for (const auto& [region, shares] : all) take(*region, shares);
   return true;
 }
 
@@ -166,8 +176,10 @@ void Handovers::share(std::span<const PlaceIndex> component, std::span<const Poi
   });
   const Diagram diagram = weighing_.ground().diagram_for_areas(heirs, frame);
   CellClipper clipper(diagram, weighing_.surface());
-  for_each_region(component,
-                  [&](const Region& region) { take(region, clipper.shares(region.ground)); });
+  for_each_region(component, [&](const Region& region) {
+    throw_if_interrupted();
+    take(region, clipper.shares(region.ground));
+  });
 }
 
 }  // namespace thiessen

@@ -48,7 +48,10 @@ std::shared_ptr<const Handover> HandoverCache::of_single(PlaceIndex cell) {
   do {
     if (left < bytes) return handover;
   } while (!singles_bytes_left_.compare_exchange_weak(left, left - bytes));
-  return uncounted(singles_.keep(cell, std::move(handover)));
+  const Handover* ours = handover.get();
+  const Handover* kept = singles_.keep(cell, std::move(handover));
+  if (kept != ours) singles_bytes_left_ += bytes;
+  return uncounted(kept);
 }
 
 std::size_t HandoverCache::Hash::operator()(std::span<const PlaceIndex> component) const {

@@ -1,0 +1,43 @@
+#include "basin/chord_index.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t few_chords = 40;
+
+/// Where runs of chords begin, each the next one's continuation, and the number of chords at the
+/// end: a tree of runs is a quarter of the size of one of chords.
+std::vector<std::uint32_t> runs_of(const Diagram& diagram) {
+  constexpr std::uint32_t longest = 4;
+  std::vector<std::uint32_t> first;
+  const auto count = static_cast<std::uint32_t>(diagram.chords.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const bool goes_on = i > 0 && diagram.chords[i].from == diagram.chords[i - 1].to;
+    if (!goes_on || i - first.back() == longest) first.push_back(i);
+  }
+  first.push_back(count);
+  return first;
+}
+
+std::vector<Box> boxes_of(const Diagram& diagram, const std::vector<std::uint32_t>& first_of_run) {
+  std::vector<Box> boxes(first_of_run.size() - 1);
+  for (std::size_t run = 0; run < boxes.size(); ++run) {
+    for (std::uint32_t i = first_of_run[run]; i < first_of_run[run + 1]; ++i) {
+      boxes[run].take_in(box_of(diagram, diagram.chords[i]));
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+ChordIndex::ChordIndex(const Diagram& diagram)
+    : diagram_(diagram),
+      first_of_run_(diagram.chords.size() <= few_chords ? std::vector<std::uint32_t>{0}
+                                                        : runs_of(diagram)),
+      tree_(boxes_of(diagram, first_of_run_)) {
+  if (diagram.chords.size() > few_chords) return;
+  for (const Chord& chord : diagram.chords) boxes_.push_back(box_of(diagram, chord));
+}
+
+}  // namespace thiessen
