@@ -150,7 +150,7 @@ SphereShape::SphereShape(const Basin& ground, std::span<const Point> bends, doub
   }
   centre_ = on_sphere(box_.centre());
   reach_ = reach_of(box_, centre_);
-  if (reach_ > farthest) return;
+  if (reach_ > farthest_reach) return;
   Simplifying simplifying(centre_, tolerance, bends);
   std::size_t ring_number = 0;
   const auto ring = [&](const Ring& all) {

@@ -15,7 +15,7 @@ namespace thiessen {
 class SphereShape {
  public:
   /// How far the ground may reach from its centre, in radians; of what is larger nothing is kept.
-  static constexpr double farthest = 0.1;
+  static constexpr double farthest_reach = 0.1;
 
   /// `bends`: the corners that only bend an edge between cells, in rising order; they are left out
   /// where the edge is still within `tolerance` metres of the great circle. Edges of the basin are
@@ -23,7 +23,7 @@ class SphereShape {
   SphereShape(const Basin& ground, std::span<const Point> bends, double tolerance);
 
   Direction centre() const { return centre_; }
-  /// Radians from the centre to the farthest corner; more than `farthest`: it has no rings.
+  /// Radians from the centre to the farthest corner; more than `farthest_reach`: it has no rings.
   double reach() const { return reach_; }
   /// In longitude and latitude.
   const Box& box() const { return box_; }

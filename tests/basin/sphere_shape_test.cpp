@@ -93,7 +93,7 @@ TEST(SphereShape, keeps_the_bulges_of_the_basin_s_edges) {
 TEST(SphereShape, keeps_nothing_of_what_is_too_large_for_a_chart) {
   const SphereShape half(shapes::basin({{shapes::rectangle({-180, 0}, {180, 90}), {}}}), {},
                          tolerance);
-  EXPECT_GT(half.reach(), SphereShape::farthest);
+  EXPECT_GT(half.reach(), SphereShape::farthest_reach);
   EXPECT_TRUE(half.in_chart(GnomonicChart(half.centre())).shape.empty());
 }
 

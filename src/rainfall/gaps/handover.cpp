@@ -143,7 +143,7 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
     const double half = length(region.shape->centre() - chart.centre()) / 2;
     reach = std::max(reach, 2 * std::asin(std::min(1.0, half)) + region.shape->reach());
   });
-  if (reach > SphereShape::farthest) return false;
+  if (reach > SphereShape::farthest_reach) return false;
   const auto diagram =
       chart_diagram(heirs, {chart, 1.1 * reach, frame},
                     {weighing_.ground().accuracy_for_areas(), weighing_.ground().tolerance});

@@ -43,7 +43,7 @@ std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, cons
   Block block(work.steps_in_a_block);
   Block ahead(work.steps_in_a_block);
   // Blocks grow as long as they take no time worth telling, so that slow steps are told soon.
-  std::size_t most = 2 * std::max(1u, work.threads);
+  std::size_t most = std::size_t{2} * std::max(1u, work.threads);
   const auto compute = [&] {
     const auto begin = Clock::now();
     in_parallel(block.count(), work.threads, [&](std::size_t, std::size_t i) {
