@@ -28,6 +28,38 @@ Message unknown(const std::string& id, const Session& session) {
 
 }  // namespace
 
+namespace {
+
+std::vector<bool> stations_that_weigh(const std::vector<BasinWeights>& weights, std::size_t count) {
+  std::vector<bool> weigh(count, false);
+  for (const BasinWeights& basin : weights) {
+    for (const StationWeight& s : basin.stations) weigh[index(s.station)] = true;
+  }
+  return weigh;
+}
+
+}  // namespace
+
+void NetworkChanges::warn_of_no_effect(const Session& session,
+                                       const std::vector<BasinWeights>& before,
+                                       const std::vector<BasinWeights>& after,
+                                       Warnings& warnings) const {
+  const std::vector<Station>& stations = session.network().stations();
+  const std::vector<bool> weighed = stations_that_weigh(before, stations.size());
+  const std::vector<bool> weighs = stations_that_weigh(after, stations.size());
+  const std::set<std::string_view> closed(closed_.begin(), closed_.end());
+  for (std::size_t s = 0; s < stations.size(); ++s) {
+    const bool is_opened = s + opened_.size() >= stations.size();
+    const std::string id = quoted(stations[s].id, longest_id);
+    if (is_opened && !weighs[s]) {
+      warnings.add(
+          {"--with", 0, "the cell of " + id + " reaches into no basin: it changes nothing", ""});
+    } else if (!is_opened && closed.contains(stations[s].id) && !weighed[s]) {
+      warnings.add({"--without", 0, "station " + id + " weighs in no basin: nothing changes", ""});
+    }
+  }
+}
+
 void NetworkChanges::add_to(CLI::App& app) {
   app.option_defaults()->group("What if");
   app.add_option("--without", closed_,

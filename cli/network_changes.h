@@ -23,6 +23,9 @@ class NetworkChanges {
   std::vector<bool> after(const Session& session) const;
   /// Of opened gauges at a place with others that are there after the changes.
   void warn_of_shared_places(const Session& session, Warnings& warnings) const;
+  /// Of gauges that open or close and weigh in no basin.
+  void warn_of_no_effect(const Session& session, const std::vector<BasinWeights>& before,
+                         const std::vector<BasinWeights>& after, Warnings& warnings) const;
 
  private:
   std::vector<std::string> closed_;

@@ -192,8 +192,9 @@ void MethodOptions::add_to(CLI::App& app) {
                          "squared of the 12 nearest, natural neighbours (outside the gauges' hull "
                          "the nearest gauge), or a column for each, BASIN_thiessen and so on; with "
                          "--long rows with a column method");
-  add_count(app, "--grid", points_, 1, 100'000,
-            "over how many points of a basin idw and natural are averaged; default 2000");
+  add_count(
+      app, "--grid", points_, 1, 100'000,
+      "over how many points of a basin idw and natural are averaged, to 100000; default 2000");
 }
 
 RainMethod MethodOptions::method() const {

@@ -69,6 +69,10 @@ struct GapOptions {
   void add_to(CLI::App& app);
   /// Only how much may be remembered.
   void add_cache_to(CLI::App& app);
+  /// Whether values are what the tessellation of the gauges that report gives, however few.
+  bool are_usual() const {
+    return settings_.gaps == Gaps::retessellate && settings_.min_gauges <= 1;
+  }
   ArealRainfallSettings settings() const {
     ArealRainfallSettings settings = settings_;
     settings.remembered_bytes = cache_ << 20U;

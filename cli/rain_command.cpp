@@ -32,11 +32,13 @@ class RainCommand : public Command {
     rainfall_.add_to(app, Need::required);
     method_.add_to(app);
     gaps_.add_to(app);
-    app.add_flag("--error", errors_,
-                 "the standard error of each value, in columns BASIN_se after all others, or with "
-                 "--long in a column se: how far it may be off the true mean, by how the gauges "
-                 "differ with distance. RAINFALL is read twice; empty where fewer than five gauges "
-                 "report, or all that do read the same");
+    app.add_flag(
+        "--error", errors_,
+        "the standard error of each value, in columns BASIN_se after all others, or with "
+        "--long in a column se: 1.96 of them to each side are a 95 % bar (widened where "
+        "few gauges report) for the true mean of a field alike everywhere; README has what "
+        "was measured for rain that is not. RAINFALL is read twice, all of it; empty where "
+        "fewer than five gauges report or all that do read the same; 10 steps are needed");
     format_.add_to(app);
     periods_.add_to(app);
     output_.add_to(app, Need::optional, "rain.csv",
@@ -127,7 +129,7 @@ class RainCommand : public Command {
   std::unique_ptr<const RainfallError> fit_errors(Session& session, const ArealRainfall& values,
                                                   Warnings& warnings) const {
     Warnings told_later;
-    const auto readings = session.open_readings(study_, rainfall_, told_later, periods_.times());
+    const auto readings = session.open_readings(study_, rainfall_, told_later, std::nullopt);
     const std::size_t stations = session.network().stations().size();
     StepSample sample(stations, steps_for_errors(stations));
     Progress progress("time step", common_.quiet,

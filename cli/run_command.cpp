@@ -1,3 +1,6 @@
+#include <utility>
+#include <vector>
+
 #include "base/outputs.h"
 #include "cli/cell_features.h"
 #include "cli/commands.h"
@@ -68,15 +71,18 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
-            error.add(step.readings);
-            summary.add(step);
+            if (!common_.quiet) error.add(step.readings);
+            if (!common_.quiet) summary.add(step);
             progress.advance();
           });
     }
     series.finish(warnings);
-    if (!common_.quiet) summary.find_most_influential(rainfall, threads);
+    if (!common_.quiet && gaps_.are_usual()) summary.find_most_influential(rainfall, threads);
     const GaugeReadings mean = means.result();
-    if (!common_.quiet) summary.set_errors_of_mean(error.result(threads));
+    if (!common_.quiet) {
+      std::vector<double> errors = error.result(threads);
+      summary.set_errors_of_mean(std::move(errors), error.shortfall());
+    }
     const auto cells = cells_of(session, &mean, threads);
     cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
     warn_of_own_coordinates(session, cells_file.name(), warnings);

@@ -14,8 +14,8 @@ namespace {
 
 // Of the sample in which gauges' influence is looked for.
 constexpr std::size_t sample_bytes = std::size_t{32} << 20;
-constexpr std::size_t sampled_steps = 256;
-constexpr std::size_t sampled_handovers = 2000;
+constexpr std::size_t sampled_steps = 4096;
+constexpr std::size_t sampled_handovers = 40'000;
 
 }  // namespace
 
@@ -67,7 +67,7 @@ std::string Summary::text(const std::string& units) const {
   const bool known = session_.area_unit().km2 != 1;
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
-                  "largest weight", "mean" + unit, "standard error", "largest" + unit,
+                  "largest weight", "mean" + unit, "standard error" + unit, "largest" + unit,
                   "empty steps", "most influential gauge"});
   for (std::size_t b = 0; b < lines_.size(); ++b) {
     const Line& line = lines_[b];
@@ -86,7 +86,11 @@ std::string Summary::text(const std::string& units) const {
                     most_influential(b, unit)});
   }
   std::string text = aligned(rows);
-  if (influence_.steps < steps_) {
+  if (!shortfall_.empty()) text += "No standard errors: " + shortfall_ + ".\n";
+  if (influence_.gauges.empty() && steps_ > 0) {
+    text +=
+        "The most influential gauges are told with --gaps retessellate and without --min-gauges.\n";
+  } else if (influence_.steps < steps_) {
     text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
             " of the " + std::to_string(steps_) + " steps, evenly spaced.\n";
   }

@@ -17,8 +17,11 @@ class Summary {
  public:
   Summary(const Session& session, const std::vector<BasinWeights>& weights);
   void add(const RainStep& step);
-  /// Of the mean over all steps, by basin; NaN where it cannot be had, as without this.
-  void set_errors_of_mean(std::vector<double> errors) { errors_ = std::move(errors); }
+  /// Of the mean over all steps, by basin; NaN where it cannot be had. `shortfall`: why none can.
+  void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
+    errors_ = std::move(errors);
+    shortfall_ = shortfall;
+  }
   /// When all steps have come.
   void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
   /// Lines of aligned columns.
@@ -38,6 +41,7 @@ class Summary {
   const std::vector<BasinWeights>& weights_;
   std::vector<Line> lines_;
   std::vector<double> errors_;
+  std::string shortfall_;
   std::size_t steps_ = 0;
   StepSample sample_;
   SampledInfluence influence_{{}, 0};

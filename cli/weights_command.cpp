@@ -34,8 +34,9 @@ class WeightsCommand : public Command {
     rainfall_.add_as_option_to(
         app, "--influence",
         "what each gauge is worth by these readings (- reads standard input): CSV "
-        "basin,station,weight,rms_change,mean_change, of what a basin's rainfall changes by where "
-        "the gauge is left out");
+        "basin,station,weight,rms_change,mean_change, of a basin's rainfall without the gauge less "
+        "that with it, both by the cells of the gauges that report, over all steps that have both; "
+        "weight 0: it weighs only while others are silent");
     changes_.add_to(app);
     range_.add_range_to(app);
     gaps_.add_cache_to(app);
@@ -54,11 +55,12 @@ class WeightsCommand : public Command {
     if (rainfall_.given()) {
       write_influence(file, session.weighing(), influence(session, times, warnings));
     } else if (changes_.given()) {
-      const std::vector<bool> after = changes_.after(session);
+      const std::vector<bool> reports = changes_.after(session);
       changes_.warn_of_shared_places(session, warnings);
-      write_changed_weights(file, session.weighing(),
-                            session.weighing().weights(changes_.before(session), threads()),
-                            session.weighing().weights(after, threads()), session.area_unit());
+      const auto before = session.weighing().weights(changes_.before(session), threads());
+      const auto after = session.weighing().weights(reports, threads());
+      changes_.warn_of_no_effect(session, before, after, warnings);
+      write_changed_weights(file, session.weighing(), before, after, session.area_unit());
     } else {
       write_weights(file, session.weighing(),
                     session.weighing().weights(session.all_report(), threads()),

@@ -36,7 +36,7 @@ struct SiteWeight {
 /// Memory: 24 bytes a point, 40 to 80 bytes a gauge that has come to weigh, up to a few thousand.
 class BasinError {
  public:
-  /// `full`: the full network's weights, by site. `square_of_point`: the side, in the unit of
+  /// `full`: the full network's weights, by site. `side_of_point`: the side, in the unit of
   /// distances, of the ground that a point stands for. Sites and variogram must outlive it. Cost:
   /// the weights and the points, times the points.
   BasinError(std::vector<SiteWeight> full, std::vector<Direction> points, double side_of_point,

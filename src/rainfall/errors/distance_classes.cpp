@@ -126,13 +126,20 @@ std::vector<DistanceClass> classes_of(const std::vector<Pair>& pairs, const Site
     double semivariance = 0;
     double pairs = 0;
   };
+  // By their share of the longest, so that the unit does not show; in halves of classes, so that
+  // rounding does not on lattices.
+  double longest = 0;
+  for (const Pair& pair : pairs) {
+    if (pair.counts) longest = std::max(longest, square_distance(sites[pair.a], sites[pair.b]));
+  }
+  longest = std::sqrt(longest);
   std::map<int, Sum> sums;
   for (const Pair& pair : pairs) {
     if (!pair.counts) continue;
     const double distance = std::sqrt(square_distance(sites[pair.a], sites[pair.b]));
     // Two places that space cannot tell apart are in a class below all others.
-    const double octave = distance > 0 ? std::log2(distance) : -1100;
-    Sum& sum = sums[static_cast<int>(std::floor(classes_an_octave * octave))];
+    const double octave = distance > 0 ? std::log2(distance / longest) : -2200;
+    Sum& sum = sums[static_cast<int>(std::floor(classes_an_octave * octave + 0.5))];
     sum.distance += distance;
     sum.semivariance += pair.semivariance;
     sum.pairs += 1;

@@ -101,12 +101,16 @@ MeanError::Squares MeanError::squares(const RainfallError& error, unsigned threa
   return result;
 }
 
-std::vector<double> MeanError::result(unsigned threads) const {
+std::vector<double> MeanError::result(unsigned threads) {
   std::vector<double> errors(weighing_.basins().size(), std::numeric_limits<double>::quiet_NaN());
   const RainfallError error(rainfall_, weighing_, sample_, threads);
-  if (!error.shortfall().empty()) return errors;
+  shortfall_ = error.shortfall();
+  if (!shortfall_.empty()) return errors;
   const Variance field = variance(error.variance());
-  if (std::isnan(field.whole.variance)) return errors;
+  if (std::isnan(field.whole.variance)) {
+    shortfall_ = "too few gauges report together, or their means are all the same";
+    return errors;
+  }
   const double passing = std::isnan(field.passing) ? 0 : field.passing;
   const double lasting = field.whole.variance - passing;
   const double widening = StepVariance::widening(field.whole.degrees);

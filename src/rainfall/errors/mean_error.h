@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "rainfall/areal_rainfall.h"
@@ -34,7 +35,9 @@ class MeanError {
 
   void add(std::span<const double> readings);
   /// By basin, in the readings' unit; NaN where it cannot be had. Does not depend on `threads`.
-  std::vector<double> result(unsigned threads) const;
+  std::vector<double> result(unsigned threads);
+  /// Why the result has no figures at all; empty where it has.
+  const std::string& shortfall() const { return shortfall_; }
 
  private:
   struct Pair {
@@ -66,6 +69,7 @@ class MeanError {
   std::vector<Pair> pairs_;
   std::size_t steps_ = 0;
   StepSample sample_;
+  std::string shortfall_;
 };
 
 }  // namespace thiessen

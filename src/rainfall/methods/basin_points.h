@@ -21,7 +21,7 @@ namespace thiessen {
 /// bulges do not count. The points do not depend on where rings start or which way they run. A part
 /// too thin for doubles has its points at its first vertex.
 /// Accuracy: of a function that changes by 1 over the basin 2,000 points have the mean to 4e-3, to
-/// 1e-2 of many islands or a thin ring; 100 points to 2e-2, a million to 5e-5. Requires a basin of
+/// 1e-2 of many islands or a thin ring; 100 points to 2e-2, 100,000 to 2e-4. Requires a basin of
 /// positive area and at least one point. Cost: n log n in the vertices, and what rows cross: some
 /// sqrt(count) rows, up to 4 x count for slivers.
 std::vector<Point> basin_points(const Basin& basin, const Ground& ground, std::size_t count);
