@@ -11,16 +11,16 @@ namespace thiessen {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr auto worth_telling = std::chrono::milliseconds(50);
+constexpr auto worth_telling = std::chrono::milliseconds(150);
+constexpr std::size_t block_bytes = std::size_t{16} << 20;
 
 /// Some steps, whose memory is used again.
 class Block {
  public:
-  explicit Block(std::size_t most) : steps_(most) {}
-
   void read(Readings& readings, std::size_t most) {
     TimeStep step;
-    for (count_ = 0; count_ < std::min(most, steps_.size()) && readings.next(step); ++count_) {
+    for (count_ = 0; count_ < most && readings.next(step); ++count_) {
+      if (count_ == steps_.size()) steps_.emplace_back();
       steps_[count_].time = step.time;
       steps_[count_].readings.assign(step.readings.begin(), step.readings.end());
       steps_[count_].text.clear();
@@ -29,6 +29,13 @@ class Block {
   }
   std::size_t count() const { return count_; }
   RainStep& operator[](std::size_t i) { return steps_[i]; }
+  /// How many steps such as its first may be in a block. Requires one that is computed.
+  std::size_t affordable() const {
+    const RainStep& step = steps_.front();
+    const std::size_t bytes = sizeof step + step.readings.size() * sizeof(double) +
+                              step.basins.size() * sizeof(BasinRainfall) + step.text.size();
+    return block_bytes / bytes;
+  }
 
  private:
   std::vector<RainStep> steps_;
@@ -40,17 +47,20 @@ class Block {
 std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, const SeriesWork& work,
                           const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take) {
-  Block block(work.steps_in_a_block);
-  Block ahead(work.steps_in_a_block);
-  // Blocks grow as long as they take no time worth telling, so that slow steps are told soon.
-  std::size_t most = std::size_t{2} * std::max(1u, work.threads);
+  Block block;
+  Block ahead;
+  // Blocks grow as long as they take no time worth telling, so that slow steps are told soon; in
+  // large ones threads wait less for each other.
+  std::size_t most = std::min(std::size_t{2} * std::max(1u, work.threads), work.steps_in_a_block);
   const auto compute = [&] {
     const auto begin = Clock::now();
     in_parallel(block.count(), work.threads, [&](std::size_t, std::size_t i) {
       block[i].basins = rainfall.at(block[i].readings);
       prepare(block[i]);
     });
-    if (Clock::now() - begin < worth_telling) most = std::min(2 * most, work.steps_in_a_block);
+    if (Clock::now() - begin >= worth_telling) return;
+    most =
+        std::max<std::size_t>(1, std::min({2 * most, work.steps_in_a_block, block.affordable()}));
   };
   std::size_t count = 0;
   for (block.read(readings, most); block.count() > 0; std::swap(block, ahead)) {

@@ -22,7 +22,7 @@ struct RainStep {
 /// How a series is computed: what comes out does not depend on it.
 struct SeriesWork {
   unsigned threads = 1;
-  std::size_t steps_in_a_block = 256;  ///< at the most; two blocks are in memory
+  std::size_t steps_in_a_block = 2048;  ///< at the most, and 16 MB; two blocks are in memory
 };
 
 /// Reads step after step, computes them and calls `prepare` for each on several threads, then hands
