@@ -12,7 +12,8 @@ failures=()
 
 say() { printf '%s\n' "$*"; }
 
-# check SENTENCE COMMAND...: runs the command, shows its output where it fails, and goes on.
+# check SENTENCE COMMAND...: runs the command, shows its output where it fails, and goes on. A function that
+# is called so does not end at its first failure (set -e is off within): it has to return.
 check() {
   local sentence=$1 log
   shift
@@ -54,7 +55,7 @@ run_ctest() {
 sanitized() {
   TARGETS=core_tests "$clone/samples/build.sh" "$core" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
     -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 \
-    -DCMAKE_CXX_COMPILER=clang++
+    -DCMAKE_CXX_COMPILER=clang++ || return
   run_ctest "$core" -L core
 }
 
@@ -63,7 +64,7 @@ strange_locale() {
   local locales=$build/locales
   if [ ! -d "$locales/tr_TR.UTF-8" ]; then
     mkdir -p "$locales"
-    localedef -i tr_TR -f UTF-8 "$locales/tr_TR.UTF-8"
+    localedef -i tr_TR -f UTF-8 "$locales/tr_TR.UTF-8" || return
   fi
   LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham \
     run_ctest "$build" -LE oracles

@@ -183,10 +183,12 @@ TEST(BasinPoints, on_the_earth_each_stands_for_the_same_area) {
     Point low;
     Point high;
   };
-  for (const auto& [low, high] :
+  for (const Case& box :
        {Case{{-100, 36}, {-90, 42}}, Case{{170, 51}, {230, 72}}, Case{{-180, 60}, {180, 90}},
         Case{{-180, -90}, {180, 90}}, Case{{0, -90}, {90, -89.9999}},
         Case{{179.99, -0.01}, {180.01, 0.02}}, Case{{10, 45}, {10.00001, 45.00001}}}) {
+    const Point low = box.low;
+    const Point high = box.high;
     const Basin basin = shapes::basin({{shapes::rectangle(low, high), {}}});
     const auto points = basin_points(basin, earth, 2000);
     EXPECT_EQ(points.size(), 2000u);
