@@ -71,15 +71,16 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
-            if (!common_.quiet) error.add(step.readings);
-            if (!common_.quiet) summary.add(step);
             progress.advance();
+            if (common_.quiet) return;
+            error.add(step.readings);
+            summary.add(step);
           });
     }
     series.finish(warnings);
-    if (!common_.quiet && gaps_.are_usual()) summary.find_most_influential(rainfall, threads);
     const GaugeReadings mean = means.result();
     if (!common_.quiet) {
+      if (gaps_.are_usual()) summary.find_most_influential(rainfall, threads);
       std::vector<double> errors = error.result(threads);
       summary.set_errors_of_mean(std::move(errors), error.shortfall());
     }

@@ -4,6 +4,7 @@
 
 #include "geometry/box.h"
 #include "geometry/predicates.h"
+#include "geometry/segment.h"
 
 namespace thiessen {
 namespace {
@@ -24,10 +25,6 @@ int side_of_chord_when_shifted(Point from, Point to) {
 
 Point held_in(const Box& box, Point p) {
   return {std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)};
-}
-
-Point between(Point from, Point to, double share) {
-  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
 }
 
 }  // namespace

@@ -6,13 +6,10 @@
 #include <utility>
 
 #include "earth/conformal_sphere.h"
+#include "geometry/segment.h"
 
 namespace thiessen {
 namespace {
-
-Point between(Point a, Point b, double share) {
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-}
 
 /// The radius of the disc round its middle that holds a box in longitude and latitude.
 double reach_of(const Box& box, Direction centre) {
@@ -75,8 +72,8 @@ class SphereShape::Simplifying {
     const Point from = run_.back().in_chart;
     const Point to = chart_.project(on_sphere(b));
     double farthest = 0;
-    for (const double share : {0.25, 0.5, 0.75}) {
-      const Point p = chart_.project(on_sphere(between(a, b, share)));
+    for (const BooleSample& x : boole_samples) {
+      const Point p = chart_.project(on_sphere(between(a, b, x.along)));
       if (from != to) farthest = std::max(farthest, std::abs(to_right(from, to, p)));
     }
     constexpr double most_pieces = 1000;
@@ -96,12 +93,10 @@ class SphereShape::Simplifying {
     const Direction end = on_sphere(b);
     const Point to = chart_.project(end);
     if (to == before.in_chart) return;
-    // By G. Boole's rule.
     double mean = 0;
-    for (const auto& [share, weight] :
-         {std::pair(0.25, 32. / 90), std::pair(0.5, 12. / 90), std::pair(0.75, 32. / 90)}) {
-      mean +=
-          weight * to_right(before.in_chart, to, chart_.project(on_sphere(between(a, b, share))));
+    for (const BooleSample& x : boole_samples) {
+      const Point p = chart_.project(on_sphere(between(a, b, x.along)));
+      mean += x.weight * to_right(before.in_chart, to, p);
     }
     const double length = std::hypot(to.x - before.in_chart.x, to.y - before.in_chart.y);
     const double off = mean * length * chart_.unit_area(between(before.in_chart, to, 0.5));

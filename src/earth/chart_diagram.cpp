@@ -1,7 +1,6 @@
 #include "earth/chart_diagram.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,20 +10,10 @@
 #include "earth/geodesic.h"
 #include "earth/geodesic_vertices.h"
 #include "earth/sphere_tessellation.h"
+#include "geometry/segment.h"
 
 namespace thiessen {
 namespace {
-
-// Of the rule by G. Boole for what is 0 at both ends.
-struct Abscissa {
-  double along;
-  double weight;
-};
-constexpr std::array<Abscissa, 3> boole{{{0.25, 32. / 90}, {0.5, 12. / 90}, {0.75, 32. / 90}}};
-
-Point between(Point from, Point to, double share) {
-  return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
-}
 
 class ChartDiagramBuilder {
  public:
@@ -199,7 +188,7 @@ class ChartDiagramBuilder {
     const Direction to_right = to_right_of(from, to);
     Bend bend;
     double mean = 0;
-    for (const Abscissa& x : boole) {
+    for (const BooleSample& x : boole_samples) {
       const double offset =
           offset_at(ground_.chart.direction(between(from, to, x.along)), to_right, sides);
       mean += x.weight * offset;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "earth/in_space.h"
 #include "earth/units.h"
 #include "geometry/long_sum.h"
 #include "rainfall/errors/distance_classes.h"

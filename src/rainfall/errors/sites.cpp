@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "earth/chord_bounds.h"
+#include "earth/in_space.h"
 #include "earth/place_tree.h"
 #include "geometry/hilbert.h"
 
@@ -45,10 +45,6 @@ class Nearest {
 };
 
 }  // namespace
-
-Direction in_space(Point p, Metric metric) {
-  return metric == Metric::geodesic ? on_ellipsoid(p) : Direction{p.x, p.y, 0};
-}
 
 Sites::Sites(std::span<const Point> places, Metric metric)
     : site_of_(places.size()), place_of_(places.size()) {

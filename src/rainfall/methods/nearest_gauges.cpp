@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earth/chord_bounds.h"
+#include "earth/in_space.h"
 
 namespace thiessen {
 
@@ -11,12 +11,8 @@ NearestGauges::NearestGauges(std::span<const Point> places, Metric metric)
     : places_(places.begin(), places.end()), metric_(metric) {
   std::vector<Direction> there;
   there.reserve(places.size());
-  for (const Point p : places) there.push_back(in_space(p));
+  for (const Point p : places) there.push_back(in_space(p, metric));
   tree_ = std::make_unique<const PlaceTree>(std::move(there));
-}
-
-Direction NearestGauges::in_space(Point p) const {
-  return metric_ == Metric::planar ? Direction{p.x, p.y, 0} : on_ellipsoid(p);
 }
 
 bool NearestGauges::comes_before(const Near& a, const Near& b) const {
@@ -26,7 +22,7 @@ bool NearestGauges::comes_before(const Near& a, const Near& b) const {
 
 void NearestGauges::find(Point from, std::size_t count, const std::vector<bool>& reports,
                          std::vector<Near>& near) const {
-  const Direction at = in_space(from);
+  const Direction at = in_space(from, metric_);
   const auto square_to = [&](PlaceIndex p) {
     const Direction way = (*tree_)[p] - at;
     return dot(way, way);

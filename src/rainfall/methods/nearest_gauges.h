@@ -32,7 +32,6 @@ class NearestGauges {
             std::vector<Near>& near) const;
 
  private:
-  Direction in_space(Point p) const;
   bool comes_before(const Near& a, const Near& b) const;
 
   std::vector<Point> places_;
