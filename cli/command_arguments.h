@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/coordinates.h"
-#include "map/tessellation_picture.h"
+#include "map/plot/tessellation_picture.h"
 
 namespace thiessen::cli {
 

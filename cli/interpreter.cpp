@@ -12,7 +12,7 @@
 #include "cli/command_arguments.h"
 #include "cli/words.h"
 #include "io/points_file.h"
-#include "map/tessellation_picture.h"
+#include "map/plot/tessellation_picture.h"
 #include "tessellation/audit.h"
 #include "tessellation/session.h"
 #include "tessellation/topology_table.h"

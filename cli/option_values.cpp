@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
-#include "map/picture.h"
+#include "map/sheet/picture.h"
 
 namespace thiessen::cli {
 namespace {

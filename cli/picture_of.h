@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/session.h"
-#include "map/picture.h"
+#include "map/sheet/picture.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {

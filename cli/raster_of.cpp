@@ -4,8 +4,8 @@
 
 #include "io/crs.h"
 #include "io/raster_file.h"
-#include "map/owners.h"
-#include "map/raster_frame.h"
+#include "map/raster/owners.h"
+#include "map/raster/raster_frame.h"
 
 namespace thiessen::cli {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "io/crs.h"
 #include "io/raster_file.h"
-#include "map/owners.h"
+#include "map/raster/owners.h"
 
 namespace thiessen {
 namespace {

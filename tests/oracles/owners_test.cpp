@@ -1,5 +1,5 @@
 // A raster's owners against the distances to all stations: Karney's, and in the plane rationals.
-#include "map/owners.h"
+#include "map/raster/owners.h"
 
 #include <gtest/gtest.h>
 

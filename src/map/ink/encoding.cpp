@@ -1,0 +1,22 @@
+#include "map/ink/encoding.h"
+
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "base/error.h"
+
+namespace thiessen {
+
+std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format) {
+  const cv::Mat pixels(canvas.height(), canvas.width(), CV_8UC3, canvas.bytes().data());
+  const bool png = format == PictureFormat::png;
+  const std::vector<int> options = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
+                                       : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 93};
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(png ? ".png" : ".jpg", pixels, bytes, options) || bytes.empty()) {
+    throw Error(Message{{}, 0, "the picture could not be encoded", {}});
+  }
+  return bytes;
+}
+
+}  // namespace thiessen

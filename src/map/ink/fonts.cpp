@@ -1,0 +1,111 @@
+#include "map/ink/fonts.h"
+
+#include <fontconfig/fontconfig.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/error.h"
+#include "map/ink/unicode.h"
+
+namespace thiessen {
+namespace {
+
+struct Release {
+  void operator()(FcConfig* config) const { FcConfigDestroy(config); }
+  void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
+  void operator()(FcFontSet* fonts) const { FcFontSetDestroy(fonts); }
+};
+
+template <typename T>
+using Held = std::unique_ptr<T, Release>;
+
+const FcChar8* name(const char* text) {
+  return reinterpret_cast<const FcChar8*>(text);
+}
+
+/// What to look for. The language is named, or fontconfig would take it from the locale.
+Held<FcPattern> wanted(FcConfig* config, bool bold) {
+  Held<FcPattern> pattern(FcPatternCreate());
+  FcPatternAddString(pattern.get(), FC_FAMILY, name("DejaVu Sans"));
+  FcPatternAddString(pattern.get(), FC_FAMILY, name("sans-serif"));
+  FcPatternAddString(pattern.get(), FC_LANG, name("en"));
+  FcPatternAddInteger(pattern.get(), FC_WEIGHT, bold ? FC_WEIGHT_BOLD : FC_WEIGHT_REGULAR);
+  FcPatternAddInteger(pattern.get(), FC_SLANT, FC_SLANT_ROMAN);
+  FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
+  FcConfigSubstitute(config, pattern.get(), FcMatchPattern);
+  FcDefaultSubstitute(pattern.get());
+  return pattern;
+}
+
+bool is_true(const FcPattern* font, const char* property) {
+  FcBool value = FcFalse;
+  return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value == FcTrue;
+}
+
+bool can_draw(const FcPattern* font) {
+  return is_true(font, FC_OUTLINE) && !is_true(font, FC_COLOR) && !is_true(font, FC_VARIABLE);
+}
+
+}  // namespace
+
+struct FontList::Set {
+  struct Font {
+    FontFace face;
+    const FcCharSet* characters;
+  };
+  Held<FcConfig> config;
+  Held<FcFontSet> found;
+  std::vector<Font> fonts;
+};
+
+FontList::FontList(bool bold) : set_(std::make_unique<Set>()) {
+  set_->config.reset(FcInitLoadConfigAndFonts());
+  FcResult result = FcResultNoMatch;
+  if (set_->config) {
+    const Held<FcPattern> pattern = wanted(set_->config.get(), bold);
+    set_->found.reset(FcFontSort(set_->config.get(), pattern.get(), FcFalse, nullptr, &result));
+  }
+  for (int i = 0; set_->found && i < set_->found->nfont; ++i) {
+    FcPattern* const font = set_->found->fonts[i];
+    FcChar8* file = nullptr;
+    FcCharSet* characters = nullptr;
+    int face = 0;
+    if (!can_draw(font) || FcPatternGetString(font, FC_FILE, 0, &file) != FcResultMatch ||
+        FcPatternGetCharSet(font, FC_CHARSET, 0, &characters) != FcResultMatch) {
+      continue;
+    }
+    FcPatternGetInteger(font, FC_INDEX, 0, &face);
+    set_->fonts.push_back({{reinterpret_cast<const char*>(file), face}, characters});
+  }
+  if (set_->fonts.empty()) {
+    throw Error(Message{{}, 0, "no font to draw with", "install a font such as DejaVu Sans"});
+  }
+}
+
+FontList::~FontList() = default;
+FontList::FontList(FontList&&) noexcept = default;
+FontList& FontList::operator=(FontList&&) noexcept = default;
+
+std::size_t FontList::size() const {
+  return set_->fonts.size();
+}
+
+const FontFace& FontList::face(std::size_t font) const {
+  return set_->fonts[font].face;
+}
+
+bool FontList::covers(std::size_t font, std::u32string_view text) const {
+  return std::all_of(text.begin(), text.end(), [&](char32_t c) {
+    return is_invisible(c) || FcCharSetHasChar(set_->fonts[font].characters, c);
+  });
+}
+
+std::optional<std::size_t> FontList::first_to_cover(std::u32string_view text) const {
+  for (std::size_t font = 0; font < size(); ++font) {
+    if (covers(font, text)) return font;
+  }
+  return std::nullopt;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,34 @@
+#include "map/ink/signs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "map/ink/ink.h"
+
+namespace thiessen {
+
+double cell_line_width(int em) {
+  return std::max(1.0, 0.055 * em);
+}
+
+double basin_line_width(int em) {
+  return std::max(1.6, 0.13 * em);
+}
+
+double gauge_radius(int em, std::size_t gauges, double pixels) {
+  const double largest = 0.24 * em;
+  const double apart = std::sqrt(pixels / std::max(1.0, static_cast<double>(gauges)));
+  return std::max(1.2, std::min(largest, 0.12 * apart));
+}
+
+double gauge_reach(double radius) {
+  return radius < 2 ? radius + 0.4 : radius * 1.3 + 0.3;
+}
+
+void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip) {
+  canvas.disc(centre, gauge_reach(radius), ink::white, clip);
+  canvas.disc(centre, radius, ink::gauge, clip);
+  if (!reports) canvas.disc(centre, std::max(0.5, radius * 0.62), ink::white, clip);
+}
+
+}  // namespace thiessen

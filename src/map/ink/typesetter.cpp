@@ -1,0 +1,255 @@
+#include "map/ink/typesetter.h"
+
+#include <algorithm>
+#include <map>
+#include <opencv2/freetype.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "base/error.h"
+#include "map/ink/fonts.h"
+#include "map/ink/unicode.h"
+
+namespace thiessen {
+
+using Face = cv::Ptr<cv::freetype::FreeType2>;
+
+/// The fonts of one weight, each file opened when it is first needed.
+struct Typesetter::Fonts {
+  explicit Fonts(bool bold) : list(bold) {}
+
+  cv::freetype::FreeType2& face(std::size_t font) {
+    Face& face = open[font];
+    if (!face) {
+      face = cv::freetype::createFreeType2();
+      face->loadFontData(list.face(font).file, list.face(font).face);
+    }
+    return *face;
+  }
+
+  FontList list;
+  std::map<std::size_t, Face> open;
+};
+
+/// Text in one direction and one font, without spaces at its ends.
+struct Typesetter::Piece {
+  std::size_t font = 0;
+  std::u32string text;
+  std::size_t spaces_before = 0;
+};
+
+namespace {
+
+constexpr std::size_t preferred = 0;
+
+/// A mask with room for any text around its ink: the ink's columns and rows alone.
+SetText cut_to_ink(const cv::Mat& drawn, int baseline) {
+  int left = drawn.cols;
+  int right = -1;
+  int top = drawn.rows;
+  int bottom = -1;
+  for (int y = 0; y < drawn.rows; ++y) {
+    const auto* const row = drawn.ptr<cv::Vec3b>(y);
+    for (int x = 0; x < drawn.cols; ++x) {
+      if (row[x][0] == 0) continue;
+      left = std::min(left, x);
+      right = std::max(right, x);
+      top = std::min(top, y);
+      bottom = y;
+    }
+  }
+  SetText text;
+  if (right < left) return text;
+  text.ink = Coverage(right - left + 1, bottom - top + 1);
+  text.baseline = baseline - top;
+  for (int y = 0; y < text.height(); ++y) {
+    const auto* const row = drawn.ptr<cv::Vec3b>(y + top);
+    for (int x = 0; x < text.width(); ++x) text.ink.at(x, y) = row[x + left][0];
+  }
+  return text;
+}
+
+SetText draw(cv::freetype::FreeType2& face, const std::u32string& text, int size) {
+  constexpr int filled = -1;
+  const std::string utf8 = to_utf8(text);
+  int baseline = 0;
+  const cv::Size box = face.getTextSize(utf8, size, filled, &baseline);
+  const int margin = 2 * size;
+  cv::Mat drawn(4 * size, std::max(box.width, 0) + 2 * margin, CV_8UC3, cv::Scalar::all(0));
+  const int line = 5 * size / 2;
+  face.putText(drawn, utf8, {margin, line}, size, cv::Scalar::all(255), filled, cv::LINE_AA, true);
+  return cut_to_ink(drawn, line);
+}
+
+/// Puts `right` beside `left`, on one baseline.
+SetText joined(const SetText& left, const SetText& right, int gap) {
+  const int ascent = std::max(left.baseline, right.baseline);
+  const int descent = std::max(left.height() - left.baseline, right.height() - right.baseline);
+  SetText line;
+  line.baseline = ascent;
+  line.ink = Coverage(left.width() + gap + right.width(), ascent + descent);
+  const auto put = [&](const SetText& part, int x) {
+    for (int row = 0; row < part.height(); ++row) {
+      for (int column = 0; column < part.width(); ++column) {
+        line.ink.at(x + column, ascent - part.baseline + row) = part.ink.at(column, row);
+      }
+    }
+  };
+  put(left, 0);
+  put(right, left.width() + gap);
+  return line;
+}
+
+std::size_t end_of_cluster(std::u32string_view text, std::size_t begin) {
+  std::size_t end = begin + 1;
+  while (end < text.size() && is_attached(text[end])) ++end;
+  return end;
+}
+
+/// A word and the spaces after it.
+std::size_t end_of_word(std::u32string_view text, std::size_t begin) {
+  const std::size_t space = text.find(U' ', begin);
+  if (space == std::u32string_view::npos) return text.size();
+  return std::min(text.find_first_not_of(U' ', space), text.size());
+}
+
+std::u32string_view trimmed(std::u32string_view text) {
+  const std::size_t begin = text.find_first_not_of(U' ');
+  if (begin == std::u32string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(U' ') - begin + 1);
+}
+
+/// How many spaces stand to the left and to the right of a piece of text.
+struct Spaces {
+  std::size_t left = 0;
+  std::size_t right = 0;
+};
+
+/// Takes the spaces off the ends of `text`; all of them count as left of a text of nothing else.
+Spaces take_spaces(std::u32string& text, bool right_to_left) {
+  const std::u32string_view ink = trimmed(text);
+  const std::size_t before = ink.empty() ? text.size() : text.find_first_not_of(U' ');
+  const std::size_t after = text.size() - before - ink.size();
+  text = std::u32string(ink);
+  if (right_to_left && !text.empty()) return {after, before};
+  return {before, after};
+}
+
+}  // namespace
+
+Typesetter::Typesetter() : regular_(std::make_unique<Fonts>(false)) {}
+
+Typesetter::~Typesetter() = default;
+
+Typesetter::Fonts& Typesetter::fonts(Weight weight) {
+  if (weight == Weight::regular) return *regular_;
+  if (!bold_) bold_ = std::make_unique<Fonts>(true);
+  return *bold_;
+}
+
+std::optional<std::size_t> Typesetter::font_for(std::u32string_view text, const FontList& fonts,
+                                                const std::vector<Piece>& line) {
+  if (fonts.covers(preferred, text)) return preferred;
+  if (!line.empty() && fonts.covers(line.back().font, text)) return line.back().font;
+  return fonts.first_to_cover(text);
+}
+
+void Typesetter::add_word(std::u32string_view word, const FontList& fonts,
+                          std::vector<Piece>& line) {
+  if (const auto font = font_for(word, fonts, line)) {
+    line.push_back({*font, std::u32string(word), 0});
+    return;
+  }
+  for (std::size_t i = 0; i < word.size();) {
+    const std::size_t end = end_of_cluster(word, i);
+    std::u32string cluster(word.substr(i, end - i));
+    auto font = font_for(cluster, fonts, line);
+    if (!font) {
+      for (const char32_t c : cluster) {
+        if (!is_invisible(c) && !fonts.first_to_cover({&c, 1})) missing_.insert(c);
+      }
+      cluster = fonts.covers(preferred, U"\uFFFD") ? U"\uFFFD" : U"?";
+      font = preferred;
+    }
+    line.push_back({*font, std::move(cluster), 0});
+    i = end;
+  }
+}
+
+void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::vector<Piece>& out) {
+  std::vector<Piece> words;
+  if (fonts.covers(preferred, run)) {
+    words.push_back({preferred, std::u32string(run), 0});
+  } else {
+    for (std::size_t i = 0; i < run.size();) {
+      const std::size_t end = end_of_word(run, i);
+      add_word(run.substr(i, end - i), fonts, words);
+      i = end;
+    }
+  }
+  for (Piece& word : words) {
+    if (!out.empty() && out.back().font == word.font) {
+      out.back().text += word.text;
+    } else {
+      out.push_back(std::move(word));
+    }
+  }
+}
+
+std::vector<Typesetter::Piece> Typesetter::pieces(std::u32string_view text, Weight weight) {
+  std::vector<Piece> result;
+  std::size_t spaces = 0;
+  for (const DirectedRun& run : directed_runs(text)) {
+    std::vector<Piece> added;
+    add_run(run.text, fonts(weight).list, added);
+    if (run.right_to_left) std::reverse(added.begin(), added.end());
+    for (Piece& piece : added) {
+      const Spaces around = take_spaces(piece.text, run.right_to_left);
+      spaces += around.left;
+      if (piece.text.empty()) continue;
+      piece.spaces_before = spaces;
+      result.push_back(std::move(piece));
+      spaces = around.right;
+    }
+  }
+  return result;
+}
+
+SetText Typesetter::set_line(std::u32string_view text, int size, Weight weight) {
+  SetText line;
+  for (const Piece& piece : pieces(text, weight)) {
+    try {
+      const SetText drawn = draw(fonts(weight).face(piece.font), piece.text, size);
+      const int space = static_cast<int>(std::min<std::size_t>(piece.spaces_before, 100)) * size;
+      const int gap = line.width() == 0 ? 0 : (size + 8) / 16 + space * 3 / 10;
+      line = joined(line, drawn, gap);
+    } catch (const cv::Exception&) {
+      missing_.insert(piece.text.begin(), piece.text.end());
+    }
+  }
+  return line;
+}
+
+SetText Typesetter::set(std::string_view text, int size, Weight weight, std::size_t longest) {
+  return set_line(shortened(trimmed(displayable(text)), longest), size, weight);
+}
+
+SetText Typesetter::fit(std::string_view text, int size, int smallest, int max_width,
+                        Weight weight) {
+  constexpr std::size_t longest = 200;
+  const std::u32string characters = displayable(text);
+  const std::u32string line = shortened(trimmed(characters), longest);
+  SetText result = set_line(line, size, weight);
+  while (result.width() > max_width && size > smallest) {
+    size = std::max(smallest, std::min(size - 1, size * max_width / result.width()));
+    result = set_line(line, size, weight);
+  }
+  std::size_t length = line.size();
+  while (result.width() > max_width && length > 1) {
+    length = std::min(length - 1, length * static_cast<std::size_t>(std::max(max_width, 0)) /
+                                      static_cast<std::size_t>(result.width()));
+    result = set_line(shortened(line, length), size, weight);
+  }
+  return result.width() > max_width ? SetText{} : result;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,135 @@
+#include "map/ink/unicode.h"
+
+#include <array>
+#include <cstdint>
+
+namespace thiessen {
+namespace {
+
+struct Range {
+  char32_t first;
+  char32_t last;
+};
+
+template <std::size_t n>
+bool within(char32_t c, const std::array<Range, n>& ranges) {
+  for (const Range& r : ranges) {
+    if (c >= r.first && c <= r.last) return true;
+  }
+  return false;
+}
+
+/// A code point and how many bytes it took.
+struct Decoded {
+  char32_t code;
+  std::size_t length;
+};
+
+constexpr char32_t replacement = 0xFFFD;
+
+Decoded decode(std::string_view bytes) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+  const unsigned char lead = byte(0);
+  if (lead < 0x80) return {lead, 1};
+  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) return {replacement, 1};
+  char32_t code = lead & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {replacement, 1};
+    code = (code << 6) | (byte(i) & 0x3Fu);
+  }
+  constexpr std::array<char32_t, 5> least{0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (code < least[length] || code > 0x10FFFF || surrogate) return {replacement, 1};
+  return {code, length};
+}
+
+bool is_control(char32_t c) {
+  return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
+}
+
+bool turns_direction(char32_t c) {
+  constexpr std::array<Range, 6> marks{{{0x200E, 0x200F},
+                                        {0x202A, 0x202E},
+                                        {0x2066, 0x206F},
+                                        {0x061C, 0x061C},
+                                        {0xFEFF, 0xFEFF},
+                                        {0xE0000, 0xE0FFF}}};
+  return within(c, marks);
+}
+
+}  // namespace
+
+std::u32string displayable(std::string_view utf8) {
+  std::u32string text;
+  while (!utf8.empty()) {
+    const Decoded next = decode(utf8);
+    utf8.remove_prefix(next.length);
+    if (is_control(next.code)) {
+      text.push_back(U' ');
+    } else if (!turns_direction(next.code)) {
+      text.push_back(next.code);
+    }
+  }
+  return text;
+}
+
+std::string to_utf8(std::u32string_view text) {
+  std::string bytes;
+  for (const char32_t c : text) {
+    if (c < 0x80) {
+      bytes.push_back(static_cast<char>(c));
+      continue;
+    }
+    const int tail = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
+    constexpr std::array<std::uint32_t, 4> lead{0, 0xC0, 0xE0, 0xF0};
+    bytes.push_back(static_cast<char>(lead[static_cast<std::size_t>(tail)] | (c >> (6 * tail))));
+    for (int i = tail - 1; i >= 0; --i) {
+      bytes.push_back(static_cast<char>(0x80u | ((c >> (6 * i)) & 0x3Fu)));
+    }
+  }
+  return bytes;
+}
+
+bool is_invisible(char32_t c) {
+  constexpr std::array<Range, 6> ranges{{{0x00AD, 0x00AD},
+                                         {0x034F, 0x034F},
+                                         {0x180B, 0x180F},
+                                         {0x200B, 0x200D},
+                                         {0x2060, 0x2064},
+                                         {0xFE00, 0xFE0F}}};
+  return within(c, ranges);
+}
+
+bool is_attached(char32_t c) {
+  // The combining marks of the scripts that need a shaper, block by block.
+  constexpr std::array<Range, 19> ranges{{{0x0300, 0x036F},
+                                          {0x0483, 0x0489},
+                                          {0x0591, 0x05BD},
+                                          {0x0610, 0x061A},
+                                          {0x064B, 0x065F},
+                                          {0x06D6, 0x06DC},
+                                          {0x0900, 0x0903},
+                                          {0x093A, 0x094F},
+                                          {0x0981, 0x0983},
+                                          {0x09BC, 0x09CD},
+                                          {0x0E31, 0x0E31},
+                                          {0x0E33, 0x0E3A},
+                                          {0x0E47, 0x0E4E},
+                                          {0x0EB1, 0x0EBC},
+                                          {0x0EC8, 0x0ECD},
+                                          {0x1AB0, 0x1AFF},
+                                          {0x1DC0, 0x1DFF},
+                                          {0x20D0, 0x20FF},
+                                          {0x1F3FB, 0x1F3FF}}};
+  return within(c, ranges) || is_invisible(c);
+}
+
+std::u32string shortened(std::u32string_view text, std::size_t length) {
+  if (text.size() <= length) return std::u32string(text);
+  while (length > 0 && is_attached(text[length])) --length;
+  while (length > 0 && text[length - 1] == U' ') --length;
+  return std::u32string(text.substr(0, length)) + U'…';
+}
+
+}  // namespace thiessen

@@ -1,0 +1,250 @@
+#include "map/plot/plane_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "map/ink/dashes.h"
+#include "map/ink/ink.h"
+#include "map/ink/stroke.h"
+#include "map/plot/axis_ticks.h"
+#include "map/plot/number_labels.h"
+#include "map/plot/plot_sheet.h"
+#include "map/plot/tessellation_edges.h"
+#include "map/sheet/ticks.h"
+
+namespace thiessen {
+namespace {
+
+constexpr int smallest_numerals = 11;
+
+/// Sizes, in pixels, that suit the distance between the points.
+struct Strokes {
+  double voronoi;
+  double delaunay;
+  double dash;
+  double gap;
+  double dot;
+  int numerals;
+
+  /// `apart`: pixels from point to point, about.
+  Strokes(double apart, int em)
+      : voronoi(std::clamp(0.4 + 0.02 * apart, 0.45, 0.09 * em)),
+        delaunay(std::clamp(0.3 + 0.018 * apart, 0.35, 0.075 * em)),
+        dash(std::clamp(0.12 * apart, 3.0, 0.45 * em)),
+        gap(std::clamp(0.08 * apart, 2.5, 0.3 * em) + delaunay),
+        dot(std::clamp(0.065 * apart, 0.7, 0.24 * em)),
+        numerals(std::clamp(static_cast<int>(0.3 * apart), smallest_numerals, (9 * em) / 10)) {}
+};
+
+CoordinatesIn<2> stretch_of(const CoordinateRange<2>& range) {
+  CoordinatesIn<2> stretch{1, 1};
+  const double longest = range.longest_side();
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double side = range.side(i);
+    if (side > 0 && side * PlanePlot::longest_shown < longest) stretch[i] = longest / side / 3;
+  }
+  return stretch;
+}
+
+class PlaneDrawing {
+ public:
+  PlaneDrawing(const Tessellation<2>& tessellation, const PlanePlot& plot)
+      : tessellation_(tessellation),
+        plot_(plot),
+        sheet_(plot.aspect(), PlotSheet::Margins::for_axes),
+        strokes_(apart(), sheet_.style().em) {}
+
+  void draw(const NumberOf& number_of) {
+    draw_edges();
+    draw_dots();
+    write_numbers(number_of);
+    draw_axes();
+    sheet_.draw_frame();
+    sheet_.write_legend(tessellation_.count());
+    write_notes();
+  }
+  Canvas take_canvas() { return std::move(sheet_.canvas()); }
+
+ private:
+  double apart() const {
+    const PixelBox& panel = sheet_.panel();
+    const double pixels = static_cast<double>(panel.width) * panel.height;
+    return std::sqrt(pixels / 2 / static_cast<double>(tessellation_.count()));
+  }
+
+  Point in_panel(const CoordinatesIn<2>& place) const {
+    const Point p = plot_.pixel(place, sheet_.panel());
+    return {p.x - sheet_.panel().x, p.y - sheet_.panel().y};
+  }
+
+  void draw_edges() {
+    const PixelBox& panel = sheet_.panel();
+    const auto edges = edges_in_box(tessellation_, plot_.frame(), plot_.half());
+    Coverage blue(panel.width, panel.height);
+    for (const EdgeIn<2>& edge : edges.delaunay) draw_dashed(blue, edge);
+    sheet_.canvas().blend(panel.x, panel.y, blue, ink::delaunay);
+    Coverage red(panel.width, panel.height);
+    for (const EdgeIn<2>& edge : edges.voronoi) {
+      stroke(red, in_panel(edge.from), in_panel(edge.to), strokes_.voronoi);
+    }
+    sheet_.canvas().blend(panel.x, panel.y, red, ink::voronoi);
+  }
+
+  void draw_dashed(Coverage& layer, const EdgeIn<2>& edge) const {
+    const Point from = in_panel(edge.from);
+    const Point to = in_panel(edge.to);
+    const double length = std::hypot(to.x - from.x, to.y - from.y);
+    if (length == 0) return;
+    const Point step{(to.x - from.x) / length, (to.y - from.y) / length};
+    for (const Dash& dash : dashes(length, strokes_.dash, strokes_.gap)) {
+      stroke(layer, Point{from.x + dash.from * step.x, from.y + dash.from * step.y},
+             Point{from.x + dash.to * step.x, from.y + dash.to * step.y}, strokes_.delaunay);
+    }
+  }
+
+  double rim() const { return strokes_.dot < 2 ? strokes_.dot : 1.3 * strokes_.dot + 0.3; }
+
+  void draw_dots() {
+    const auto all_discs = [this](double radius, Colour colour) {
+      tessellation_.for_each_point([&](PointId p) {
+        sheet_.canvas().disc(plot_.pixel(plot_.frame()(tessellation_.position(p)), sheet_.panel()),
+                             radius, colour, sheet_.panel());
+      });
+    };
+    if (rim() > strokes_.dot) all_discs(rim(), ink::white);
+    all_discs(strokes_.dot, ink::text);
+  }
+
+  struct Numbered {
+    std::uint64_t number;
+    Point dot;
+  };
+
+  void write_numbers(const NumberOf& number_of) {
+    constexpr double least_apart = 26;  // pixels; below, numbers would hide all else
+    if (apart() < least_apart) {
+      notes_.push_back("too many points to number");
+      return;
+    }
+    NumberLabels labels(sheet_.canvas(), sheet_.panel(), sheet_.type(), strokes_.numerals);
+    std::vector<Numbered> points;
+    tessellation_.for_each_point([&](PointId p) {
+      const Point dot = plot_.pixel(plot_.frame()(tessellation_.position(p)), sheet_.panel());
+      points.push_back({number_of(p), dot});
+      labels.keep_clear(dot, strokes_.dot);
+    });
+    std::sort(points.begin(), points.end(),
+              [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
+    std::size_t written = 0;
+    const Colour colour = strokes_.numerals > smallest_numerals ? ink::text : ink::quiet_text;
+    for (const Numbered& point : points) {
+      if (labels.write(point.number, point.dot, rim(), colour)) ++written;
+    }
+    if (written < points.size()) {
+      notes_.push_back("numbered: " + std::to_string(written) + " of " +
+                       std::to_string(points.size()));
+    }
+  }
+
+  AxisTicks ticks_along(std::size_t axis, int pixels, double ems_apart) const {
+    const double half = plot_.half()[axis];
+    const UnitFrame<2>& frame = plot_.frame();
+    return axis_ticks(frame.origin(axis), frame.unplaced(axis, -half), frame.unplaced(axis, half),
+                      std::max(2, static_cast<int>(pixels / (ems_apart * sheet_.style().em))));
+  }
+
+  /// A tick's place in pixels of the page.
+  Point tick_pixel(std::size_t axis, const AxisTicks::Tick& tick) const {
+    CoordinatesIn<2> place{};
+    const UnitFrame<2>& frame = plot_.frame();
+    place[axis] = (tick.at - frame.unplaced(axis, 0)) * frame.scale(axis);
+    return plot_.pixel(place, sheet_.panel());
+  }
+
+  void draw_axes() {
+    const PageStyle& style = sheet_.style();
+    const PixelBox panel = sheet_.panel();
+    const int size = style.ems(0.8);
+    const int tick_length = style.ems(0.3);
+    const AxisTicks x = ticks_along(0, panel.width, 6);
+    for (const AxisTicks::Tick& tick : x.ticks) {
+      const int at = static_cast<int>(std::floor(tick_pixel(0, tick).x));
+      sheet_.canvas().fill({at, panel.bottom(), style.hairline, tick_length}, ink::frame);
+      const SetText text = sheet_.type().set(tick.text, size);
+      const int middle = std::min(at, PlotSheet::width - text.width() / 2 - style.hairline);
+      sheet_.write(text, middle, panel.bottom() + style.ems(1.1), PlotSheet::Align::centre,
+                   ink::text);
+    }
+    sheet_.write(sheet_.type().set(x.title('x'), size), panel.right(),
+                 panel.bottom() + style.ems(2.2), PlotSheet::Align::right, ink::text);
+    const AxisTicks y = ticks_along(1, panel.height, 3.5);
+    for (const AxisTicks::Tick& tick : y.ticks) {
+      const int at = static_cast<int>(std::floor(tick_pixel(1, tick).y));
+      sheet_.canvas().fill({panel.x - tick_length, at, tick_length, style.hairline}, ink::frame);
+      const SetText text =
+          sheet_.type().fit(tick.text, size, style.ems(0.5), panel.x - style.ems(0.8));
+      sheet_.write(text, panel.x - style.ems(0.5), at + text.baseline - text.height() / 2,
+                   PlotSheet::Align::right, ink::text);
+    }
+    const SetText name = sheet_.type().set(y.title('y'), size);
+    sheet_.write(name, std::max(style.ems(0.6), panel.x - style.ems(0.5) - name.width()),
+                 panel.y - style.ems(0.5), PlotSheet::Align::left, ink::text);
+  }
+
+  void write_notes() {
+    if (tessellation_.span() == Span::line && tessellation_.count() > 2) {
+      notes_.insert(notes_.begin(), "the points lie on one line");
+    }
+    for (const std::size_t axis : {0u, 1u}) {
+      if (plot_.stretch(axis) == 1) continue;
+      notes_.insert(notes_.begin(), std::string("not to scale: ") + (axis == 0 ? "x" : "y") +
+                                        " is stretched " + round_below(plot_.stretch(axis)).text() +
+                                        " times or more");
+    }
+    for (const std::string& note : notes_) sheet_.write_note(note);
+  }
+
+  const Tessellation<2>& tessellation_;
+  const PlanePlot& plot_;
+  PlotSheet sheet_;
+  Strokes strokes_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+PlanePlot::PlanePlot(const CoordinateRange<2>& range)
+    : stretch_(stretch_of(range)), frame_(range, stretch_) {
+  constexpr double margin = 0.14;
+  constexpr double least_aspect = 1;
+  constexpr double largest_aspect = 2.4;
+  half_ = {frame_.half()[0] + margin, frame_.half()[1] + margin};
+  if (range.longest_side() == 0) half_ = {1, 1 / 1.5};
+  half_[0] = std::max(half_[0], least_aspect * half_[1]);
+  half_[1] = std::max(half_[1], half_[0] / largest_aspect);
+}
+
+Point PlanePlot::pixel(const CoordinatesIn<2>& place, const PixelBox& panel) const {
+  const double scale = panel.width / (2 * half_[0]);
+  return {panel.x + panel.width / 2.0 + place[0] * scale,
+          panel.y + panel.height / 2.0 - place[1] * scale};
+}
+
+Canvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of) {
+  if (tessellation.empty()) {
+    PlotSheet sheet(1.5, PlotSheet::Margins::plain);
+    sheet.draw_frame();
+    sheet.write_legend(0);
+    sheet.write_sentence("There are no points, and so there is nothing to tessellate.");
+    return std::move(sheet.canvas());
+  }
+  const PlanePlot plot{CoordinateRange<2>(tessellation)};
+  PlaneDrawing drawing(tessellation, plot);
+  drawing.draw(number_of);
+  return drawing.take_canvas();
+}
+
+}  // namespace thiessen

@@ -1,0 +1,87 @@
+#include "map/plot/plot_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "map/ink/dashes.h"
+#include "map/ink/ink.h"
+#include "map/ink/stroke.h"
+#include "map/sheet/picture.h"
+
+namespace thiessen {
+namespace {
+
+PixelBox panel_box(const PageStyle& style, double aspect, PlotSheet::Margins margins) {
+  const int left = margins == PlotSheet::Margins::for_axes ? style.ems(5.2) : style.em;
+  const int across = PlotSheet::width - left - style.ems(1.4);
+  return {left, style.ems(3.2), across, static_cast<int>(std::lround(across / aspect))};
+}
+
+int foot(const PageStyle& style, PlotSheet::Margins margins) {
+  return style.ems(margins == PlotSheet::Margins::for_axes ? 3.6 : 2.2);
+}
+
+}  // namespace
+
+PlotSheet::PlotSheet(double aspect, Margins margins)
+    : style_(page_style(width, 0)),
+      panel_(panel_box(style_, aspect, margins)),
+      canvas_(width, panel_.bottom() + foot(style_, margins)),
+      note_left_(style_.em) {}
+
+void PlotSheet::write(const SetText& text, int x, int baseline, Align align, Colour colour) {
+  if (align == Align::centre) x -= text.width() / 2;
+  if (align == Align::right) x -= text.width();
+  canvas_.blend(x, baseline - text.baseline, text.ink, colour);
+}
+
+void PlotSheet::write_legend(std::size_t points) {
+  const int size = style_.ems(0.9);
+  const int length = style_.ems(3);
+  const double thickness = 0.09 * style_.em;
+  const int middle = style_.ems(1.2);
+  const int baseline = middle + style_.ems(0.32);
+  int x = panel_.x;
+  const auto line = [&](const char* name, Colour colour, bool dashed) {
+    Coverage ink(length, style_.em);
+    const double y = style_.em / 2.0;
+    const double end = length - 2 * thickness;
+    const std::vector<Dash> whole{{0, end}};
+    for (const Dash& dash : dashed ? dashes(end, 0.45 * style_.em, 0.4 * style_.em) : whole) {
+      stroke(ink, Point{thickness + dash.from, y}, Point{thickness + dash.to, y}, thickness);
+    }
+    canvas_.blend(x, middle - style_.em / 2, ink, colour);
+    const SetText text = type_.set(name, size);
+    write(text, x + length + style_.ems(0.5), baseline, Align::left, ink::text);
+    x += length + style_.ems(2.2) + text.width();
+  };
+  line("Voronoi", ink::voronoi, false);
+  line("Delaunay", ink::delaunay, true);
+  const Point dot{x + style_.ems(0.3) + 0.5, middle + 0.5};
+  canvas_.disc(dot, 0.24 * style_.em, ink::text, {0, 0, width, panel_.y});
+  const std::string count = points == 0   ? "no points"
+                            : points == 1 ? "1 point"
+                                          : std::to_string(points) + " points";
+  write(type_.set(count, size), x + style_.em, baseline, Align::left, ink::text);
+}
+
+void PlotSheet::write_note(const std::string& note) {
+  const int room = panel_.right() - note_left_;
+  const SetText text = type_.fit(note, style_.ems(0.72), style_.ems(0.6), room);
+  write(text, note_left_, canvas_.height() - style_.ems(0.7), Align::left, ink::quiet_text);
+  note_left_ += text.width() + style_.ems(2);
+}
+
+void PlotSheet::write_sentence(std::string_view sentence) {
+  const SetText text =
+      type_.fit(sentence, style_.ems(1.1), style_.ems(0.7), panel_.width - 2 * style_.em);
+  write(text, panel_.x + panel_.width / 2, panel_.y + panel_.height / 2, Align::centre,
+        ink::quiet_text);
+}
+
+void PlotSheet::draw_frame() {
+  canvas_.frame(panel_, ink::frame, style_.hairline);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "map/ink/canvas.h"
+#include "map/ink/typesetter.h"
+#include "map/sheet/page.h"
+
+namespace thiessen {
+
+/// A page with a framed panel, a legend above it and notes below.
+class PlotSheet {
+ public:
+  static constexpr int width = 1600;
+
+  enum class Margins { plain, for_axes };
+
+  /// `aspect`: the panel's width by its height.
+  PlotSheet(double aspect, Margins margins);
+
+  Canvas& canvas() { return canvas_; }
+  Typesetter& type() { return type_; }
+  const PageStyle& style() const { return style_; }
+  const PixelBox& panel() const { return panel_; }
+
+  /// The text's left end, middle or right end at x.
+  enum class Align { left, centre, right };
+  void write(const SetText& text, int x, int baseline, Align align, Colour colour);
+
+  /// What red and blue lines stand for, and how many points there are.
+  void write_legend(std::size_t points);
+  /// On the lowest line, on the right of what was written there before.
+  void write_note(const std::string& note);
+  /// In the middle of the panel.
+  void write_sentence(std::string_view sentence);
+  void draw_frame();
+
+ private:
+  PageStyle style_;
+  PixelBox panel_;
+  Canvas canvas_;
+  Typesetter type_;
+  int note_left_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "map/plot/camera.h"
+#include "map/plot/depth_drawing.h"
+#include "map/plot/plot_sheet.h"
+#include "map/plot/unit_frame.h"
+
+namespace thiessen {
+
+/// The box that a scene is seen in: its twelve edges, and coordinates along three of them.
+class SceneBox {
+ public:
+  /// `half`: half its sides, in units of the frame.
+  SceneBox(const UnitFrame<3>& frame, const SceneVector& half, const Camera& camera,
+           const SceneVector& eye)
+      : frame_(frame), half_(half), camera_(camera), eye_(eye) {}
+
+  void add_edges(DepthDrawing& drawing, const Pen& pen) const;
+  /// Coordinates along one edge of the outline for each axis, none for an axis that is seen end on.
+  /// Requires the camera outside.
+  void write_coordinates(PlotSheet& sheet) const;
+
+ private:
+  struct Edge {
+    std::size_t axis;
+    SceneVector from;
+    SceneVector to;
+  };
+
+  /// The edge along the axis whose coordinates of the other two have these signs.
+  Edge edge(std::size_t axis, double sign_of_next, double sign_of_last) const;
+  bool is_on_outline(const Edge& edge) const;
+  void write_along(PlotSheet& sheet, const Edge& edge) const;
+
+  const UnitFrame<3>& frame_;
+  SceneVector half_;
+  const Camera& camera_;
+  SceneVector eye_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+
+#include "map/ink/canvas.h"
+#include "map/plot/tessellation_picture.h"
+
+namespace thiessen {
+
+/// Draws what space_picture shows.
+Canvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
+                  const std::optional<View>& view);
+
+}  // namespace thiessen

@@ -1,0 +1,194 @@
+#include "map/sheet/annotation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "map/ink/ink.h"
+#include "map/ink/signs.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t longest_label = 24;
+
+/// The pixels of each basin: the rows from `top` to `bottom`.
+struct Rows {
+  int top = 0;
+  int bottom = -1;
+};
+
+std::vector<Rows> rows_of_basins(const OwnerRaster& basins, std::size_t count) {
+  std::vector<Rows> rows(count, Rows{basins.height(), -1});
+  for (int y = 0; y < basins.height(); ++y) {
+    for (int x = 0; x < basins.width(); ++x) {
+      const std::int32_t owner = basins.at(x, y);
+      if (owner < 0) continue;
+      Rows& r = rows[static_cast<std::size_t>(owner)];
+      r.top = std::min(r.top, y);
+      r.bottom = y;
+    }
+  }
+  return rows;
+}
+
+/// The longest run of a basin's pixels in a row.
+struct Run {
+  int begin = 0;
+  int end = 0;
+};
+
+Run longest_run(const OwnerRaster& basins, std::int32_t basin, int row) {
+  Run longest;
+  Run run;
+  for (int x = 0; x < basins.width(); ++x) {
+    if (basins.at(x, row) != basin) {
+      run = {x + 1, x + 1};
+      continue;
+    }
+    run.end = x + 1;
+    if (run.end - run.begin > longest.end - longest.begin) longest = run;
+  }
+  return longest;
+}
+
+/// In ems: smaller where there are many.
+double label_size(std::size_t gauges) {
+  if (gauges <= 40) return 0.85;
+  return gauges <= 150 ? 0.72 : 0.6;
+}
+
+/// Not more than the label's width in pixels: the narrowest letters take a quarter of an em.
+int least_width(const std::string& label, int size) {
+  const auto is_graphic = [](char c) { return c > ' ' && c < 127; };
+  const bool ascii = std::all_of(label.begin(), label.end(), is_graphic);
+  const auto letters = static_cast<int>(std::min(label.size(), longest_label));
+  return std::max(1, size * (ascii ? letters : 1) / 4);
+}
+
+bool holds(const OwnerRaster& basins, std::int32_t basin, const PixelBox& box) {
+  if (box.x < 0 || box.y < 0 || box.right() > basins.width() || box.bottom() > basins.height()) {
+    return false;
+  }
+  for (int y = box.y; y < box.bottom(); ++y) {
+    for (int x = box.x; x < box.right(); ++x) {
+      if (basins.at(x, y) != basin) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+Annotation::Annotation(Canvas& canvas, const Page& page, const Picture& picture,
+                       const StudyView& view, Typesetter& type)
+    : canvas_(canvas),
+      page_(page),
+      picture_(picture),
+      view_(view),
+      type_(type),
+      taken_(page.panel.width, page.panel.height) {
+  for (const Point p : view.gauges) {
+    if (in_sight(p)) ++seen_;
+  }
+  const double pixels = static_cast<double>(page.panel.width) * page.panel.height;
+  radius_ = gauge_radius(page.style.em, seen_, pixels);
+  seen_ = static_cast<std::size_t>(
+      std::count_if(view.gauges.begin(), view.gauges.end(), [&](Point p) { return in_sight(p); }));
+}
+
+bool Annotation::in_sight(Point p) const {
+  const double rim = gauge_reach(radius_);  // a dot is shown whole or not at all
+  return p.x >= rim && p.y >= rim && p.x <= page_.panel.width - rim &&
+         p.y <= page_.panel.height - rim;
+}
+
+void Annotation::draw_gauges() {
+  const int reach = static_cast<int>(std::ceil(gauge_reach(radius_)));
+  for (const bool reporting : {false, true}) {
+    for (std::size_t i = 0; i < view_.gauges.size(); ++i) {
+      const Point p = view_.gauges[i];
+      if (picture_.gauges[i].reports != reporting || !in_sight(p)) continue;
+      const Point on_page{p.x + page_.panel.x, p.y + page_.panel.y};
+      draw_gauge(canvas_, on_page, radius_, reporting, page_.panel);
+      const int x = static_cast<int>(std::floor(p.x));
+      const int y = static_cast<int>(std::floor(p.y));
+      taken_.occupy({x - reach, y - reach, 2 * reach + 1, 2 * reach + 1});
+    }
+  }
+}
+
+void Annotation::put(const SetText& text, const PixelBox& box, Colour colour) {
+  const int rim = (box.width - text.width()) / 2;
+  const int x = page_.panel.x + box.x;
+  const int y = page_.panel.y + box.y;
+  canvas_.blend(x, y, halo(text.ink, rim), ink::white, 225);
+  canvas_.blend(x + rim, y + rim, text.ink, colour);
+  taken_.occupy(box);
+}
+
+void Annotation::draw_basin_names(const OwnerRaster& basins) {
+  constexpr std::array<int, 7> shares{50, 40, 60, 30, 70, 20, 80};  // percent of the height
+  const std::vector<Rows> rows = rows_of_basins(basins, picture_.basins.size());
+  const int rim = std::max(1, page_.style.ems(0.12));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const int height = rows[i].bottom - rows[i].top + 1;
+    if (picture_.basins[i].name.empty() || height < page_.style.em) continue;
+    const auto basin = static_cast<std::int32_t>(i);
+    const SetText text =
+        type_.set(picture_.basins[i].name, page_.style.ems(0.85), Weight::bold, 40);
+    if (text.width() == 0) continue;
+    for (const int share : shares) {
+      const int row = rows[i].top + height * share / 100;
+      const Run run = longest_run(basins, basin, row);
+      const int middle = (run.begin + run.end) / 2;
+      const PixelBox box{middle - text.width() / 2 - rim, row - text.height() / 2 - rim,
+                         text.width() + 2 * rim, text.height() + 2 * rim};
+      if (!taken_.is_free(box) || !holds(basins, basin, box)) continue;
+      put(text, box, ink::basin_edge);
+      break;
+    }
+  }
+}
+
+void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
+  std::vector<std::size_t> order(picture_.gauges.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
+  const int size = std::max(9, page_.style.ems(label_size(seen_)));
+  const int rim = std::max(1, page_.style.ems(0.13));
+  const double outer = gauge_reach(radius_);
+  for (const std::size_t i : order) {
+    const Point dot = view_.gauges[i];
+    if (picture_.gauges[i].label.empty() || !in_sight(dot)) continue;
+    ++to_label_;
+    // Where less than the label's width is free it need not be set to know that it does not fit.
+    const int least = least_width(picture_.gauges[i].label, size);
+    if (!place_beside(taken_, dot, outer, 1, least, size / 2)) continue;
+    const SetText text = type_.set(picture_.gauges[i].label, size, Weight::regular, longest_label);
+    if (text.width() == 0) continue;
+    const auto box =
+        place_beside(taken_, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
+    if (!box) continue;
+    put(text, *box, ink::text);
+    ++labelled_;
+  }
+}
+
+std::string Annotation::note() const {
+  const std::size_t all = view_.gauges.size();
+  std::string text;
+  if (seen_ < all) {
+    text = "gauges in sight: " + std::to_string(seen_) + " of " + std::to_string(all);
+  }
+  if (labelled_ < to_label_) {
+    if (!text.empty()) text += ", ";
+    text += "labelled: " + std::to_string(labelled_) + " of " + std::to_string(to_label_);
+  }
+  return text;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "map/ink/canvas.h"
+#include "map/ink/labels.h"
+#include "map/ink/scanline.h"
+#include "map/ink/typesetter.h"
+#include "map/sheet/page.h"
+#include "map/sheet/picture.h"
+#include "map/sheet/study_view.h"
+
+namespace thiessen {
+
+/// Draws gauges, basin names and gauge labels into the panel; no two of them overlap but dots.
+class Annotation {
+ public:
+  /// `view` in pixels of the panel.
+  Annotation(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,
+             Typesetter& type);
+
+  /// Silent gauges first, so that none hides one that reports.
+  void draw_gauges();
+  /// A basin's name in its middle, or as near as it fits inside the basin.
+  void draw_basin_names(const OwnerRaster& basins);
+  /// Gauges in sight, those of the largest cells (`pixels`) first, ties by their order.
+  void draw_labels(const std::vector<std::size_t>& pixels);
+
+  /// How many gauges are in sight and how many of these labelled; empty where all are.
+  std::string note() const;
+
+ private:
+  bool in_sight(Point p) const;
+  void put(const SetText& text, const PixelBox& box, Colour colour);
+
+  Canvas& canvas_;
+  const Page& page_;
+  const Picture& picture_;
+  const StudyView& view_;
+  Typesetter& type_;
+  Occupancy taken_;
+  std::size_t seen_ = 0;
+  std::size_t labelled_ = 0;
+  std::size_t to_label_ = 0;
+  double radius_ = 1;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,175 @@
+#include "map/sheet/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "map/ink/ink.h"
+#include "map/ink/signs.h"
+#include "map/ink/stroke.h"
+#include "map/sheet/page.h"
+#include "map/sheet/palette.h"
+#include "map/sheet/picture.h"
+
+namespace thiessen {
+namespace {
+
+constexpr int most_classes = 9;
+
+const char* meaning(Legend::Sign sign) {
+  switch (sign) {
+    case Legend::Sign::gauge:
+      return "rain gauge";
+    case Legend::Sign::silent_gauge:
+      return "silent gauge";
+    case Legend::Sign::no_reading:
+      return "no reading";
+    case Legend::Sign::cell:
+      return "cell";
+    case Legend::Sign::basin:
+      return "basin";
+  }
+  return "";
+}
+
+std::vector<Legend::Sign> signs_of(const Picture& picture) {
+  const auto has_reading = [](const PictureCell& c) { return std::isfinite(c.rainfall); };
+  const bool all_read = !picture.cells.empty() &&
+                        std::all_of(picture.cells.begin(), picture.cells.end(), has_reading);
+  const auto reports = [](const PictureGauge& g) { return g.reports; };
+  const auto& gauges = picture.gauges;
+  std::vector<Legend::Sign> signs;
+  if (picture.by_rainfall && !all_read) signs.push_back(Legend::Sign::no_reading);
+  if (std::any_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Legend::Sign::gauge);
+  if (!std::all_of(gauges.begin(), gauges.end(), reports)) {
+    signs.push_back(Legend::Sign::silent_gauge);
+  }
+  if (!picture.cells.empty()) signs.push_back(Legend::Sign::cell);
+  if (!picture.basins.empty()) signs.push_back(Legend::Sign::basin);
+  return signs;
+}
+
+}  // namespace
+
+RainfallClasses::RainfallClasses(const Picture& picture) {
+  double least = HUGE_VAL;
+  double largest = -HUGE_VAL;
+  for (const PictureCell& cell : picture.cells) {
+    if (!picture.by_rainfall || !std::isfinite(cell.rainfall)) continue;
+    least = std::min(least, cell.rainfall);
+    largest = std::max(largest, cell.rainfall);
+  }
+  if (least > largest) return;
+  ticks_ = round_scale(least, largest, most_classes);
+  for (const RoundValue& tick : ticks_) values_.push_back(tick.value());
+}
+
+Colour RainfallClasses::colour(double rainfall) const {
+  const auto above = std::upper_bound(values_.begin(), values_.end(), rainfall);
+  const auto rank = std::max<std::ptrdiff_t>(above - values_.begin() - 1, 0);
+  return sequential_colour(std::min(static_cast<std::size_t>(rank), count() - 1), count());
+}
+
+Colour hatching(int x, int y, int em) {
+  const int spacing = std::max(5, em / 2);
+  const int line = std::max(1, em / 16);
+  return (x + y) % spacing < line ? ink::hatch : ink::no_reading;
+}
+
+Legend::Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
+               Typesetter& type)
+    : em_(style.em) {
+  if (style.bare) return;
+  const int size = style.ems(0.85);
+  const int most = std::max(style.ems(7), picture.width / 5);
+  const int sign = style.ems(2);
+  if (picture.by_rainfall) {
+    const std::string units = picture.units.empty() ? "" : " (" + picture.units + ")";
+    heading_ = type.fit("Rainfall" + units, size, style.ems(0.65), most, Weight::bold);
+    width_ = heading_.width();
+  }
+  for (const RoundValue& tick : classes.ticks()) {
+    ticks_.push_back(type.fit(tick.text(), size, size, most - sign));
+    width_ = std::max(width_, sign + ticks_.back().width());
+  }
+  for (const Sign kind : signs_of(picture)) {
+    entries_.push_back({kind, type.set(meaning(kind), size)});
+    width_ = std::max(width_, sign + entries_.back().text.width());
+  }
+}
+
+int Legend::bar_height(std::size_t classes, int step) const {
+  return classes == 0 ? 0 : static_cast<int>(classes) * step + em_ * 3 / 2;
+}
+
+int Legend::height() const {
+  const int heading = heading_.width() > 0 ? em_ * 7 / 4 : 0;
+  const std::size_t classes = ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1;
+  return heading + bar_height(classes, em_ * 5 / 4) +
+         static_cast<int>(entries_.size()) * em_ * 3 / 2;
+}
+
+int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const {
+  const std::size_t count = classes.count();
+  if (count == 0) return box.y;
+  const int n = static_cast<int>(count);
+  const int step = std::clamp((box.height - em_ * 3 / 2) / n, 2, em_ * 7 / 4);
+  const int bar_width = em_ * 5 / 4;
+  const int top = box.y + em_ / 2;
+  for (int i = 0; i < n; ++i) {
+    const Colour colour = sequential_colour(count - 1 - static_cast<std::size_t>(i), count);
+    canvas.fill({box.x, top + i * step, bar_width, step}, colour);
+  }
+  canvas.frame({box.x, top, bar_width, n * step}, ink::frame, std::max(1, em_ / 16));
+  const int every = std::max(1, (em_ + step - 1) / step);
+  for (int i = 0; i < static_cast<int>(ticks_.size()); i += every) {
+    const SetText& text = ticks_[static_cast<std::size_t>(i)];
+    const int y = ticks_.size() == 1 ? top + step / 2 : top + (n - i) * step;
+    if (ticks_.size() > 1) {
+      canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::frame);
+    }
+    canvas.blend(box.x + em_ * 2, y - text.height() / 2, text.ink, ink::text);
+  }
+  return top + n * step + em_;
+}
+
+void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
+  const Point middle{sign.x + sign.width / 2.0, sign.y + sign.height / 2.0};
+  if (kind == Sign::gauge || kind == Sign::silent_gauge) {
+    draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind == Sign::gauge, sign);
+    return;
+  }
+  if (kind == Sign::no_reading) {
+    for (int y = sign.y; y < sign.bottom(); ++y) {
+      for (int x = sign.x; x < sign.right(); ++x) canvas.set(x, y, hatching(x, y, em_));
+    }
+    canvas.frame(sign, ink::frame, std::max(1, em_ / 16));
+    return;
+  }
+  Coverage line(sign.width, sign.height);
+  const double y = sign.height / 2.0;
+  const bool basin = kind == Sign::basin;
+  const double thickness = basin ? basin_line_width(em_) : cell_line_width(em_);
+  stroke(line, Point{thickness, y}, Point{sign.width - thickness, y}, thickness);
+  canvas.blend(sign.x, sign.y, line, basin ? ink::basin_edge : ink::cell_edge);
+}
+
+void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const {
+  const PixelBox& box = page.legend;
+  const int line = em_ * 3 / 2;
+  int y = box.y;
+  if (heading_.width() > 0 && box.height >= line) {
+    canvas.blend(box.x, y + em_ * 3 / 4 - heading_.height() / 2, heading_.ink, ink::text);
+    y += line;
+  }
+  const int below = static_cast<int>(entries_.size()) * line;
+  y = draw_bar(canvas, {box.x, y, box.width, box.bottom() - y - below}, classes);
+  for (const Entry& entry : entries_) {
+    if (y + line > box.bottom() + em_ / 2) break;
+    draw_entry(canvas, {box.x, y + (line - em_) / 2, em_ * 5 / 4, em_}, entry.sign);
+    const int middle = y + line / 2;
+    canvas.blend(box.x + em_ * 2, middle - entry.text.height() / 2, entry.text.ink, ink::text);
+    y += line;
+  }
+}
+
+}  // namespace thiessen

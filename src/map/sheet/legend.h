@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "map/ink/canvas.h"
+#include "map/ink/typesetter.h"
+#include "map/sheet/ticks.h"
+
+namespace thiessen {
+
+struct Page;
+struct Picture;
+struct PageStyle;
+
+/// Rainfall in classes between round values, each of one colour.
+class RainfallClasses {
+ public:
+  /// From the least to the largest reading of the cells; none where no cell has a reading.
+  explicit RainfallClasses(const Picture& picture);
+
+  /// The ticks between the classes; a single one where all readings are equal.
+  const std::vector<RoundValue>& ticks() const { return ticks_; }
+  std::size_t count() const { return ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1; }
+  /// Requires a reading between the least and the largest.
+  Colour colour(double rainfall) const;
+
+ private:
+  std::vector<RoundValue> ticks_;
+  std::vector<double> values_;
+};
+
+/// The grey of a cell without a reading at a pixel: hatched.
+Colour hatching(int x, int y, int em);
+
+/// The column beside the map: the colour bar with its ticks, and what the signs mean.
+class Legend {
+ public:
+  enum class Sign { gauge, silent_gauge, no_reading, cell, basin };
+
+  Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
+         Typesetter& type);
+
+  int width() const { return width_; }
+  int height() const;
+  void draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const;
+
+ private:
+  struct Entry {
+    Sign sign;
+    SetText text;
+  };
+
+  int bar_height(std::size_t classes, int step) const;
+  int draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const;
+  void draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const;
+
+  int em_;
+  int width_ = 0;
+  SetText heading_;
+  std::vector<SetText> ticks_;
+  std::vector<Entry> entries_;
+};
+
+}  // namespace thiessen

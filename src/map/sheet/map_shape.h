@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/polygon.h"
+#include "map/sheet/projection.h"
+
+namespace thiessen {
+
+/// A part of a cell or basin on the map's plane: its rings, outer and holes.
+struct MapPart {
+  std::vector<Ring> rings;
+  /// The rings' edges as lines to draw: without those along a pole, or along the antimeridian
+  /// where it only cuts the shape in two.
+  std::vector<std::vector<Point>> lines;
+};
+
+using MapShape = std::vector<MapPart>;
+
+/// What a box of the plane holds; empty at first.
+struct Extent {
+  double west = 1;
+  double south = 1;
+  double east = -1;
+  double north = -1;
+
+  bool empty() const { return west > east; }
+  double width() const { return east - west; }
+  double height() const { return north - south; }
+  void add(Point p);
+};
+
+/// The shape on the map's plane. Edges are straight in the study's coordinates; where the
+/// projection bends them they are subdivided until they depart from their curve by less than
+/// `tolerance` (map units), the same way in both directions. Where the map repeats, the shape is
+/// repeated as far as `frame` needs. Cost: the vertices.
+MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
+                   const LongitudeFrame& frame, double tolerance);
+
+}  // namespace thiessen

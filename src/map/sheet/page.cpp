@@ -1,0 +1,99 @@
+#include "map/sheet/page.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thiessen {
+namespace {
+
+constexpr double rim = 0.04;  // of the panel's smaller side, left free round the study area
+
+/// Width by height of the panel that suits the extent.
+double panel_aspect(const Extent& extent) {
+  constexpr double widest = 3;
+  constexpr double tallest = 0.6;
+  if (extent.height() <= 0) return widest;
+  return std::clamp(extent.width() / extent.height(), tallest, widest);
+}
+
+/// Sets title and subtitle; returns the height they take.
+int head(const Picture& picture, Page& page, Typesetter& type) {
+  const PageStyle& style = page.style;
+  const int room = page.width - 2 * style.em;
+  int y = style.ems(0.8);
+  page.title = type.fit(picture.title, style.ems(1.5), style.em, room, Weight::bold);
+  if (page.title.width() > 0) {
+    page.title_baseline = y + std::max(style.ems(1.3), page.title.baseline);
+    const int descent = page.title.height() - page.title.baseline;
+    y = page.title_baseline + std::max(style.ems(0.5), descent);
+  }
+  page.subtitle = type.fit(picture.subtitle, style.em, style.ems(0.8), room);
+  if (page.subtitle.width() > 0) {
+    page.subtitle_baseline = y + std::max(style.ems(0.9), page.subtitle.baseline);
+    const int descent = page.subtitle.height() - page.subtitle.baseline;
+    y = page.subtitle_baseline + std::max(style.ems(0.4), descent);
+  }
+  return y + style.ems(0.4);
+}
+
+/// The height of a panel `width` across: of the extent's shape where the picture leaves it open.
+int panel_height(const Picture& picture, const Extent& extent, int width, int least, int others) {
+  if (picture.height > 0) return picture.height - others;
+  const double wanted = width / panel_aspect(extent);
+  const double most =
+      std::min<double>(max_picture_side, static_cast<double>(max_picture_pixels) / picture.width) -
+      others;
+  return static_cast<int>(std::min(std::max(wanted, static_cast<double>(least)), most));
+}
+
+Page bare_page(const Picture& picture, const Extent& extent, const PageStyle& style) {
+  Page page;
+  page.style = style;
+  page.width = picture.width;
+  page.height = std::max(panel_height(picture, extent, picture.width, 1, 0), min_picture_side);
+  page.panel = {0, 0, page.width, page.height};
+  return page;
+}
+
+}  // namespace
+
+PageStyle page_style(int width, int height) {
+  constexpr int smallest_em = 11;
+  const double tall = height > 0 ? height : 0.75 * width;
+  PageStyle style;
+  style.em = std::max(smallest_em, static_cast<int>(std::lround(std::sqrt(width * tall) / 60)));
+  style.hairline = std::max(1, style.ems(0.06));
+  style.bare = width < style.ems(24) || tall < style.ems(16);
+  return style;
+}
+
+Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type) {
+  const PageStyle style = page_style(picture.width, picture.height);
+  if (style.bare) return bare_page(picture, extent, style);
+  Page page;
+  page.style = style;
+  page.width = picture.width;
+  const int top = head(picture, page, type);
+  const int margin = style.em;
+  const int column = legend.width() == 0 ? 0 : legend.width() + margin;
+  const int foot = style.ems(3.4);
+  const int width = picture.width - 2 * margin - column;
+  const int least = std::max(legend.height(), style.ems(9));
+  const int height = panel_height(picture, extent, width, least, top + foot);
+  page.height = top + height + foot;
+  page.panel = {margin, top, width, height};
+  page.legend = {margin + width + margin, top, legend.width(), height};
+  page.footer = {margin, top + height, width + column, foot};
+  return page;
+}
+
+PanelTransform::PanelTransform(const Extent& extent, const PixelBox& panel)
+    : middle_{extent.west + extent.width() / 2, extent.south + extent.height() / 2},
+      centre_{panel.width / 2.0, panel.height / 2.0} {
+  const double free = 1 - 2 * rim;
+  const double across = extent.width() > 0 ? panel.width * free / extent.width() : HUGE_VAL;
+  const double up = extent.height() > 0 ? panel.height * free / extent.height() : HUGE_VAL;
+  scale_ = std::min(across, up);
+}
+
+}  // namespace thiessen

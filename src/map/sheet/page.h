@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "map/ink/canvas.h"
+#include "map/ink/typesetter.h"
+#include "map/sheet/legend.h"
+#include "map/sheet/map_shape.h"
+#include "map/sheet/picture.h"
+
+namespace thiessen {
+
+/// Lengths that all parts of a picture share, from its size.
+struct PageStyle {
+  int em = 16;        ///< the ordinary text size, in pixels
+  int hairline = 1;   ///< frames and ticks
+  bool bare = false;  ///< too small for any text: the map alone
+
+  int ems(double count) const { return static_cast<int>(std::lround(em * count)); }
+};
+
+/// Where things stand on the page. No two boxes overlap.
+struct Page {
+  int width = 0;
+  int height = 0;
+  PageStyle style;
+  PixelBox panel;  ///< the map
+  SetText title;
+  SetText subtitle;
+  int title_baseline = 0;
+  int subtitle_baseline = 0;
+  PixelBox legend;  ///< the column to the right of the map; no width where there is none
+  PixelBox
+      footer;  ///< scale bar, north arrow and notes, below the map; no height where there is none
+};
+
+/// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map
+/// fits the extent, as far as it is not too long or tall for a page.
+Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type);
+
+/// The style of a picture of this size; a height of 0 counts as three quarters of the width.
+PageStyle page_style(int width, int height);
+
+/// From the map's plane to pixels of the panel, the extent in its middle.
+class PanelTransform {
+ public:
+  PanelTransform(const Extent& extent, const PixelBox& panel);
+
+  Point operator()(Point map) const {
+    return {(map.x - middle_.x) * scale_ + centre_.x, (middle_.y - map.y) * scale_ + centre_.y};
+  }
+  /// Pixels to a map unit.
+  double scale() const { return scale_; }
+
+ private:
+  Point middle_;
+  Point centre_;
+  double scale_ = 1;
+};
+
+}  // namespace thiessen

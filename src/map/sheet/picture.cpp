@@ -1,0 +1,111 @@
+#include "map/sheet/picture.h"
+
+#include <cmath>
+#include <new>
+#include <opencv2/core.hpp>
+
+#include "map/ink/canvas.h"
+#include "map/ink/encoding.h"
+#include "map/ink/ink.h"
+#include "map/ink/typesetter.h"
+#include "map/ink/unicode.h"
+#include "map/sheet/annotation.h"
+#include "map/sheet/footer.h"
+#include "map/sheet/legend.h"
+#include "map/sheet/map_panel.h"
+#include "map/sheet/page.h"
+#include "map/sheet/study_view.h"
+
+namespace thiessen {
+namespace {
+
+[[noreturn]] void fail(std::string text, std::string hint = {}) {
+  throw Error(Message{{}, 0, std::move(text), std::move(hint)});
+}
+
+void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyView view,
+              const RainfallClasses& classes, Typesetter& type) {
+  const PanelTransform transform(view.extent, page.panel);
+  to_pixels(view, transform);
+  const PixelBox sight = sight_box(view, transform, page.panel);
+  OwnerRaster basins = basin_raster(view, page.panel);
+  Annotation annotation(canvas, page, picture, view, type);
+  const OwnerRaster cells = cell_raster(view, basins, sight);
+  draw_cells(canvas, page.panel, picture, cells, classes, page.style.em);
+  draw_outlines(canvas, page, view, sight);
+  annotation.draw_gauges();
+  if (!page.style.bare) {
+    constexpr std::size_t few = 40;
+    const bool names_first = picture.basins.size() <= few;
+    if (names_first && picture.basins.size() > 1) annotation.draw_basin_names(basins);
+    annotation.draw_labels(pixels_of_gauges(picture, cells));
+    if (!names_first) annotation.draw_basin_names(basins);
+  }
+  canvas.frame(page.panel, ink::frame, page.style.hairline);
+  draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, annotation.note(), type);
+}
+
+void warn_of_missing(const Typesetter& type, Warnings& warnings) {
+  if (type.missing().empty()) return;
+  constexpr std::size_t listed = 5;
+  std::u32string some;
+  for (const char32_t c : type.missing()) {
+    if (some.size() < listed) some.push_back(c);
+  }
+  warnings.add({{},
+                0,
+                "no installed font shows " + std::to_string(type.missing().size()) +
+                    " of the picture's characters, such as " + to_utf8(some),
+                "install fonts for their script, such as fonts-noto-core, fonts-noto-cjk or "
+                "fonts-unifont"});
+}
+
+std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
+  StudyView view = view_study(picture);
+  Typesetter type;
+  const PageStyle style = page_style(picture.width, picture.height);
+  const RainfallClasses classes(picture);
+  const Legend legend(picture, classes, style, type);
+  const Page page = lay_out(picture, view.extent, legend, type);
+  Canvas canvas(page.width, page.height);
+  draw_map(canvas, page, picture, std::move(view), classes, type);
+  canvas.blend(page.style.em, page.title_baseline - page.title.baseline, page.title.ink, ink::text);
+  canvas.blend(page.style.em, page.subtitle_baseline - page.subtitle.baseline, page.subtitle.ink,
+               ink::quiet_text);
+  if (legend.width() > 0) legend.draw(canvas, page, classes);
+  const std::vector<unsigned char> bytes = encoded(canvas, format);
+  warn_of_missing(type, warnings);
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+void check_picture_size(int width, int height) {
+  const auto outside = [](int side) { return side < min_picture_side || side > max_picture_side; };
+  const std::string limits = std::to_string(min_picture_side) + " to " +
+                             std::to_string(max_picture_side) + " pixels a side";
+  if (outside(width)) {
+    fail("a picture " + std::to_string(width) + " pixels wide is outside the limits of " + limits);
+  }
+  if (height == 0) return;
+  if (outside(height)) {
+    fail("a picture " + std::to_string(height) + " pixels high is outside the limits of " + limits);
+  }
+  if (static_cast<long long>(width) * height > max_picture_pixels) {
+    fail("a picture of " + std::to_string(width) + " x " + std::to_string(height) +
+         " pixels is larger than the limit of " + std::to_string(max_picture_pixels) + " pixels");
+  }
+}
+
+std::string encode_picture(const Picture& picture, PictureFormat format, Warnings& warnings) {
+  check_picture_size(picture.width, picture.height);
+  try {
+    return drawn(picture, format, warnings);
+  } catch (const cv::Exception& error) {
+    fail("the picture could not be drawn: " + error.err);
+  } catch (const std::bad_alloc&) {
+    fail("not enough memory to draw the picture", "choose a smaller --size");
+  }
+}
+
+}  // namespace thiessen

@@ -1,0 +1,112 @@
+#include "map/sheet/ticks.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+namespace thiessen {
+namespace {
+
+constexpr std::array<long long, 3> mantissas{1, 2, 5};
+
+double power_of_ten(long long digits, int exponent) {
+  return RoundValue{digits, exponent}.value();
+}
+
+/// A value of at most nine significant digits, for a scale that has no width.
+RoundValue nine_digits(double value) {
+  if (value == 0) return {};
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 8;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::scientific, 8);
+  std::string plain(text.data(), end.ptr);
+  const std::size_t mark = plain.find('e');
+  const char* power = plain.data() + mark + (plain[mark + 1] == '+' ? 2 : 1);
+  std::from_chars(power, plain.data() + plain.size(), exponent);
+  std::string significand = plain.substr(0, mark);
+  std::erase(significand, '.');
+  long long digits = 0;
+  std::from_chars(significand.data(), significand.data() + significand.size(), digits);
+  exponent -= 8;
+  for (; digits % 10 == 0; digits /= 10) ++exponent;
+  return {digits, exponent};
+}
+
+/// The multiples of a step from the last at or below `least` to the first at or above `largest`.
+struct Steps {
+  long long first;
+  long long last;
+};
+
+Steps steps(double least, double largest, RoundValue step) {
+  const auto multiple = [&](long long k) { return power_of_ten(k * step.digits, step.exponent); };
+  Steps s{static_cast<long long>(std::floor(least / step.value())),
+          static_cast<long long>(std::ceil(largest / step.value()))};
+  if (multiple(s.first + 1) <= least) ++s.first;
+  if (multiple(s.last - 1) >= largest) --s.last;
+  return s;
+}
+
+}  // namespace
+
+double RoundValue::value() const {
+  const std::string text = std::to_string(digits) + "e" + std::to_string(exponent);
+  double result = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), result);
+  if (read.ec == std::errc{}) return result;
+  return exponent < 0 ? 0 : std::copysign(HUGE_VAL, static_cast<double>(digits));
+}
+
+std::string RoundValue::text() const {
+  return decimal_text(digits, exponent);
+}
+
+std::string decimal_text(long long digits, int exponent) {
+  if (digits == 0) return "0";
+  for (; digits % 10 == 0; digits /= 10) ++exponent;
+  std::string text = std::to_string(std::abs(digits));
+  const std::string sign = digits < 0 ? "-" : "";
+  const int length = static_cast<int>(text.size());
+  if (exponent > 9 - length || exponent < -9) {
+    const std::string power = std::to_string(exponent + length - 1);
+    if (length > 1) text.insert(1, ".");
+    return sign + text + "e" + power;
+  }
+  if (exponent >= 0) return sign + text + std::string(static_cast<std::size_t>(exponent), '0');
+  if (-exponent >= length) text.insert(0, static_cast<std::size_t>(1 - exponent - length), '0');
+  text.insert(text.size() - static_cast<std::size_t>(-exponent), ".");
+  return sign + text;
+}
+
+RoundValue round_below(double limit) {
+  const int exponent = static_cast<int>(std::floor(std::log10(limit)));
+  RoundValue best{1, exponent - 1};
+  for (int power = exponent - 1; power <= exponent + 1; ++power) {
+    for (const long long mantissa : mantissas) {
+      if (power_of_ten(mantissa, power) <= limit) best = {mantissa, power};
+    }
+  }
+  return best;
+}
+
+std::vector<RoundValue> round_scale(double least, double largest, int classes) {
+  constexpr double narrowest = 1e-9;
+  const double size = std::max(std::abs(least), std::abs(largest));
+  const double range = largest / 2 - least / 2;  // halved: the difference might overflow
+  if (range <= size * narrowest || range < 1e-290) return {nine_digits(largest)};
+  std::vector<RoundValue> ticks;
+  const int exponent = static_cast<int>(std::floor(std::log10(range / classes))) - 1;
+  for (int power = exponent; ticks.empty(); ++power) {
+    for (const long long mantissa : mantissas) {
+      const Steps s = steps(least, largest, {mantissa, power});
+      if (s.last - s.first > classes || !ticks.empty()) continue;
+      for (long long k = s.first; k <= s.last; ++k) ticks.push_back({k * mantissa, power});
+    }
+  }
+  return ticks;
+}
+
+}  // namespace thiessen

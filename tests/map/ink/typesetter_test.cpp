@@ -1,0 +1,98 @@
+#include "map/ink/typesetter.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <string>
+
+#include "map/ink/fonts.h"
+
+namespace thiessen {
+namespace {
+
+TEST(Fonts, latin_text_is_set_in_the_preferred_font) {
+  const FontList fonts(false);
+  EXPECT_EQ(fonts.first_to_cover(U"Rainfall (mm) é"), 0u);
+}
+
+TEST(Fonts, the_first_font_that_has_all_characters_is_chosen) {
+  const FontList fonts(false);
+  for (const std::u32string text : {U"Київ", U"Ἀθῆναι", U"ปริมาณน้ำฝน", U"降雨量", U"محطة", U"a降"}) {
+    const auto chosen = fonts.first_to_cover(text);
+    for (std::size_t font = 0; font < fonts.size(); ++font) {
+      const bool covers = fonts.covers(font, text);
+      if (chosen && font > *chosen) break;
+      EXPECT_EQ(covers, chosen && font == *chosen);
+    }
+  }
+}
+
+TEST(Fonts, invisible_characters_need_no_glyph) {
+  const FontList fonts(false);
+  EXPECT_EQ(fonts.first_to_cover(U"a\u200Db\uFE0F"), 0u);
+}
+
+bool has_ink(const SetText& text) {
+  return std::accumulate(text.ink.values.begin(), text.ink.values.end(), 0) > 0;
+}
+
+TEST(Typesetter, text_is_cut_to_its_ink) {
+  Typesetter type;
+  const SetText text = type.set("H", 40);
+  ASSERT_TRUE(has_ink(text));
+  // DejaVu Sans: capitals are 1493 / 2048 em high and stand on the baseline.
+  EXPECT_NEAR(text.height(), 40 * 1493 / 2048.0, 2);
+  EXPECT_EQ(text.baseline, text.height());
+  for (const int x : {0, text.width() - 1}) {
+    int column = 0;
+    for (int y = 0; y < text.height(); ++y) column += text.ink.at(x, y);
+    EXPECT_GT(column, 0);
+  }
+}
+
+TEST(Typesetter, fitted_text_keeps_within_its_width) {
+  Typesetter type;
+  const std::string title = "Mean areal precipitation of the upper basin, water year 1988 to 1997";
+  for (const int width : {5, 40, 120, 300, 700, 2000}) {
+    EXPECT_LE(type.fit(title, 32, 16, width, Weight::bold).width(), width);
+  }
+  EXPECT_EQ(type.fit(title, 20, 12, 2000).width(), type.set(title, 20).width());
+}
+
+TEST(Typesetter, nothing_to_set_has_no_ink) {
+  Typesetter type;
+  EXPECT_EQ(type.set("", 20).width(), 0);
+  EXPECT_EQ(type.set(" \n\t ", 20).width(), 0);
+  EXPECT_TRUE(type.missing().empty());
+}
+
+TEST(Typesetter, what_no_font_has_is_told_and_stands_as_a_sign) {
+  Typesetter type;
+  const SetText text = type.set("a\U0010F123", 20);  // for private use
+  EXPECT_GT(text.width(), type.set("a", 20).width());
+  EXPECT_EQ(type.missing(), std::set<char32_t>{0x10F123});
+}
+
+TEST(Typesetter, hostile_text_is_set_or_left_out_but_never_fails) {
+  Typesetter type;
+  EXPECT_NO_THROW(type.set(std::string(5000, 'x'), 20));
+  std::string marks = "e";
+  for (int i = 0; i < 300; ++i) marks += "\u0301";
+  EXPECT_NO_THROW(type.set(marks, 20));
+  EXPECT_NO_THROW(type.set("\xFF\xFE\x00 \xF0\x9F", 20));
+  EXPECT_NO_THROW(type.set("\U0001F327 \U0001F468\u200D\U0001F469", 20));
+  EXPECT_LT(type.set(std::string(5000, 'x'), 20, Weight::regular, 24).width(), 24 * 20);
+}
+
+TEST(Typesetter, ligatures_and_shaped_scripts_are_drawn) {
+  Typesetter type;
+  EXPECT_TRUE(has_ink(type.set("difficult office", 24)));
+  EXPECT_TRUE(has_ink(type.set("محطة الأمطار ١٢", 24)));
+  // In words joined to one another the letters differ from letters standing alone.
+  const int joined = type.set("ببب", 60).width();
+  const int alone = type.set("ب ب ب", 60).width();
+  EXPECT_LT(joined, alone);
+}
+
+}  // namespace
+}  // namespace thiessen

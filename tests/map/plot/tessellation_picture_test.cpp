@@ -1,0 +1,287 @@
+#include "map/plot/tessellation_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "base/error.h"
+#include "map/plot/number_labels.h"
+#include "map/plot/plane_plot.h"
+#include "map/plot/plot_sheet.h"
+#include "map/plot/space_view.h"
+
+namespace thiessen {
+namespace {
+
+enum class Ink { none, red, blue };
+
+Ink ink_at(Canvas& canvas, int x, int y) {
+  const auto offset = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width()) +
+                           static_cast<std::size_t>(x));
+  const int blue = canvas.bytes()[offset];
+  const int red = canvas.bytes()[offset + 2];
+  constexpr int plainly = 60;
+  return red > blue + plainly ? Ink::red : blue > red + plainly ? Ink::blue : Ink::none;
+}
+
+std::uint64_t own_number(PointId p) {
+  return index(p);
+}
+
+template <int Dimension>
+Tessellation<Dimension> tessellation_of(const std::vector<PositionIn<Dimension>>& points) {
+  Tessellation<Dimension> tessellation;
+  tessellation.add_all(points);
+  return tessellation;
+}
+
+PixelBox panel_of(const Tessellation<2>& tessellation) {
+  const PlanePlot plot{CoordinateRange<2>(tessellation)};
+  return PlotSheet(plot.aspect(), PlotSheet::Margins::for_axes).panel();
+}
+
+std::vector<Point> random_points(std::size_t count, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  std::vector<Point> points(count);
+  for (Point& p : points) p = {3 * coordinate(random), 2 * coordinate(random)};
+  return points;
+}
+
+std::vector<SpacePoint> random_space_points(std::size_t count, unsigned seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  std::vector<SpacePoint> points(count);
+  for (SpacePoint& p : points) p = {coordinate(random), coordinate(random), coordinate(random)};
+  return points;
+}
+
+TEST(PlanePicture, of_two_points_has_a_solid_red_line_across_a_dashed_blue_one) {
+  const auto tessellation = tessellation_of<2>({{1, 7}, {5, 7}});
+  const PixelBox panel = panel_of(tessellation);
+  Canvas canvas = plot_plane(tessellation, own_number);
+  const int middle_x = panel.x + panel.width / 2;
+  const int middle_y = panel.y + panel.height / 2;
+  int red_rows = 0;
+  for (int y = panel.y; y < panel.bottom(); ++y) {
+    bool is_red = false;
+    for (int x = panel.x; x < panel.right(); ++x) {
+      const Ink ink = ink_at(canvas, x, y);
+      if (ink == Ink::red) {
+        EXPECT_LE(std::abs(x - middle_x), 2);
+      }
+      if (ink == Ink::blue) {
+        EXPECT_LE(std::abs(y - middle_y), 2);
+      }
+      is_red = is_red || ink == Ink::red;
+    }
+    red_rows += is_red;
+  }
+  EXPECT_GE(red_rows, panel.height - 2 * PlotSheet(1, PlotSheet::Margins::plain).style().hairline);
+
+  int changes = 0;
+  int blue_columns = 0;
+  bool was_blue = false;
+  for (int x = panel.x; x < panel.right(); ++x) {
+    bool is_blue = false;
+    for (int y = middle_y - 2; y <= middle_y + 2; ++y) {
+      is_blue = is_blue || ink_at(canvas, x, y) == Ink::blue;
+    }
+    changes += is_blue != was_blue;
+    blue_columns += is_blue;
+    was_blue = is_blue;
+  }
+  EXPECT_GT(changes, 40);
+  EXPECT_GT(blue_columns, panel.width / 4);
+  EXPECT_LT(blue_columns, panel.width * 3 / 4);
+}
+
+TEST(PlanePicture, keeps_its_lines_in_the_frame) {
+  std::vector<Point> points = random_points(300, 2);
+  points.push_back({1.5, -0.001});  // its neighbours' vertices lie far off
+  const auto tessellation = tessellation_of<2>(points);
+  const PixelBox panel = panel_of(tessellation);
+  Canvas canvas = plot_plane(tessellation, own_number);
+  int inside = 0;
+  for (int y = panel.y; y < canvas.height(); ++y) {
+    for (int x = 0; x < canvas.width(); ++x) {
+      if (ink_at(canvas, x, y) == Ink::none) continue;
+      EXPECT_TRUE(x >= panel.x && x < panel.right() && y < panel.bottom()) << x << " " << y;
+      ++inside;
+    }
+  }
+  EXPECT_GT(inside, 10'000);
+}
+
+TEST(PlanePicture, has_equal_scales_but_for_needles) {
+  const PlanePlot plain(CoordinateRange<2>(tessellation_of<2>({{0, 0}, {20, 1}})));
+  EXPECT_EQ(plain.stretch(0), 1);
+  EXPECT_EQ(plain.stretch(1), 1);
+  const PlanePlot needle(CoordinateRange<2>(tessellation_of<2>({{0, 0}, {1e6, 1e-6}})));
+  EXPECT_EQ(needle.stretch(0), 1);
+  EXPECT_NEAR(needle.stretch(1), 1e12 / 3, 1);
+  const PlanePlot level(CoordinateRange<2>(tessellation_of<2>({{0, 3}, {1e6, 3}})));
+  EXPECT_EQ(level.stretch(1), 1);
+}
+
+TEST(PlanePicture, shows_every_point) {
+  for (const auto& points : std::vector<std::vector<Point>>{
+           {{4e6, 5e5}}, {{0, 0}, {0, 1e8}}, {{0, 0}, {1e6, 1e-6}, {2e5, 3e-7}}, {{-3, 1e-40}}}) {
+    const auto tessellation = tessellation_of<2>(points);
+    const PlanePlot plot{CoordinateRange<2>(tessellation)};
+    const PixelBox panel = panel_of(tessellation);
+    for (const Point p : points) {
+      const Point pixel = plot.pixel(plot.frame()(p), panel);
+      EXPECT_TRUE(pixel.x > panel.x + 20 && pixel.x < panel.right() - 20);
+      EXPECT_TRUE(pixel.y > panel.y + 20 && pixel.y < panel.bottom() - 20);
+    }
+  }
+}
+
+std::uint64_t number_at(double x, double y) {
+  return static_cast<std::uint64_t>(1 + 10 * x) * 100 + static_cast<std::uint64_t>(1 + 10 * y);
+}
+
+TEST(PlanePicture, does_not_depend_on_the_order_of_the_points_or_the_locale) {
+  std::vector<Point> points = random_points(30, 4);
+  for (int i = 0; i < 9; ++i) points.push_back({i % 3 * 1.0, i / 3 * 1.0});
+  const auto picture = [](const Tessellation<2>& t) {
+    return plane_picture(t,
+                         [&t](PointId p) { return number_at(t.position(p).x, t.position(p).y); });
+  };
+  const auto first = picture(tessellation_of<2>(points));
+  EXPECT_EQ(picture(tessellation_of<2>(points)), first);
+  std::shuffle(points.begin(), points.end(), std::mt19937_64(3));
+  Tessellation<2> other;
+  other.add({77, 77});
+  for (const Point p : points) other.add(p);
+  other.remove(*other.find({77, 77}));
+  EXPECT_EQ(picture(other), first);
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* locale : {"de_DE.UTF-8", "tr_TR.UTF-8", "C.UTF-8"}) {
+    if (std::setlocale(LC_ALL, locale) != nullptr) {
+      EXPECT_EQ(picture(other), first) << locale;
+    }
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(SpacePicture, does_not_depend_on_the_order_of_the_points) {
+  std::vector<SpacePoint> points = random_space_points(20, 4);
+  for (int i = 0; i < 8; ++i) points.push_back({i % 2 * 1.0, i / 2 % 2 * 1.0, i / 4 * 1.0});
+  const auto picture = [](const Tessellation<3>& t) {
+    return space_picture(
+        t,
+        [&t](PointId p) { return number_at(t.position(p).x, t.position(p).y + t.position(p).z); },
+        std::nullopt);
+  };
+  const auto first = picture(tessellation_of<3>(points));
+  std::shuffle(points.begin(), points.end(), std::mt19937_64(3));
+  EXPECT_EQ(picture(tessellation_of<3>(points)), first);
+}
+
+TEST(SpacePicture, of_any_span_and_any_size_is_drawn) {
+  const std::vector<std::vector<SpacePoint>> sets{
+      {},
+      {{1, 2, 3}},
+      {{0, 0, 0}, {1, 1, 1}},
+      {{0, 0, 0}, {1, 2, 3}, {2, 4, 6}},
+      {{0, 0, 0}, {0.1, 0.2, 0.3}, {0.2, 0.4, 0.6}, {0.3, 0.6, 0.9}, {0.7, 1.4, 2.1}},
+      {{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {1, 1, 5}},
+      {{0, 0, 0}, {1e60, 0, 0}, {0, 1e60, 0}, {0, 0, 1e60}, {1e-40, 1e-40, 1e-40}},
+      {{4e6, 4e6, 4e6},
+       {4e6 + 0x1p-30, 4e6, 4e6},
+       {4e6, 4e6 + 0x1p-30, 4e6},
+       {4e6, 4e6, 4e6 + 1e-8}}};
+  const std::vector<std::optional<View>> views{
+      std::nullopt, View{{1, 2, 3}, {4, 5, 6}}, View{{0, 0, 10}, {0, 0, 0}},
+      View{{1e30, 1e30, -1e30}, {0.5, 0.5, 0.5}}, View{{1e30, 1e30, -1e30}, {-1e30, 1e30, 1e30}}};
+  for (const auto& points : sets) {
+    const auto tessellation = tessellation_of<3>(points);
+    for (const auto& view : views) {
+      const auto bytes = space_picture(tessellation, own_number, view);
+      EXPECT_GT(bytes.size(), 1000u);
+      EXPECT_EQ(std::string(bytes.begin() + 1, bytes.begin() + 4), "PNG");
+    }
+  }
+}
+
+TEST(SpacePicture, has_red_and_blue_inside_its_frame_alone) {
+  const auto tessellation = tessellation_of<3>(random_space_points(40, 1));
+  const PixelBox panel = PlotSheet(1.35, PlotSheet::Margins::plain).panel();
+  for (const auto& view : std::vector<std::optional<View>>{
+           std::nullopt, View{{0.5, 0.5, 0.5}, {0.9, 0.6, 0.4}}, View{{9, 9, 9}, {0, 0, 0}}}) {
+    Canvas canvas = view_space(tessellation, own_number, view);
+    int red = 0;
+    int blue = 0;
+    for (int y = panel.y; y < canvas.height(); ++y) {
+      for (int x = 0; x < canvas.width(); ++x) {
+        const Ink ink = ink_at(canvas, x, y);
+        if (ink == Ink::none) continue;
+        EXPECT_TRUE(x >= panel.x && x < panel.right() && y < panel.bottom()) << x << " " << y;
+        ++(ink == Ink::red ? red : blue);
+      }
+    }
+    EXPECT_GT(red, 2000);
+    EXPECT_GT(blue, 2000);
+  }
+}
+
+TEST(SpacePicture, needs_a_direction_to_look_in) {
+  const auto tessellation = tessellation_of<3>(random_space_points(5, 1));
+  try {
+    space_picture(tessellation, own_number, View{{1, 2, 3}, {1, 2, 3}});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("the same point"), std::string::npos);
+  }
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(space_picture(tessellation, own_number, View{{1, 2, infinity}, {1, 2, 3}}), Error);
+  EXPECT_THROW(space_picture({}, own_number, View{{1, 2, 3}, {1, 2, 3}}), Error);
+}
+
+TEST(NumberLabels, do_not_overlap_and_leave_dots_clear) {
+  const PixelBox panel{30, 20, 200, 150};
+  Canvas canvas(260, 190);
+  Typesetter type;
+  NumberLabels labels(canvas, panel, type, 16);
+  const Point dot{130.5, 95.5};
+  labels.keep_clear(dot, 4);
+  int written = 0;
+  for (std::uint64_t number = 1; number <= 40; ++number) {
+    written += labels.write(number, dot, 4, {0, 0, 0}) ? 1 : 0;
+  }
+  EXPECT_GE(written, 4);
+  EXPECT_LE(written, 8);
+  for (int y = 92; y < 99; ++y) {
+    for (int x = 127; x < 134; ++x) {
+      EXPECT_EQ(canvas.bytes()[static_cast<std::size_t>(3 * (y * 260 + x))], 255) << x << " " << y;
+    }
+  }
+}
+
+TEST(NumberLabels, stand_where_the_fewest_lines_are) {
+  const PixelBox panel{0, 0, 200, 200};
+  Canvas canvas(200, 200);
+  canvas.fill({100, 0, 100, 200}, {0, 0, 200});
+  canvas.fill({0, 0, 200, 95}, {0, 0, 200});
+  Typesetter type;
+  NumberLabels labels(canvas, panel, type, 16);
+  ASSERT_TRUE(labels.write(8, {100, 100}, 3, {0, 0, 0}));
+  bool is_left_below = false;
+  for (int y = 100; y < 140; ++y) {
+    for (int x = 60; x < 98; ++x) {
+      is_left_below =
+          is_left_below || canvas.bytes()[static_cast<std::size_t>(3 * (y * 200 + x))] < 50;
+    }
+  }
+  EXPECT_TRUE(is_left_below);
+}
+
+}  // namespace
+}  // namespace thiessen

@@ -1,0 +1,81 @@
+#include "map/sheet/ticks.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace thiessen {
+namespace {
+
+std::vector<std::string> texts(double least, double largest, int classes = 9) {
+  std::vector<std::string> result;
+  for (const RoundValue& tick : round_scale(least, largest, classes)) result.push_back(tick.text());
+  return result;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(Ticks, are_round_and_hold_the_values) {
+  EXPECT_EQ(texts(39, 105), (Texts{"30", "40", "50", "60", "70", "80", "90", "100", "110"}));
+  EXPECT_EQ(texts(0, 1), (Texts{"0", "0.2", "0.4", "0.6", "0.8", "1"}));
+  EXPECT_EQ(texts(0.3, 0.6, 5), (Texts{"0.3", "0.4", "0.5", "0.6"}));
+  EXPECT_EQ(texts(0, 135), (Texts{"0", "20", "40", "60", "80", "100", "120", "140"}));
+  EXPECT_EQ(texts(-3, 4, 4), (Texts{"-4", "-2", "0", "2", "4"}));
+  EXPECT_EQ(texts(1e12, 3e12, 4), (Texts{"1e12", "1.5e12", "2e12", "2.5e12", "3e12"}));
+}
+
+TEST(Ticks, one_value_gives_one_tick) {
+  EXPECT_EQ(texts(62.5, 62.5), Texts{"62.5"});
+  EXPECT_EQ(texts(0, 0), Texts{"0"});
+  EXPECT_EQ(texts(7.1, std::nextafter(7.1, 8)), Texts{"7.1"});
+  EXPECT_EQ(texts(5e-324, 1e-323).size(), 1u);
+}
+
+TEST(Ticks, hold_any_range_in_at_most_the_classes_asked_for) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> power(-250, 250);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 5000; ++i) {
+    const double largest = std::pow(10, power(random));
+    const double least = largest * share(random);
+    const int classes = 2 + i % 9;
+    const auto ticks = round_scale(least, largest, classes);
+    if (ticks.size() == 1) continue;
+    ASSERT_LE(ticks.size(), static_cast<std::size_t>(classes) + 1);
+    ASSERT_GE(ticks.size(), 2u);
+    ASSERT_LE(ticks.front().value(), least);
+    ASSERT_GE(ticks.back().value(), largest);
+    ASSERT_GT(ticks[1].value(), least) << "a class without values below";
+    ASSERT_LT(ticks[ticks.size() - 2].value(), largest) << "a class without values above";
+  }
+}
+
+TEST(Ticks, extreme_readings_do_not_overflow) {
+  EXPECT_GE(round_scale(0, 1.7e308, 9).size(), 2u);
+  EXPECT_GE(round_scale(-1.7e308, 1.7e308, 9).size(), 2u);
+}
+
+TEST(Ticks, decimals_are_exact) {
+  EXPECT_EQ(decimal_text(15, -1), "1.5");
+  EXPECT_EQ(decimal_text(-5, -2), "-0.05");
+  EXPECT_EQ(decimal_text(1200, -2), "12");
+  EXPECT_EQ(decimal_text(3, 4), "30000");
+  EXPECT_EQ(decimal_text(25, 20), "2.5e21");
+  EXPECT_EQ(decimal_text(5, -12), "5e-12");
+  EXPECT_EQ(decimal_text(0, 5), "0");
+}
+
+TEST(Ticks, round_below_is_the_largest_of_one_two_five) {
+  EXPECT_EQ(round_below(1).text(), "1");
+  EXPECT_EQ(round_below(1.99).text(), "1");
+  EXPECT_EQ(round_below(4.99).text(), "2");
+  EXPECT_EQ(round_below(999).text(), "500");
+  EXPECT_EQ(round_below(1000).text(), "1000");
+  EXPECT_EQ(round_below(0.021).text(), "0.02");
+}
+
+}  // namespace
+}  // namespace thiessen
