@@ -8,11 +8,11 @@
 #include "base/destination.h"
 #include "cli/option_values.h"
 #include "io/rain_file.h"
-#include "io/readings_reader.h"
 #include "io/study.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"
+#include "readings/readings_reader.h"
 
 namespace thiessen::cli {
 

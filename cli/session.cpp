@@ -1,5 +1,7 @@
 #include "cli/session.h"
 
+#include "io/rainfall_file.h"
+
 #include <algorithm>
 
 #include "geometry/exact_range.h"

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "io/attributes.h"
-#include "io/table.h"
+#include "text/attributes.h"
+#include "text/table.h"
 
 namespace thiessen {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/attributes.h"
 #include "io/cells_file.h"
+#include "text/attributes.h"
 
 namespace thiessen {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geometry/polygon.h"
-#include "io/attributes.h"
 #include "io/crs.h"
+#include "text/attributes.h"
 
 namespace thiessen {
 

@@ -6,8 +6,8 @@
 #include "io/cells_fields.h"
 #include "io/cells_file.h"
 #include "io/cells_shapes.h"
-#include "io/json_text.h"
 #include "io/vertex_rounding.h"
+#include "text/json_text.h"
 
 namespace thiessen {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "io/csv_reader.h"
 #include "io/drivers.h"
-#include "io/field_names.h"
 #include "io/geometry_conversion.h"
+#include "text/csv_reader.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {

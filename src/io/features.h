@@ -8,12 +8,12 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "io/attribute_filter.h"
-#include "io/attributes.h"
 #include "io/crs.h"
 #include "io/geometry_record.h"
 #include "io/layer.h"
 #include "io/source.h"
-#include "io/table.h"
+#include "text/attributes.h"
+#include "text/table.h"
 
 namespace thiessen {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/number.h"
-#include "io/csv_writer.h"
+#include "text/csv_writer.h"
 
 namespace thiessen {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "io/attributes.h"
 #include "io/crs.h"
 #include "io/geometry_record.h"
-#include "io/table.h"
+#include "text/attributes.h"
+#include "text/table.h"
 
 namespace thiessen {
 

@@ -13,8 +13,8 @@
 #include "geometry/coordinates.h"
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
-#include "io/csv_reader.h"
-#include "io/field_names.h"
+#include "text/csv_reader.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {

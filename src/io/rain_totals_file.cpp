@@ -5,7 +5,7 @@
 
 #include "base/number.h"
 #include "io/column_names.h"
-#include "io/csv_writer.h"
+#include "text/csv_writer.h"
 
 namespace thiessen {
 namespace {

@@ -10,7 +10,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "io/features.h"
-#include "io/field_names.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {

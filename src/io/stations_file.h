@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/attributes.h"
 #include "io/crs.h"
 #include "io/crs_origin.h"
 #include "io/source.h"
 #include "rainfall/network.h"
+#include "text/attributes.h"
 
 namespace thiessen {
 

@@ -8,11 +8,11 @@
 #include "base/error.h"
 #include "basin/basin.h"
 #include "earth/ground.h"
-#include "io/attributes.h"
 #include "io/basins_file.h"
 #include "io/crs.h"
 #include "io/stations_file.h"
 #include "rainfall/network.h"
+#include "text/attributes.h"
 
 namespace thiessen {
 

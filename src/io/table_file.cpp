@@ -1,8 +1,8 @@
 #include "io/table_file.h"
 
-#include "io/csv_reader.h"
 #include "io/drivers.h"
 #include "io/layer.h"
+#include "text/csv_reader.h"
 
 namespace thiessen {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "io/table.h"
+#include "text/table.h"
 
 namespace thiessen {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/number.h"
-#include "io/csv_writer.h"
+#include "text/csv_writer.h"
 
 namespace thiessen {
 namespace {

@@ -1,7 +1,7 @@
 #include "io/weights_log.h"
 
 #include "base/number.h"
-#include "io/csv_writer.h"
+#include "text/csv_writer.h"
 
 namespace thiessen {
 

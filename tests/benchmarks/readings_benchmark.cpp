@@ -11,9 +11,9 @@
 
 #include "base/temporary_folder.h"
 #include "benchmarks/timer.h"
-#include "io/readings_dly.h"
-#include "io/readings_reader.h"
 #include "io/table_file.h"
+#include "readings/readings_dly.h"
+#include "readings/readings_reader.h"
 
 namespace thiessen::benchmarks {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/complaints.h"
+#include "base/complaints.h"
 
 namespace thiessen {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "io/complaints.h"
 
 namespace thiessen {
 namespace {

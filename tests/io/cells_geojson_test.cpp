@@ -3,10 +3,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/complaints.h"
 #include "base/number.h"
 #include "base/temporary_folder.h"
 #include "io/cells_file.h"
-#include "io/complaints.h"
 #include "io/geojson_audit.h"
 #include "io/layer.h"
 #include "io/ring_direction.h"

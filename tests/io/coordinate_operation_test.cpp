@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "io/complaints.h"
+#include "base/complaints.h"
 
 namespace thiessen {
 namespace {

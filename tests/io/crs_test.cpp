@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/complaints.h"
+#include "base/complaints.h"
 
 namespace thiessen {
 namespace {

@@ -4,8 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "io/complaints.h"
 #include "io/layer.h"
 
 namespace thiessen {

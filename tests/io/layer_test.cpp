@@ -4,9 +4,9 @@
 
 #include <cstdlib>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
 #include "io/cells_file.h"
-#include "io/complaints.h"
 
 namespace thiessen {
 namespace {

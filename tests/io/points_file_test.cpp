@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "io/complaints.h"
 
 namespace thiessen {
 namespace {

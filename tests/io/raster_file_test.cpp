@@ -7,8 +7,8 @@
 #include <limits>
 #include <memory>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "io/complaints.h"
 
 namespace thiessen {
 namespace {

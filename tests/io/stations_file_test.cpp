@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "io/complaints.h"
 
 namespace thiessen {
 namespace {

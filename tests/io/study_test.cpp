@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
 #include "earth/ellipsoid_area.h"
-#include "io/complaints.h"
 #include "io/ellipsoid_strip.h"
 #include "io/ring_direction.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "io/complaints.h"
+#include "base/complaints.h"
 #include "io/ellipsoid_strip.h"
 #include "io/geometry_conversion.h"
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "readings/readings_order.h"
+#include "readings/readings_pieces.h"
+#include "readings/readings_rows.h"
+
+namespace thiessen {
+
+/// Whether the rows of each time stand together and no time comes back, as far as TimeOrder can
+/// tell: reads the whole table, but stops where it is not so. Of rows that cannot be read nothing
+/// is said.
+bool is_in_time_order(Table& table, std::size_t time_field);
+
+/// The pieces of a long table that is in such an order, read a time after the other.
+class OrderedPieces : public ReadingsPieces {
+ public:
+  /// `rows` must outlive this object.
+  explicit OrderedPieces(LongRows& rows) : rows_(rows) {}
+
+  /// Throws Error where the order is not what was found before: the file changes while it is read.
+  bool next(ReadingsPiece& piece) override;
+  double share_given() const override { return rows_.source().table->share_read(); }
+
+ private:
+  LongRows& rows_;
+  LongRow row_;
+  bool has_row_ = false;
+  bool at_end_ = false;
+  TimeOrder order_;
+  std::string time_;
+  std::size_t first_line_ = 0;
+  std::vector<PieceReading> readings_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,149 @@
+#include "readings/readings_layout.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "base/utf8.h"
+
+namespace thiessen {
+namespace {
+
+using Names = std::span<const std::string_view>;
+
+constexpr std::string_view time_names[] = {"time", "date", "datetime"};
+constexpr std::string_view station_names[] = {"id",    "station", "station_id", "stnid",
+                                              "staid", "site_no", "gauge",      "gage",
+                                              "code",  "num",     "name"};
+constexpr std::string_view value_names[] = {"value", "rain",   "rainfall", "precipitation",
+                                            "prcp",  "precip", "p"};
+constexpr std::string_view units[] = {"mm",    "cm",     "m",      "in",    "inch",  "inches",
+                                      "ft",    "mm/h",   "mm_h",   "mm/hr", "mm_hr", "mm/d",
+                                      "mm_d",  "mm/day", "mm_day", "in/h",  "in_h",  "in/hr",
+                                      "in_hr", "l/m2",   "l_m2",   "kg/m2", "kg_m2"};
+
+bool is_one_of(std::string_view text, Names names) {
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view name) { return equal_ignoring_case(text, name); });
+}
+
+/// Whether this follows a name to give its unit: "_mm", " (mm)", "[in]".
+bool is_unit_suffix(std::string_view rest) {
+  constexpr std::string_view opening = "_-. ([";
+  if (rest.empty() || opening.find(rest.front()) == std::string_view::npos) return false;
+  const std::size_t begin = rest.find_first_not_of(opening);
+  if (begin == std::string_view::npos) return false;
+  rest.remove_prefix(begin);
+  if (rest.back() == ')' || rest.back() == ']') rest.remove_suffix(1);
+  return is_one_of(trimmed(rest), units);
+}
+
+bool means(std::string_view header, std::string_view name, bool with_unit) {
+  header = trimmed(header);
+  if (equal_ignoring_case(header, name)) return true;
+  return with_unit && header.size() > name.size() &&
+         equal_ignoring_case(header.substr(0, name.size()), name) &&
+         is_unit_suffix(header.substr(name.size()));
+}
+
+std::string list(Names names) {
+  std::string all;
+  for (const std::string_view name : names) {
+    all += all.empty() ? "" : ", ";
+    all += name;
+  }
+  return all;
+}
+
+std::string list(const std::vector<std::string>& header) {
+  constexpr std::size_t shown = 10;
+  std::string all;
+  for (std::size_t i = 0; i < std::min(shown, header.size()); ++i) {
+    all += (i > 0 ? ", " : "") + quoted(header[i], 60);
+  }
+  if (header.size() > shown) all += " and " + std::to_string(header.size() - shown) + " more";
+  return all;
+}
+
+class LayoutFinder {
+ public:
+  LayoutFinder(const Table& table, const ReadingsStations& stations)
+      : table_(table), stations_(stations) {}
+
+  /// The column that the user names, the same text before one that differs in case.
+  std::size_t column_named(const std::string& name, const std::string& option) const {
+    const auto& header = table_.header();
+    auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) {
+      found = std::find_if(header.begin(), header.end(), [&](const std::string& other) {
+        return equal_ignoring_case(trimmed(other), trimmed(name));
+      });
+    }
+    if (found == header.end()) fail("there is no column " + quoted(name), "see " + option);
+    return static_cast<std::size_t>(found - header.begin());
+  }
+
+  std::optional<std::size_t> column_among(Names names, bool with_unit) const {
+    const auto& header = table_.header();
+    for (const std::string_view name : names) {
+      for (std::size_t i = 0; i < header.size(); ++i) {
+        if (means(header[i], name, with_unit)) return i;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::size_t column(const std::string& given, const std::string& option, Names names,
+                     bool with_unit) const {
+    if (!given.empty()) return column_named(given, option);
+    const std::optional<std::size_t> found = column_among(names, with_unit);
+    if (!found) fail("no column is called " + list(names), option + " names it");
+    return *found;
+  }
+
+  bool is_station(std::size_t column) const {
+    return stations_.find(table_.header()[column]).standing != ReadingsStations::Standing::unknown;
+  }
+
+  [[noreturn]] void fail(const std::string& text, const std::string& hint) const {
+    throw Error({table_.file(), table_.header_line(),
+                 text + "; the columns are " + list(table_.header()), hint});
+  }
+
+ private:
+  const Table& table_;
+  const ReadingsStations& stations_;
+};
+
+bool looks_long(const LayoutFinder& finder) {
+  const auto station = finder.column_among(station_names, false);
+  const auto value = finder.column_among(value_names, true);
+  return station && value && !finder.is_station(*station) && !finder.is_station(*value);
+}
+
+}  // namespace
+
+ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
+                           const ReadingsOptions& options) {
+  const LayoutFinder finder(table, stations);
+  ReadingsLayout layout;
+  layout.is_long =
+      !options.station_field.empty() || !options.value_field.empty() || looks_long(finder);
+  if (!layout.is_long) {
+    if (!options.time_field.empty()) {
+      layout.time = finder.column_named(options.time_field, "--time-field");
+    }
+    return layout;
+  }
+  layout.time = finder.column(options.time_field, "--time-field", time_names, false);
+  layout.station = finder.column(options.station_field, "--station-field", station_names, false);
+  layout.value = finder.column(options.value_field, "--value-field", value_names, true);
+  if (layout.time == layout.station || layout.time == layout.value ||
+      layout.station == layout.value) {
+    finder.fail("time, station and value are not three columns",
+                "see --time-field, --station-field and --value-field");
+  }
+  return layout;
+}
+
+}  // namespace thiessen

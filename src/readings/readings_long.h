@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "rainfall/series/readings.h"
+#include "readings/readings_pieces.h"
+#include "readings/readings_rows.h"
+
+namespace thiessen {
+
+/// Readings with a row for each time and station, in any order: see open_readings.
+class LongReadings : public Readings {
+ public:
+  LongReadings(ReadingsSource source, const ReadingsLayout& layout);
+
+  bool next(TimeStep& step) override;
+  double share_read() const override;
+
+ private:
+  void begin();
+  void take(const ReadingsPiece& piece);
+  void complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading, std::size_t line);
+
+  LongRows rows_;
+  std::unique_ptr<ReadingsPieces> pieces_;
+  ReadingsPiece piece_;  ///< the next step's first
+  bool has_piece_ = false;
+  std::vector<double> readings_;
+  std::vector<std::size_t> lines_;  ///< by station: of its last reading at this time; 0: none
+  Complaints twice_;
+  std::size_t steps_ = 0;
+  bool done_ = false;
+};
+
+}  // namespace thiessen

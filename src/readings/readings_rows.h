@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "readings/readings_layout.h"
+#include "readings/readings_source.h"
+#include "readings/readings_stations.h"
+
+namespace thiessen {
+
+/// A row of a long table whose time is not empty.
+struct LongRow {
+  std::size_t line = 0;
+  std::string_view time;      ///< valid until the next row
+  bool has_station = false;   ///< else the row's station is passed over
+  StationIndex station = {};  ///< if so
+  double amount = 0;          ///< NaN where silent
+};
+
+/// The rows of a long table. What is wrong or odd about them goes to the findings of the source.
+class LongRows {
+ public:
+  LongRows(ReadingsSource source, const ReadingsLayout& layout);
+
+  bool next(LongRow& row);
+  ReadingsSource& source() { return source_; }
+  /// The table once more, see Table::again.
+  std::unique_ptr<Table> again() const { return source_.table->again(); }
+  std::size_t time_field() const { return layout_.time; }
+
+ private:
+  ReadingsStations::Found station_of(const Row& row);
+
+  ReadingsSource source_;
+  ReadingsLayout layout_;
+  Row row_;
+  std::string last_id_;  ///< the station field read last, and what it was found to be
+  ReadingsStations::Found last_found_;
+};
+
+}  // namespace thiessen

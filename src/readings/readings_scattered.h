@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "readings/readings_pieces.h"
+#include "readings/readings_rows.h"
+#include "readings/readings_sorter.h"
+#include "readings/readings_times.h"
+
+namespace thiessen {
+
+/// The readings of one part of a long table, those of a time chained through the part.
+class ReadingsPart {
+ public:
+  bool empty() const { return times_.size() == 0; }
+  /// Whether the row's line is near enough to those before.
+  bool can_take(const LongRow& row) const;
+  void add(const LongRow& row);
+  std::size_t bytes() const;
+  std::size_t times() const { return times_.size(); }
+  /// The readings of the time that came as number `step` (from 0); valid until the next call.
+  ReadingsPiece piece(std::size_t step);
+
+ private:
+  static constexpr std::uint32_t none = 0xFFFFFFFF;
+  struct Chain {
+    std::uint32_t first = none;
+    std::uint32_t last = none;
+  };
+
+  std::size_t line_ = 0;
+  ReadingsTimes times_;
+  std::vector<Chain> chains_;  ///< by time
+  std::vector<PieceReading> readings_;
+  std::vector<std::uint32_t> next_;  ///< by reading: the next of its time
+  std::vector<PieceReading> gathered_;
+};
+
+/// The pieces of a long table whose rows come in any order, in the order in which the times first
+/// came. All rows are read first. What does not fit in `memory` bytes waits in temporary files (see
+/// spool.h), some 20 bytes a reading: sorted part by part by time and merged, and then in the same
+/// way by the line on which each time first came.
+class ScatteredPieces : public ReadingsPieces {
+ public:
+  static constexpr std::size_t usual_memory = std::size_t{32} << 20;
+
+  explicit ScatteredPieces(LongRows& rows, std::size_t memory = usual_memory);
+
+  bool next(ReadingsPiece& piece) override;
+  double share_given() const override;
+
+ private:
+  void flush();
+  void sort_by_first_line();
+
+  std::size_t memory_;
+  ReadingsPart part_;
+  std::size_t times_ = 0;
+  std::size_t given_ = 0;         ///< of them
+  std::uint64_t last_given_ = 0;  ///< its first line; no line has the number 0
+  PieceSorter by_time_;
+  PieceSorter by_first_line_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,105 @@
+#include "readings/readings_wide.h"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "base/utf8.h"
+#include "readings/dly_record.h"
+
+namespace thiessen {
+
+using Standing = ReadingsStations::Standing;
+
+WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
+    : source_(std::move(source)),
+      time_field_(layout.time),
+      readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()),
+      repeated_(source_.table->again(), time_field_) {
+  match_columns();
+  source_.findings.complaints().throw_if_any();
+}
+
+void WideReadings::match_columns() {
+  const std::vector<std::string>& header = source_.table->header();
+  const std::size_t line = source_.table->header_line();
+  if (header.size() < 2) {
+    std::string fault;
+    const bool is_dly_record = header.size() == 1 && read_dly_record(header[0], true, fault);
+    throw Error({source_.table->file(), line,
+                 "has the one column " + quoted(header.empty() ? "" : header[0], 80) +
+                     ", and none of readings",
+                 is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : ""});
+  }
+  constexpr std::size_t none = 0;  // a column's number counts from 1
+  std::vector<std::size_t> column_of(readings_.size(), none);
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (i == time_field_) continue;
+    const ReadingsStations::Found found = source_.stations->find(header[i]);
+    if (found.standing == Standing::unknown) note_unknown_column(i);
+    if (found.standing != Standing::known) continue;
+    std::size_t& column = column_of[index(found.station)];
+    if (column != none) {
+      source_.findings.complaints().add({source_.table->file(), line,
+                                         "columns " + std::to_string(column) + " and " +
+                                             std::to_string(i + 1) + " are both of station " +
+                                             quoted(source_.stations->id(found.station)),
+                                         ""});
+    }
+    column = i + 1;
+    columns_.push_back({i, found.station});
+  }
+}
+
+void WideReadings::note_unknown_column(std::size_t field) {
+  const std::string& id = source_.table->header()[field];
+  const std::string text = id.empty() ? "column " + std::to_string(field + 1) + " has no name"
+                                      : "unknown station " + quoted(id);
+  source_.findings.note_unknown(id, source_.table->header_line(), text,
+                                "--ignore-unknown passes over it; a table of one reading a row is "
+                                "told by --station-field and --value-field");
+}
+
+bool WideReadings::next(TimeStep& step) {
+  if (done_) return false;
+  while (source_.next(row_)) {
+    read_row();
+    ++steps_;
+    if (!source_.findings.complaints().empty()) continue;
+    step.time = row_.fields[time_field_];
+    step.line = row_.line;
+    step.readings = readings_;
+    return true;
+  }
+  done_ = true;
+  conclude();
+  return false;
+}
+
+void WideReadings::conclude() {
+  Complaints twice;
+  for (RepeatedTimes::Repeat repeat; repeated_.next(repeat);) {
+    twice.add_by_line(source_.findings.time_twice(repeat.time, repeat.line, repeat.first_line));
+  }
+  source_.findings.complaints().add(twice);
+  source_.findings.conclude(steps_);
+  if (steps_ == 0) source_.findings.warn("there is no time step");
+}
+
+void WideReadings::read_row() {
+  const std::string_view time = row_.fields[time_field_];
+  if (trimmed(time).empty()) {
+    source_.findings.note_empty_time(row_.line);
+  } else {
+    repeated_.note(time, row_.line);
+  }
+  for (const Column& column : columns_) {
+    const std::string_view field = row_.fields[column.field];
+    const Reading reading = source_.grammar.read(field, row_.padded);
+    readings_[index(column.station)] = reading.amount;
+    if (source_.findings.note(reading, column.station)) continue;
+    source_.findings.note_oddity(reading, {row_.line, column.station}, field, source_.grammar);
+  }
+}
+
+}  // namespace thiessen

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "rainfall/series/readings.h"
+#include "readings/readings_layout.h"
+#include "readings/readings_repeats.h"
+#include "readings/readings_source.h"
+
+namespace thiessen {
+
+/// Readings with a row for each time and a column for each station, read a row at a time: see
+/// open_readings.
+class WideReadings : public Readings {
+ public:
+  /// Throws Error where columns are of unknown stations, two are of one, or none is of any.
+  WideReadings(ReadingsSource source, const ReadingsLayout& layout);
+
+  bool next(TimeStep& step) override;
+  double share_read() const override { return source_.table->share_read(); }
+
+ private:
+  struct Column {
+    std::size_t field;
+    StationIndex station;
+  };
+
+  void match_columns();
+  void note_unknown_column(std::size_t field);
+  void read_row();
+  void conclude();
+
+  ReadingsSource source_;
+  std::size_t time_field_;
+  std::vector<Column> columns_;  ///< those of known stations
+  std::vector<double> readings_;
+  RepeatedTimes repeated_;
+  std::size_t steps_ = 0;
+  Row row_;
+  bool done_ = false;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,336 @@
+#include "text/csv_reader.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "base/number.h"
+#include "base/utf8.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+/// As an editor counts them: LF, CRLF and CR each end one line.
+std::size_t count_line_ends(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool inside_crlf = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if ((text[i] == '\n' || text[i] == '\r') && !inside_crlf) ++count;
+  }
+  return count;
+}
+
+/// Makes each pair of quotes one, in place; returns the new end.
+char* halve_quotes(char* begin, const char* end) {
+  char* to = begin;
+  for (const char* from = begin; from < end; ++from) {
+    *to++ = *from;
+    if (*from == '"') ++from;
+  }
+  return to;
+}
+
+/// The separator that a header of one name seems to be written with, or none.
+std::string_view likely_separator(std::string_view name, char used) {
+  for (const std::string_view candidate : {";", "\t", "|", ","}) {
+    if (candidate[0] != used && name.find(candidate) != std::string_view::npos) return candidate;
+  }
+  return {};
+}
+
+}  // namespace
+
+CsvReader::CsvReader(const std::string& file, CsvOptions options)
+    : options_(options),
+      is_standard_input_(file == "-"),
+      text_(InputFile(file), options.separator) {
+  skip_byte_order_mark();
+  read_header();
+  if (options_.has_names) check_header();
+}
+
+bool CsvReader::next(Row& row) {
+  static_assert(csv_block >= number_padding);
+  row.padded = true;
+  row.fields.resize(header_.size());
+  for (;;) {
+    const RowKind kind = read_row(row.fields);
+    if (kind == RowKind::none) {
+      complaints_.throw_if_any();
+      return false;
+    }
+    if (kind == RowKind::bad) continue;
+    if (field_count_ == header_.size()) {
+      row.line = row_line_;
+      return true;
+    }
+    complaints_.add({file(), row_line_,
+                     "row has " + counted(field_count_, "field") + ", the header has " +
+                         std::to_string(header_.size()),
+                     ""});
+  }
+}
+
+double CsvReader::share_read() const {
+  const std::size_t size = text_.size();
+  if (size == 0) return std::numeric_limits<double>::quiet_NaN();
+  return static_cast<double>(std::min(next_row_, size)) / static_cast<double>(size);
+}
+
+std::unique_ptr<Table> CsvReader::again() const {
+  struct stat status = {};
+  if (is_standard_input_ || ::stat(file().c_str(), &status) != 0) return nullptr;
+  if (!S_ISREG(status.st_mode)) return nullptr;
+  return std::make_unique<CsvReader>(file(), options_);
+}
+
+void CsvReader::skip_byte_order_mark() {
+  const auto has_mark = [&](std::size_t at) {
+    while (text_.end() < at + byte_order_mark.size() && read_more()) {
+    }
+    return text_.between(at, text_.end()).starts_with(byte_order_mark);
+  };
+  if (!has_mark(0)) return;
+  next_row_ = byte_order_mark.size();
+  if (has_mark(next_row_)) fail(1, "begins with two byte order marks");
+}
+
+void CsvReader::read_header() {
+  std::vector<std::string_view> names;
+  text_.seek(next_row_);
+  const RowKind kind = read_row(names);
+  complaints_.throw_if_any();
+  if (kind == RowKind::none) fail(0, "is empty");
+  header_line_ = row_line_;
+  header_.assign(names.begin(), names.end());
+}
+
+void CsvReader::check_header() const {
+  if (header_.size() == 1) {
+    const std::string_view other = likely_separator(header_[0], options_.separator);
+    if (!other.empty()) {
+      throw Error({file(), header_line_, "the header is one field, " + quoted(header_[0], 80),
+                   "--separator " + (other == "\t" ? "tab" : "'" + std::string(other) + "'") +
+                       " reads such a file"});
+    }
+  }
+  Complaints twice;
+  std::unordered_map<std::string_view, std::size_t> columns;
+  for (std::size_t i = 0; i < header_.size(); ++i) {
+    if (header_[i].empty()) continue;
+    const auto [first, fresh] = columns.emplace(header_[i], i);
+    if (fresh) continue;
+    twice.add({file(), header_line_,
+               "the header has " + quoted(header_[i]) + " twice, in columns " +
+                   std::to_string(first->second + 1) + " and " + std::to_string(i + 1),
+               ""});
+  }
+  twice.throw_if_any();
+}
+
+void CsvReader::begin_row(std::size_t at) {
+  row_ = field_ = at;
+  row_line_ = line_;
+  field_count_ = 0;
+}
+
+CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
+  fields_ = &fields;
+  begin_row(next_row_);
+  for (;;) {
+    const std::size_t at = text_.next_mark();
+    if (at == text_.end()) {
+      if (!read_more()) return end_last_row();
+      text_.seek(at);
+      continue;
+    }
+    const char mark = text_.at(at);
+    if (mark == options_.separator) {
+      store(text_.between(field_, at), false);
+      field_ = at + 1;
+    } else if (mark != '"') {
+      const bool blank = is_blank_line(at);
+      if (!blank) store(text_.between(field_, at), false);
+      const RowKind kind = end_row(at);
+      if (!blank) return kind;
+      begin_row(next_row_);
+    } else if (at != field_) {
+      return skip_rest_of_line(at + 1, "a quote stands inside field", field_count_ + 1);
+    } else {
+      const Follows follows = read_quoted_field();
+      if (follows == Follows::nothing) return RowKind::whole;
+      if (follows == Follows::line_end) return end_row(field_);
+      if (follows == Follows::text) {
+        return skip_rest_of_line(field_, "text follows the closing quote of field", field_count_);
+      }
+      text_.seek(++field_);
+    }
+  }
+}
+
+void CsvReader::store_beyond(std::string_view field, bool in_quotes) {
+  if (header_line_ == 0) {
+    if (field_count_ == options_.limits.columns) {
+      fail(line_, "has more than " + counted(options_.limits.columns, "column") + ", the limit");
+    }
+    fields_->push_back(in_quotes ? field : trimmed(field));
+  }
+  ++field_count_;
+}
+
+CsvReader::RowKind CsvReader::end_row(std::size_t at) {
+  ++line_;
+  next_row_ = at + 1;
+  if (text_.at(at) == '\r') {
+    const bool more = next_row_ < text_.end() || read_more();
+    if (more && text_.at(next_row_) == '\n') ++next_row_;
+    text_.seek(next_row_);
+  } else if (field_ == at) {
+    text_.seek(next_row_);  // after a quoted field, or an empty one
+  }
+  check_lengths(at);
+  return RowKind::whole;
+}
+
+CsvReader::RowKind CsvReader::end_last_row() {
+  const std::size_t end = next_row_ = text_.end();
+  if (is_blank_line(end)) return RowKind::none;
+  store(text_.between(field_, end), false);
+  check_lengths(end);
+  return RowKind::whole;
+}
+
+bool CsvReader::is_blank_line(std::size_t end) const {
+  return field_count_ == 0 && trimmed(text_.between(row_, end)).empty();
+}
+
+CsvReader::RowKind CsvReader::skip_rest_of_line(std::size_t from, const std::string& fault,
+                                                std::size_t column) {
+  complaints_.add({file(), line_, fault + " " + std::to_string(column),
+                   "a quote within a quoted field is written twice"});
+  text_.seek(from);
+  for (;;) {
+    const std::size_t at = text_.next_mark();
+    if (at == text_.end()) {
+      if (!read_more()) break;
+      text_.seek(at);
+    } else if (text_.at(at) == '\n' || text_.at(at) == '\r') {
+      end_row(at);
+      return RowKind::bad;
+    }
+  }
+  next_row_ = text_.end();
+  return RowKind::bad;
+}
+
+CsvReader::Follows CsvReader::read_quoted_field() {
+  std::size_t doubled = 0;
+  const std::size_t closing = find_closing_quote(doubled);
+  const std::size_t begin = field_ + 1;
+  std::size_t end = closing;
+  line_ += count_line_ends(text_.between(begin, end));
+  if (doubled > 0) {
+    halve_quotes(text_.pointer(begin), text_.pointer(end));
+    end -= doubled;
+  }
+  store(text_.between(begin, end), true);
+  field_ = closing + 1;
+  if (field_ == text_.end()) {
+    text_.seek(next_row_ = field_);
+    return Follows::nothing;
+  }
+  const char next = text_.at(field_);
+  if (next == options_.separator) return Follows::separator;
+  return next == '\n' || next == '\r' ? Follows::line_end : Follows::text;
+}
+
+std::size_t CsvReader::find_closing_quote(std::size_t& doubled) {
+  for (std::size_t from = field_ + 1;;) {
+    const std::size_t found = text_.between(from, text_.end()).find('"');
+    if (found == std::string_view::npos) {
+      from = text_.end();
+      if (!read_more(true)) fail(line_, "the quote that opens here is never closed");
+      continue;
+    }
+    from += found + 1;
+    if (from == text_.end() && !read_more(true)) return from - 1;
+    if (text_.at(from) != '"') return from - 1;
+    ++doubled;
+    ++from;
+  }
+}
+
+bool CsvReader::read_more(bool in_quotes) {
+  check_limits(in_quotes);
+  const auto before = reinterpret_cast<std::uintptr_t>(text_.pointer(row_));
+  const CsvText::Arrival arrival = text_.read_more(row_);
+  keep_views(before);
+  if (arrival == CsvText::Arrival::nul || arrival == CsvText::Arrival::not_utf8) {
+    refuse_bytes(arrival);
+  }
+  return arrival == CsvText::Arrival::more;
+}
+
+void CsvReader::keep_views(std::uintptr_t before) {
+  const char* const now = text_.pointer(row_);
+  if (reinterpret_cast<std::uintptr_t>(now) == before || fields_ == nullptr) return;
+  const std::size_t kept = std::min(field_count_, fields_->size());
+  for (std::string_view& field : std::span(*fields_).first(kept)) {
+    field = {now + (reinterpret_cast<std::uintptr_t>(field.data()) - before), field.size()};
+  }
+}
+
+void CsvReader::check_limits(bool in_quotes) {
+  const std::size_t longest = options_.limits.field_bytes;
+  if (text_.end() - field_ > longest + 2) {
+    if (in_quotes) {
+      fail(line_, "the quote that opens here is not closed within " + counted(longest, "byte") +
+                      ", the limit for a field");
+    }
+    fail(line_, "field " + std::to_string(field_count_ + 1) + " is longer than " +
+                    counted(longest, "byte") + ", the limit");
+  }
+  check_lengths(text_.end());
+}
+
+void CsvReader::check_lengths(std::size_t end) {
+  const CsvLimits& limits = options_.limits;
+  if (end - row_ > limits.row_bytes) {
+    fail(row_line_, "the row is longer than " + counted(limits.row_bytes, "byte") + ", the limit");
+  }
+  if (end - row_ <= limits.field_bytes || fields_ == nullptr) return;
+  const std::size_t kept = std::min(field_count_, fields_->size());
+  for (std::size_t i = 0; i < kept; ++i) {
+    if ((*fields_)[i].size() <= limits.field_bytes) continue;
+    fail(row_line_, "field " + std::to_string(i + 1) + " is longer than " +
+                        counted(limits.field_bytes, "byte") + ", the limit");
+  }
+}
+
+void CsvReader::refuse_bytes(CsvText::Arrival arrival) {
+  const std::size_t fault = text_.fault();
+  const std::size_t line = line_ + count_line_ends(text_.between(field_, fault));
+  const std::string place = " at byte " + std::to_string(fault);
+  if (arrival == CsvText::Arrival::nul)
+    fail(line, "not text: NUL" + place, "is this a text file in UTF-8?");
+  const std::string_view found = text_.between(fault, text_.end()).substr(0, 2);
+  const bool utf16 = fault == 0 && (found == "\xFF\xFE" || found == "\xFE\xFF");
+  fail(line, "not UTF-8" + place + (utf16 ? ": the file is UTF-16" : ""), "save the file as UTF-8");
+}
+
+void CsvReader::fail(std::size_t line, std::string text, std::string hint) {
+  complaints_.fail({file(), line, std::move(text), std::move(hint)});
+}
+
+}  // namespace thiessen

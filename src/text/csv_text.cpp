@@ -1,0 +1,65 @@
+#include "text/csv_text.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "base/utf8.h"
+
+namespace thiessen {
+namespace {
+
+/// Small enough to stay in the second-level cache between reading, checking and scanning.
+constexpr std::size_t window_bytes = std::size_t{256} << 10;
+
+}  // namespace
+
+CsvText::CsvText(InputFile input, char separator)
+    : input_(std::move(input)), separator_(separator), buffer_(window_bytes + csv_block) {}
+
+CsvText::Arrival CsvText::read_more(std::size_t keep_from) {
+  if (at_end_) return Arrival::end;
+  make_room(keep_from);
+  const std::size_t room = buffer_.size() - csv_block - filled_;
+  const std::size_t count = input_.read(std::span(buffer_).subspan(filled_, room));
+  filled_ += count;
+  at_end_ = count == 0;
+  const Arrival arrival = check(at_end_);
+  return arrival == Arrival::more && at_end_ ? Arrival::end : arrival;
+}
+
+void CsvText::make_room(std::size_t keep_from) {
+  const std::size_t capacity = buffer_.size() - csv_block;
+  if (capacity - filled_ >= capacity / 2) return;
+  const std::size_t spent = keep_from - origin_;
+  if (spent > 0) std::memmove(buffer_.data(), buffer_.data() + spent, filled_ - spent);
+  origin_ += spent;
+  filled_ -= spent;
+  checked_ -= spent;
+  if (filled_ > capacity / 2) buffer_.resize(2 * capacity + csv_block);
+}
+
+CsvText::Arrival CsvText::check(bool last) {
+  const std::string_view fresh(buffer_.data() + checked_, filled_ - checked_);
+  const Utf8Prefix prefix = valid_utf8_prefix(fresh);
+  const std::size_t nul = fresh.substr(0, prefix.valid).find('\0');
+  fault_ = origin_ + checked_ + std::min(nul, prefix.valid);
+  if (nul != std::string_view::npos) return Arrival::nul;
+  checked_ += prefix.valid;
+  const bool whole = checked_ == filled_ || (prefix.truncated && !last);
+  return whole ? Arrival::more : Arrival::not_utf8;
+}
+
+void CsvText::seek(std::size_t at) {
+  block_ = at - origin_;
+  marks_ = 0;
+  if (block_ < filled_) look();
+}
+
+void CsvText::look() {
+  marks_ = csv_structure(buffer_.data() + block_, separator_);
+  const std::size_t left = filled_ - block_;
+  if (left < csv_block) marks_ &= (std::uint64_t{1} << left) - 1;
+}
+
+}  // namespace thiessen
