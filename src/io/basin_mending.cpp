@@ -5,7 +5,7 @@
 
 #include "base/number.h"
 #include "io/polygon_validity.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "io/antimeridian.h"
 #include "io/shape_tracing.h"
+#include "outlines/antimeridian.h"
 
 namespace thiessen {
 namespace {

@@ -7,7 +7,7 @@
 #include "geometry/polygon.h"
 #include "io/crs.h"
 #include "io/plane_poles.h"
-#include "io/winding_ring.h"
+#include "outlines/winding_ring.h"
 
 namespace thiessen {
 

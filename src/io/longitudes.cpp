@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/basin_mending.h"
-#include "io/winding_polygon.h"
+#include "outlines/winding_polygon.h"
 
 namespace thiessen {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "io/gdal_errors.h"
 #include "io/geometry_conversion.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "basin/ring_linking.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <set>
 
-#include "io/antimeridian.h"
 #include "io/crs.h"
 #include "io/edge_tracing.h"
-#include "io/winding_polygon.h"
+#include "outlines/antimeridian.h"
+#include "outlines/winding_polygon.h"
 
 namespace thiessen {
 

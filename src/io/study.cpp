@@ -10,11 +10,11 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "io/basin_mending.h"
-#include "io/common_turn.h"
 #include "io/coordinate_checks.h"
 #include "io/crs_agreement.h"
 #include "io/datums.h"
 #include "io/shape_tracing.h"
+#include "outlines/common_turn.h"
 
 namespace thiessen {
 namespace {

@@ -11,7 +11,7 @@
 #include "base/number.h"
 #include "io/gdal_errors.h"
 #include "io/geometry_conversion.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/antimeridian.h"
+#include "outlines/antimeridian.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "base/complaints.h"
 #include "io/geometry_conversion.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -5,7 +5,7 @@
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
 #include "io/layer.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

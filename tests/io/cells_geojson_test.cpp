@@ -9,7 +9,7 @@
 #include "io/cells_file.h"
 #include "io/geojson_audit.h"
 #include "io/layer.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "earth/ellipsoid_area.h"
-#include "io/antimeridian.h"
+#include "outlines/antimeridian.h"
 
 namespace thiessen {
 

@@ -5,7 +5,7 @@
 #include "io/ellipsoid_strip.h"
 #include "io/geometry_conversion.h"
 #include "io/polygon_validity.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

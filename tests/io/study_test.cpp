@@ -8,7 +8,7 @@
 #include "base/temporary_folder.h"
 #include "earth/ellipsoid_area.h"
 #include "io/ellipsoid_strip.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/winding_polygon.h"
+#include "outlines/winding_polygon.h"
 
 #include <gtest/gtest.h>
 

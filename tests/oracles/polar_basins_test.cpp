@@ -13,9 +13,9 @@
 #include "base/temporary_folder.h"
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
-#include "io/antimeridian.h"
 #include "io/polygon_validity.h"
 #include "io/study.h"
+#include "outlines/antimeridian.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {

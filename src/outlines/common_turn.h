@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "io/antimeridian.h"
+#include "outlines/antimeridian.h"
 
 namespace thiessen {
 

@@ -1,4 +1,4 @@
-#include "io/winding_polygon.h"
+#include "outlines/winding_polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "base/number.h"
 #include "geometry/ring_location.h"
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {

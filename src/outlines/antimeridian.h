@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/polygon.h"
-#include "io/winding_ring.h"
+#include "outlines/winding_ring.h"
 
 namespace thiessen {
 

@@ -1,4 +1,4 @@
-#include "io/common_turn.h"
+#include "outlines/common_turn.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "io/ring_direction.h"
+#include "outlines/ring_direction.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "io/winding_ring.h"
+#include "outlines/winding_ring.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/antimeridian.h"
-#include "io/winding_ring.h"
+#include "outlines/antimeridian.h"
+#include "outlines/winding_ring.h"
 
 namespace thiessen {
 
