@@ -13,9 +13,10 @@
 #include "base/utf8.h"
 #include "io/crs_definition.h"
 #include "io/gdal_errors.h"
-#include "io/geojson_audit.h"
 #include "io/geometry_conversion.h"
 #include "io/opening.h"
+#include "io/vsi_bytes.h"
+#include "text/geojson_audit.h"
 
 namespace thiessen {
 namespace {
@@ -160,7 +161,10 @@ Layer::Layer(std::string file, const std::string& layer, const std::string& laye
     throw Error(Message{it.file, 0, "is of no kind that GDAL reads here", {}});
   }
   it.geojson = it.opening.drivers.front() == std::string_view("GeoJSON");
-  if (it.geojson) it.findings = audit_geojson(it.file, it.opening.name);
+  if (it.geojson) {
+    VsiBytes bytes(it.file, it.opening.name);
+    it.findings = audit_geojson(it.file, bytes);
+  }
   if (it.findings.crs == CrsMember::link) {
     it.oddities.push_back("its crs member is a link, which is never followed; WGS 84 is assumed");
   }

@@ -20,8 +20,9 @@
 #include "fuzzers/memory_file.h"
 #include "geometry/predicates.h"
 #include "geometry/space_predicates.h"
-#include "io/geojson_audit.h"
 #include "io/points_file.h"
+#include "text/geojson_audit.h"
+#include "text/text_bytes.h"
 
 namespace thiessen::fuzzers {
 namespace {
@@ -158,8 +159,8 @@ void fuzz_script(std::span<const std::uint8_t> input) {
     } else if (kind == 5) {
       read_as_points<3>(bytes.rest());
     } else if (kind == 6) {
-      const MemoryFile file(bytes.rest());
-      audit_geojson("fuzzed.geojson", file.name());
+      TextBytes text{std::string(bytes.rest())};
+      audit_geojson("fuzzed.geojson", text);
     } else {
       read_as_numbers(bytes.rest());
     }

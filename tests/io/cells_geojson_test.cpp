@@ -7,9 +7,10 @@
 #include "base/number.h"
 #include "base/temporary_folder.h"
 #include "io/cells_file.h"
-#include "io/geojson_audit.h"
 #include "io/layer.h"
 #include "outlines/ring_direction.h"
+#include "text/geojson_audit.h"
+#include "text/text_bytes.h"
 
 namespace thiessen {
 namespace {
@@ -39,8 +40,10 @@ struct ReadBack {
 
 std::vector<ReadBack> read_back(const CellsOutput& wanted) {
   const TemporaryFolder folder;
-  const std::string file = folder.write("cells.geojson", cells_geojson(wanted));
-  audit_geojson(file, file);
+  const std::string text = cells_geojson(wanted);
+  const std::string file = folder.write("cells.geojson", text);
+  TextBytes bytes(text);
+  audit_geojson(file, bytes);
   Layer layer(file, "", "");
   std::vector<ReadBack> cells;
   for (Row row; layer.next(row);) {

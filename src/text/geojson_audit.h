@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <string>
 
+#include "text/byte_source.h"
+
 namespace thiessen {
 
 /// What the text of a GeoJSON file says that GDAL keeps to itself.
@@ -18,8 +20,8 @@ struct GeoJsonFindings {
 /// coordinates, and text after the end, without a word. Throws Error with the line, or with the
 /// path
 /// (`features[3].geometry.coordinates[0][2]`) of each bad coordinate.
-/// `name` is the file as GDAL is given it, `file` as messages name it.
+/// `file` is the name that messages give it.
 /// Cost: one pass; memory bounded by the keys of one object, whatever the file's length.
-GeoJsonFindings audit_geojson(const std::string& file, const std::string& name);
+GeoJsonFindings audit_geojson(const std::string& file, ByteSource& source);
 
 }  // namespace thiessen

@@ -1,6 +1,4 @@
-#include "io/json_scanner.h"
-
-#include <cpl_vsi.h>
+#include "text/json_scanner.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,31 +47,25 @@ bool is_json_number(const std::string& text) {
 }  // namespace
 
 struct JsonScanner::Bytes {
-  explicit Bytes(const std::string& name) : file(VSIFOpenL(name.c_str(), "rb")) {}
-  ~Bytes() {
-    if (file != nullptr) VSIFCloseL(file);
-  }
-  Bytes(const Bytes&) = delete;
-  Bytes& operator=(const Bytes&) = delete;
+  explicit Bytes(ByteSource& from) : source(from) {}
 
   int look() {
     if (at == size) {
       at = 0;
-      size = VSIFReadL(buffer.data(), 1, buffer.size(), file);
+      size = source.read(buffer.data(), buffer.size());
       if (size == 0) return -1;
     }
     return static_cast<unsigned char>(buffer[at]);
   }
 
-  VSILFILE* file;
+  ByteSource& source;
   std::array<char, 65536> buffer;
   std::size_t at = 0;
   std::size_t size = 0;
 };
 
-JsonScanner::JsonScanner(std::string file, const std::string& name)
-    : file_(std::move(file)), bytes_(std::make_unique<Bytes>(name)) {
-  if (bytes_->file == nullptr) throw Error(Message{file_, 0, "cannot be opened", {}});
+JsonScanner::JsonScanner(std::string file, ByteSource& source)
+    : file_(std::move(file)), bytes_(std::make_unique<Bytes>(source)) {
   if (look() == 0xEF) {
     take();
     if (take() != 0xBB || take() != 0xBF) fail("not UTF-8 at byte 1");

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "text/byte_source.h"
+
 namespace thiessen {
 
 /// Cuts the text of a JSON file (RFC 8259, UTF-8) into its tokens, in memory that does not grow
@@ -14,8 +16,8 @@ class JsonScanner {
  public:
   enum class Kind { object, array, string, number, literal, end };
 
-  /// `name` is the file as GDAL is given it, `file` as messages name it.
-  JsonScanner(std::string file, const std::string& name);
+  /// `file` is the name that messages give the text. `source` must outlive the scanner.
+  JsonScanner(std::string file, ByteSource& source);
   ~JsonScanner();
 
   /// What kind of value begins next; nothing of it is read.

@@ -1,4 +1,4 @@
-#include "io/geojson_audit.h"
+#include "text/geojson_audit.h"
 
 #include <charconv>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "io/json_scanner.h"
+#include "text/json_scanner.h"
 
 namespace thiessen {
 namespace {
@@ -28,7 +28,7 @@ int nesting(const std::string& type) {
 
 class Audit {
  public:
-  Audit(const std::string& file, const std::string& name) : scanner_(file, name) {}
+  Audit(const std::string& file, ByteSource& source) : scanner_(file, source) {}
 
   GeoJsonFindings run() {
     if (scanner_.peek() != Kind::object) scanner_.fail("an object is expected");
@@ -275,8 +275,8 @@ class Audit {
 
 }  // namespace
 
-GeoJsonFindings audit_geojson(const std::string& file, const std::string& name) {
-  return Audit(file, name).run();
+GeoJsonFindings audit_geojson(const std::string& file, ByteSource& source) {
+  return Audit(file, source).run();
 }
 
 }  // namespace thiessen

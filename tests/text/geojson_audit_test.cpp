@@ -1,9 +1,9 @@
-#include "io/geojson_audit.h"
+#include "text/geojson_audit.h"
 
 #include <gtest/gtest.h>
 
 #include "base/complaints.h"
-#include "base/temporary_folder.h"
+#include "text/text_bytes.h"
 
 namespace thiessen {
 namespace {
@@ -11,8 +11,8 @@ namespace {
 using CrsMember = GeoJsonFindings::CrsMember;
 
 GeoJsonFindings audit(const std::string& text) {
-  const TemporaryFolder folder;
-  return audit_geojson("b.geojson", folder.write("b.geojson", text));
+  TextBytes bytes(text);
+  return audit_geojson("b.geojson", bytes);
 }
 
 std::string complaint(const std::string& text) {
@@ -136,6 +136,15 @@ TEST(GeoJsonAudit, survives_hostile_depth) {
   EXPECT_TRUE(contains(complaint(R"({"a":)" + std::string(200000, '[')), "nest"));
   EXPECT_TRUE(contains(complaint(R"({"type":"Polygon","coordinates":)" + std::string(200000, '[')),
                        "nests"));
+}
+
+TEST(GeoJsonAudit, says_the_same_wherever_its_bytes_are_parted) {
+  const std::string text =
+      "\xEF\xBB\xBF" + collection(feature(polygon("[[[0,0],[1,0],[0,1e0],[0,0]]]")));
+  for (std::size_t piece = 1; piece <= text.size(); ++piece) {
+    TextBytes bytes(text, piece);
+    EXPECT_EQ(audit_geojson("b.geojson", bytes).features, 1U) << "in pieces of " << piece;
+  }
 }
 
 }  // namespace
