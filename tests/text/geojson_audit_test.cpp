@@ -139,8 +139,7 @@ TEST(GeoJsonAudit, survives_hostile_depth) {
 }
 
 TEST(GeoJsonAudit, says_the_same_wherever_its_bytes_are_parted) {
-  const std::string text =
-      "\xEF\xBB\xBF" + collection(feature(polygon("[[[0,0],[1,0],[0,1e0],[0,0]]]")));
+  const std::string text = "\xEF\xBB\xBF" + collection(square);
   for (std::size_t piece = 1; piece <= text.size(); ++piece) {
     TextBytes bytes(text, piece);
     EXPECT_EQ(audit_geojson("b.geojson", bytes).features, 1U) << "in pieces of " << piece;
