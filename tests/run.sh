@@ -28,7 +28,16 @@ check() {
   rm -f "$log"
 }
 
-files() { git -C "$clone" ls-files -z --cached --others --exclude-standard -- "$@"; }
+# files PATTERN...: the clone's files of these names; build folders are left out, in a tree without git too.
+files() {
+  if [ -e "$clone/.git" ]; then
+    git -C "$clone" ls-files -z --cached --others --exclude-standard -- "$@"
+    return
+  fi
+  local pattern names=()
+  for pattern; do names+=(-o -path "./$pattern"); done
+  (cd "$clone" && find . -path './build*' -prune -o -type f '(' "${names[@]:1}" ')' -print0)
+}
 
 layout() {
   cd "$clone"
