@@ -199,8 +199,8 @@ TEST(RainfallErrorCoverage, of_stationary_normal_fields_is_93_to_97_percent) {
 
 // Rain that falls here and not there: an exponential normal field, of which what is above a level
 // falls. Bars hold less than they claim, and the less the more gauges are dry: the bounds are what
-// was measured, a percent to each side, for README to say. Steps at which no gauge has rain have no
-// figure.
+// was measured, a percent to each side, for tests/README.md to say. Steps at which no gauge has
+// rain have no figure.
 TEST(RainfallErrorCoverage, of_intermittent_fields_is_what_was_measured) {
   Seeded seeded;
   struct Measured {
