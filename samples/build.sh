@@ -13,10 +13,18 @@ jobs=$(nproc 2>/dev/null || echo 1)
 [ "${memory:-1}" -ge "$jobs" ] || jobs=${memory:-1}
 [ "$jobs" -ge 1 ] || jobs=1
 
-# The folder remembers where it was made: begin afresh where the clone has moved since.
+# Tests are many small files: Ninja, where it is installed, wastes no time between them. Else CMake chooses.
+generator=
+if command -v ninja >/dev/null && [[ " $* " == *' -DTHIESSEN_TESTS=ON '* ]]; then generator=Ninja; fi
+
+# The folder remembers where and with which generator it was made: begin afresh where the clone has moved
+# since, or the generator is another.
 fresh=
-if [ -f "$folder/CMakeCache.txt" ] &&
-  ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "$folder/CMakeCache.txt"; then
+cache=$folder/CMakeCache.txt
+if [ -f "$cache" ] &&
+  { ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$source" "$cache" ||
+    { [ -n "$generator" ] && ! grep -qxF "CMAKE_GENERATOR:INTERNAL=$generator" "$cache"; } ||
+    { ! command -v ninja >/dev/null && grep -qxF 'CMAKE_GENERATOR:INTERNAL=Ninja' "$cache"; }; }; then
   fresh=--fresh
 fi
 mkdir -p "$folder"
@@ -25,7 +33,7 @@ log=$folder/build.log
 show() { if [ -t 1 ]; then tee "$log" | grep --line-buffered '^\[' || true; else cat >"$log"; fi; }
 # shellcheck disable=SC2086
 build() {
-  cmake $fresh -S "$source" -B "$folder" "$@" &&
+  cmake $fresh ${generator:+-G "$generator"} -S "$source" -B "$folder" "$@" &&
     cmake --build "$folder" --parallel "$jobs" ${TARGETS:+--target $TARGETS}
 }
 if ! build "$@" 2>&1 | show; then
