@@ -2,6 +2,7 @@
 # Installs what is missing, builds thiessen with its tests in <clone>/build-tests, and runs them all:
 # layout, lint, the core under sanitizers, every test in a strange locale, every test.
 # It may be run again at once, and from any folder. Exit status 0 only where everything passed.
+#   tests/run.sh [PART...]     only these parts, in the order below; tests/run.sh --help lists them
 set -euo pipefail
 
 clone=$(cd "$(dirname "$0")/.." && pwd)
@@ -79,24 +80,59 @@ strange_locale() {
     run_ctest "$build" -LE oracles
 }
 
+help() {
+  cat <<'END'
+tests/run.sh [PART...]: all parts, or those that are named:
+  layout      the layout of the C++ files (clang-format)
+  scripts     the shell scripts (shellcheck)
+  build       the program and its tests
+  lint        clang-tidy over src/ and cli/
+  sanitized   the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer
+  locale      every test but the oracles, in a Turkish locale
+  oracles     comparisons with CGAL, GEOS and GeographicLib
+  golden      whole runs of the program against golden files
+  program     whole runs of the program against exact arithmetic
+What needs the build brings it up to date first.
+END
+}
+
+parts=(layout scripts build lint sanitized locale oracles golden program)
+for part; do
+  case $part in
+    -h | --help) help && exit ;;
+  esac
+  if [[ " ${parts[*]} " != *" $part "* ]]; then
+    printf "run.sh: error: there is no part '%s'\nhint: the parts are: %s\n" "$part" "${parts[*]}" >&2
+    exit 2
+  fi
+done
+chosen=" ${*:-${parts[*]}} "
+wants() {
+  local part
+  for part; do [[ $chosen != *" $part "* ]] || return 0; done
+  return 1
+}
+
 "$clone/samples/packages.sh" build tests
 
-check 'Checking the layout of the C++ files (clang-format)' layout
-check 'Checking the scripts (shellcheck)' scripts
+if wants layout; then check 'Checking the layout of the C++ files (clang-format)' layout; fi
+if wants scripts; then check 'Checking the scripts (shellcheck)' scripts; fi
 
-say "Building thiessen and its tests in $build (some minutes the first time) ..."
-"$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
-  -DCMAKE_BUILD_TYPE=Release
+if wants build lint locale oracles golden program; then
+  say "Building thiessen and its tests in $build (some minutes the first time) ..."
+  "$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
+    -DCMAKE_BUILD_TYPE=Release
+fi
 
-check 'Linting (clang-tidy)' "$clone/tests/lint.sh" "$build"
-check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
-check 'Testing in a Turkish locale' strange_locale
-
+if wants lint; then check 'Linting (clang-tidy)' "$clone/tests/lint.sh" "$build"; fi
+if wants sanitized; then
+  check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
+fi
 # The strange locale sees every test but the oracles; the plain one only those that run the whole program
 # (their text is what a locale may change) and the oracles: no test of a room runs twice.
 if wants locale; then check 'Testing in a Turkish locale' strange_locale; fi
 for part in oracles golden program; do
-  check "Testing: $part" run_ctest "$build" -L "^$part\$"
+  if wants "$part"; then check "Testing: $part" run_ctest "$build" -L "^$part\$"; fi
 done
 
 say
