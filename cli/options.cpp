@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "cli/command.h"
 #include "cli/help.h"
+#include "cli/rain_methods.h"
 
 namespace thiessen::cli {
 namespace {
@@ -180,14 +181,13 @@ void GapOptions::add_cache_to(CLI::App& app) {
 
 void MethodOptions::add_to(CLI::App& app) {
   app_ = &app;
+  std::map<std::string, RainMethod> choices{{"all", RainMethod::all}};
+  std::string names;
+  for (const std::string& name : names_of_methods(RainMethod::all)) names += name + "|";
+  names += "all";
+  for (const RainMethod method : single_methods) choices.emplace(name_of(method), method);
   app.option_defaults()->group("Method");
-  add_choice<RainMethod>(app, "--method", method_,
-                         {{"thiessen", RainMethod::thiessen},
-                          {"arithmetic", RainMethod::arithmetic},
-                          {"idw", RainMethod::idw},
-                          {"natural", RainMethod::natural},
-                          {"all", RainMethod::all}},
-                         "thiessen|arithmetic|idw|natural|all",
+  add_choice<RainMethod>(app, "--method", method_, choices, names,
                          "the cells (default), the mean of the gauges inside, inverse distance "
                          "squared of the 12 nearest, natural neighbours (outside the gauges' hull "
                          "the nearest gauge), or a column for each, BASIN_thiessen and so on; with "
@@ -198,8 +198,7 @@ void MethodOptions::add_to(CLI::App& app) {
 }
 
 RainMethod MethodOptions::method() const {
-  const bool has_points = method_ != RainMethod::thiessen && method_ != RainMethod::arithmetic;
-  if (app_->count("--grid") > 0 && !has_points) {
+  if (app_->count("--grid") > 0 && !averages_points(method_)) {
     throw UsageError{"--grid is about --method idw, natural or all", "leave it out"};
   }
   return method_;

@@ -1,11 +1,13 @@
 #include "cli/rain_methods.h"
 
 #include <algorithm>
-#include <array>
+#include <functional>
+#include <stdexcept>
 #include <utility>
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/methods/arithmetic_mean.h"
 #include "rainfall/methods/inverse_distance.h"
 #include "rainfall/methods/method_rainfall.h"
@@ -13,10 +15,6 @@
 
 namespace thiessen::cli {
 namespace {
-
-constexpr std::array all_methods{
-    std::pair(RainMethod::thiessen, "thiessen"), std::pair(RainMethod::arithmetic, "arithmetic"),
-    std::pair(RainMethod::idw, "idw"), std::pair(RainMethod::natural, "natural")};
 
 void warn_of_hull(const std::vector<double>& outside, const std::vector<Basin>& basins,
                   Warnings& warnings) {
@@ -41,12 +39,52 @@ std::unique_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, s
   return method;
 }
 
+/// By each of the single methods, in their order.
+std::unique_ptr<const StepRainfall> by_all(
+    const std::function<std::unique_ptr<const StepRainfall>(RainMethod)>& rainfall) {
+  std::vector<std::unique_ptr<const StepRainfall>> methods;
+  methods.reserve(single_methods.size());
+  for (const RainMethod method : single_methods) methods.push_back(rainfall(method));
+  return std::make_unique<const SeveralMethods>(std::move(methods));
+}
+
 }  // namespace
+
+// The switches have no default, so that the compiler tells of a method that is forgotten in one.
+
+std::string name_of(RainMethod method) {
+  switch (method) {
+    case RainMethod::thiessen:
+      return ArealRainfall::name;
+    case RainMethod::arithmetic:
+      return ArithmeticMean::name;
+    case RainMethod::idw:
+      return InverseDistance::name;
+    case RainMethod::natural:
+      return NaturalNeighbours::name;
+    case RainMethod::all:
+      break;
+  }
+  throw std::logic_error("several methods have no one name");
+}
+
+bool averages_points(RainMethod method) {
+  switch (method) {
+    case RainMethod::thiessen:
+    case RainMethod::arithmetic:
+      return false;
+    case RainMethod::idw:
+    case RainMethod::natural:
+    case RainMethod::all:
+      return true;
+  }
+  throw std::logic_error("not a method");
+}
 
 std::vector<std::string> names_of_methods(RainMethod method) {
   std::vector<std::string> names;
   if (method != RainMethod::all) return names;
-  for (const auto& [one, name] : all_methods) names.emplace_back(name);
+  for (const RainMethod one : single_methods) names.push_back(name_of(one));
   return names;
 }
 
@@ -57,23 +95,23 @@ std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
   const auto by = [&](std::unique_ptr<const AreaMethod> method) {
     return std::make_unique<const MethodRainfall>(weighing, std::move(method), settings);
   };
-  const auto rainfall = [&](RainMethod method) -> std::unique_ptr<const StepRainfall> {
+  const std::function<std::unique_ptr<const StepRainfall>(RainMethod)> rainfall =
+      [&](RainMethod method) -> std::unique_ptr<const StepRainfall> {
     switch (method) {
+      case RainMethod::thiessen:
+        return std::make_unique<const ArealRainfall>(weighing, settings, threads);
       case RainMethod::arithmetic:
         return by(std::make_unique<const ArithmeticMean>(weighing));
       case RainMethod::idw:
         return by(std::make_unique<const InverseDistance>(weighing, options.points(), threads));
       case RainMethod::natural:
         return by(natural_neighbours(weighing, options.points(), threads, warnings));
-      default:
-        return std::make_unique<const ArealRainfall>(weighing, settings, threads);
+      case RainMethod::all:
+        return by_all(rainfall);
     }
+    throw std::logic_error("not a method");
   };
-  if (options.method() != RainMethod::all) return rainfall(options.method());
-  std::vector<std::unique_ptr<const StepRainfall>> methods;
-  methods.reserve(all_methods.size());
-  for (const auto& [method, name] : all_methods) methods.push_back(rainfall(method));
-  return std::make_unique<const SeveralMethods>(std::move(methods));
+  return rainfall(options.method());
 }
 
 }  // namespace thiessen::cli

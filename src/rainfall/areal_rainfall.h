@@ -35,6 +35,9 @@ struct ArealRainfallSettings {
 /// silent cells that is not remembered also Handovers::of.
 class ArealRainfall : public StepRainfall {
  public:
+  /// Of the method, among those of src/rainfall/methods.
+  static constexpr const char* name = "thiessen";
+
   ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);
 
   /// The full network's weights.

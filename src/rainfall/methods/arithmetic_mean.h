@@ -8,6 +8,8 @@ namespace thiessen {
 /// The mean of the gauges inside a basin, or on its edge; none inside: no value.
 class ArithmeticMean : public AreaMethod {
  public:
+  static constexpr const char* name = "arithmetic";
+
   /// Cost: as Containment for each place in a basin's box.
   explicit ArithmeticMean(const Weighing& weighing);
   Weights weights(const std::vector<bool>& reports) const override;

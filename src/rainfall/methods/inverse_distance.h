@@ -25,6 +25,8 @@ namespace thiessen {
 /// gauges 50 nanoseconds a point of the basins that a silent gauge weighs in.
 class InverseDistance : public AreaMethod {
  public:
+  static constexpr const char* name = "idw";
+
   static constexpr std::size_t neighbours = 12;
 
   /// The weighing must outlive it.

@@ -24,6 +24,8 @@ namespace thiessen {
 /// much for each point next to a silent one, and a look at the points of the basins that have any.
 class NaturalNeighbours : public AreaMethod {
  public:
+  static constexpr const char* name = "natural";
+
   /// The weighing must outlive it.
   NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads);
   ~NaturalNeighbours() override;
