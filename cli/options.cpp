@@ -1,5 +1,6 @@
 #include "cli/options.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/parallel.h"
@@ -181,27 +182,30 @@ void GapOptions::add_cache_to(CLI::App& app) {
 
 void MethodOptions::add_to(CLI::App& app) {
   app_ = &app;
-  std::map<std::string, RainMethod> choices{{"all", RainMethod::all}};
+  using Methods = std::vector<RainMethod>;
+  std::map<std::string, Methods> choices{{"all", {all_methods.begin(), all_methods.end()}}};
   std::string names;
-  for (const std::string& name : names_of_methods(RainMethod::all)) names += name + "|";
-  names += "all";
-  for (const RainMethod method : single_methods) choices.emplace(name_of(method), method);
+  for (const RainMethod method : all_methods) {
+    choices.emplace(name_of(method), Methods{method});
+    names += std::string(name_of(method)) + "|";
+  }
   app.option_defaults()->group("Method");
-  add_choice<RainMethod>(app, "--method", method_, choices, names,
-                         "the cells (default), the mean of the gauges inside, inverse distance "
-                         "squared of the 12 nearest, natural neighbours (outside the gauges' hull "
-                         "the nearest gauge), or a column for each, BASIN_thiessen and so on; with "
-                         "--long rows with a column method");
+  add_choice<Methods>(app, "--method", methods_, choices, names + "all",
+                      "the cells (default), the mean of the gauges inside, inverse distance "
+                      "squared of the 12 nearest, natural neighbours (outside the gauges' hull "
+                      "the nearest gauge), or a column for each, BASIN_thiessen and so on; with "
+                      "--long rows with a column method");
   add_count(
       app, "--grid", points_, 1, 100'000,
       "over how many points of a basin idw and natural are averaged, to 100000; default 2000");
 }
 
-RainMethod MethodOptions::method() const {
-  if (app_->count("--grid") > 0 && !averages_points(method_)) {
+const std::vector<RainMethod>& MethodOptions::methods() const {
+  if (app_->count("--grid") > 0 &&
+      std::none_of(methods_.begin(), methods_.end(), averages_points)) {
     throw UsageError{"--grid is about --method idw, natural or all", "leave it out"};
   }
-  return method_;
+  return methods_;
 }
 
 void RainFormatOptions::add_to(CLI::App& app) {

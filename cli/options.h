@@ -85,17 +85,18 @@ struct GapOptions {
 };
 
 /// What areal rainfall is computed by.
-enum class RainMethod { thiessen, arithmetic, idw, natural, all };
+enum class RainMethod { thiessen, arithmetic, idw, natural };
 
 struct MethodOptions {
   void add_to(CLI::App& app);
-  /// Throws UsageError for options that contradict each other.
-  RainMethod method() const;
+  /// One, or several in the order of their columns. Throws UsageError for options that contradict
+  /// each other.
+  const std::vector<RainMethod>& methods() const;
   /// In a basin.
   std::size_t points() const { return points_; }
 
  private:
-  RainMethod method_ = RainMethod::thiessen;
+  std::vector<RainMethod> methods_{RainMethod::thiessen};
   std::size_t points_ = 2000;
   CLI::App* app_ = nullptr;
 };

@@ -51,12 +51,12 @@ class RainCommand : public Command {
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
-    const RainMethod method = method_.method();
-    if (method == RainMethod::all && !weights_log_.empty()) {
+    const std::vector<RainMethod>& methods = method_.methods();
+    if (methods.size() > 1 && !weights_log_.empty()) {
       throw UsageError{"--weights-log is the account of one method, and --method says all",
                        "give one of thiessen, arithmetic, idw and natural"};
     }
-    check_errors_can_be_had(method);
+    check_errors_can_be_had(methods);
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
@@ -65,7 +65,7 @@ class RainCommand : public Command {
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
     format.errors = errors_;
-    format.methods = names_of_methods(method);
+    format.methods = names_of_methods(methods);
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format.rows_for_basins && !periods_.totalling();
     std::unique_ptr<const ArealRainfall> values;
@@ -99,9 +99,9 @@ class RainCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
-  void check_errors_can_be_had(RainMethod method) const {
+  void check_errors_can_be_had(const std::vector<RainMethod>& methods) const {
     if (!errors_) return;
-    if (method != RainMethod::thiessen) {
+    if (methods != std::vector{RainMethod::thiessen}) {
       throw UsageError{"--error is of Thiessen's weights, and --method wants others",
                        "leave one of them out"};
     }

@@ -1,7 +1,6 @@
 #include "cli/rain_methods.h"
 
 #include <algorithm>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -39,20 +38,11 @@ std::unique_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, s
   return method;
 }
 
-/// By each of the single methods, in their order.
-std::unique_ptr<const StepRainfall> by_all(
-    const std::function<std::unique_ptr<const StepRainfall>(RainMethod)>& rainfall) {
-  std::vector<std::unique_ptr<const StepRainfall>> methods;
-  methods.reserve(single_methods.size());
-  for (const RainMethod method : single_methods) methods.push_back(rainfall(method));
-  return std::make_unique<const SeveralMethods>(std::move(methods));
-}
-
 }  // namespace
 
 // The switches have no default, so that the compiler tells of a method that is forgotten in one.
 
-std::string name_of(RainMethod method) {
+const char* name_of(RainMethod method) {
   switch (method) {
     case RainMethod::thiessen:
       return ArealRainfall::name;
@@ -62,10 +52,8 @@ std::string name_of(RainMethod method) {
       return InverseDistance::name;
     case RainMethod::natural:
       return NaturalNeighbours::name;
-    case RainMethod::all:
-      break;
   }
-  throw std::logic_error("several methods have no one name");
+  throw std::logic_error("not a method");
 }
 
 bool averages_points(RainMethod method) {
@@ -75,16 +63,15 @@ bool averages_points(RainMethod method) {
       return false;
     case RainMethod::idw:
     case RainMethod::natural:
-    case RainMethod::all:
       return true;
   }
   throw std::logic_error("not a method");
 }
 
-std::vector<std::string> names_of_methods(RainMethod method) {
+std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods) {
+  if (methods.size() == 1) return {};
   std::vector<std::string> names;
-  if (method != RainMethod::all) return names;
-  for (const RainMethod one : single_methods) names.push_back(name_of(one));
+  for (const RainMethod method : methods) names.emplace_back(name_of(method));
   return names;
 }
 
@@ -95,8 +82,7 @@ std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
   const auto by = [&](std::unique_ptr<const AreaMethod> method) {
     return std::make_unique<const MethodRainfall>(weighing, std::move(method), settings);
   };
-  const std::function<std::unique_ptr<const StepRainfall>(RainMethod)> rainfall =
-      [&](RainMethod method) -> std::unique_ptr<const StepRainfall> {
+  const auto rainfall = [&](RainMethod method) -> std::unique_ptr<const StepRainfall> {
     switch (method) {
       case RainMethod::thiessen:
         return std::make_unique<const ArealRainfall>(weighing, settings, threads);
@@ -106,12 +92,15 @@ std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
         return by(std::make_unique<const InverseDistance>(weighing, options.points(), threads));
       case RainMethod::natural:
         return by(natural_neighbours(weighing, options.points(), threads, warnings));
-      case RainMethod::all:
-        return by_all(rainfall);
     }
     throw std::logic_error("not a method");
   };
-  return rainfall(options.method());
+  const std::vector<RainMethod>& wanted = options.methods();
+  if (wanted.size() == 1) return rainfall(wanted.front());
+  std::vector<std::unique_ptr<const StepRainfall>> methods;
+  methods.reserve(wanted.size());
+  for (const RainMethod method : wanted) methods.push_back(rainfall(method));
+  return std::make_unique<const SeveralMethods>(std::move(methods));
 }
 
 }  // namespace thiessen::cli
