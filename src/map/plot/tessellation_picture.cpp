@@ -1,9 +1,6 @@
 #include "map/plot/tessellation_picture.h"
 
-#include <new>
-#include <opencv2/core.hpp>
-
-#include "base/error.h"
+#include "map/ink/drawing_errors.h"
 #include "map/ink/encoding.h"
 #include "map/plot/plane_plot.h"
 #include "map/plot/space_view.h"
@@ -16,10 +13,8 @@ std::vector<unsigned char> picture_of(Plot&& plot) {
   try {
     Canvas canvas = plot();
     return encoded(canvas, PictureFormat::png);
-  } catch (const cv::Exception& error) {
-    throw Error(Message{{}, 0, "the picture could not be drawn: " + error.err, {}});
-  } catch (const std::bad_alloc&) {
-    throw Error(Message{{}, 0, "not enough memory to draw the picture", {}});
+  } catch (...) {
+    throw_drawing_error();
   }
 }
 

@@ -1,10 +1,9 @@
 #include "map/sheet/picture.h"
 
 #include <cmath>
-#include <new>
-#include <opencv2/core.hpp>
 
 #include "map/ink/canvas.h"
+#include "map/ink/drawing_errors.h"
 #include "map/ink/encoding.h"
 #include "map/ink/ink.h"
 #include "map/ink/typesetter.h"
@@ -19,8 +18,8 @@
 namespace thiessen {
 namespace {
 
-[[noreturn]] void fail(std::string text, std::string hint = {}) {
-  throw Error(Message{{}, 0, std::move(text), std::move(hint)});
+[[noreturn]] void fail(std::string text) {
+  throw Error(Message{{}, 0, std::move(text), {}});
 }
 
 void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyView view,
@@ -101,10 +100,8 @@ std::string encode_picture(const Picture& picture, PictureFormat format, Warning
   check_picture_size(picture.width, picture.height);
   try {
     return drawn(picture, format, warnings);
-  } catch (const cv::Exception& error) {
-    fail("the picture could not be drawn: " + error.err);
-  } catch (const std::bad_alloc&) {
-    fail("not enough memory to draw the picture", "choose a smaller --size");
+  } catch (...) {
+    throw_drawing_error("choose a smaller --size");
   }
 }
 

@@ -1,0 +1,20 @@
+#include "map/ink/drawing_errors.h"
+
+#include <new>
+#include <opencv2/core.hpp>
+
+#include "base/error.h"
+
+namespace thiessen {
+
+void throw_drawing_error(const std::string& memory_hint) {
+  try {
+    throw;
+  } catch (const cv::Exception& error) {
+    throw Error(Message{{}, 0, "the picture could not be drawn: " + error.err, {}});
+  } catch (const std::bad_alloc&) {
+    throw Error(Message{{}, 0, "not enough memory to draw the picture", memory_hint});
+  }
+}
+
+}  // namespace thiessen
