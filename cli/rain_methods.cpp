@@ -71,6 +71,7 @@ bool averages_points(RainMethod method) {
 std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods) {
   if (methods.size() == 1) return {};
   std::vector<std::string> names;
+  names.reserve(methods.size());
   for (const RainMethod method : methods) names.emplace_back(name_of(method));
   return names;
 }
