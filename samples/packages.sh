@@ -5,9 +5,9 @@
 set -eu
 
 # libopencv-dev alone tells CMake where OpenCV is; its freetype module comes with it.
-build='g++ cmake make libgdal-dev libgeographiclib-dev libopencv-dev libcli11-dev libfontconfig-dev
+build='g++ cmake make libgdal-dev libgeos-dev libgeographiclib-dev libopencv-dev libcli11-dev libfontconfig-dev
   libedit-dev fonts-dejavu-core fonts-unifont'
-tests='ninja-build libgtest-dev libbenchmark-dev libcgal-dev libgeos-dev clang libclang-rt-dev clang-format
+tests='ninja-build libgtest-dev libbenchmark-dev libcgal-dev clang libclang-rt-dev clang-format
   clang-tidy shellcheck gdal-bin python3 locales git'
 
 say() { printf '%s\n' "$*"; }

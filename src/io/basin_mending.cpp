@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/number.h"
-#include "io/polygon_validity.h"
+#include "outlines/polygon_validity.h"
 #include "outlines/ring_direction.h"
 
 namespace thiessen {

@@ -6,7 +6,7 @@
 #include "io/cells_fields.h"
 #include "io/cells_file.h"
 #include "io/cells_shapes.h"
-#include "io/vertex_rounding.h"
+#include "outlines/vertex_rounding.h"
 #include "text/json_text.h"
 
 namespace thiessen {

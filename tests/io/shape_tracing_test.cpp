@@ -4,7 +4,7 @@
 
 #include "io/ellipsoid_strip.h"
 #include "io/geometry_conversion.h"
-#include "io/polygon_validity.h"
+#include "outlines/polygon_validity.h"
 #include "outlines/ring_direction.h"
 
 namespace thiessen {

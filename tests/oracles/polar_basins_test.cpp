@@ -13,7 +13,7 @@
 #include "base/temporary_folder.h"
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
-#include "io/polygon_validity.h"
+#include "outlines/polygon_validity.h"
 #include "io/study.h"
 #include "outlines/antimeridian.h"
 #include "rainfall/weights.h"

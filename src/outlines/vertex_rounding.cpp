@@ -1,6 +1,4 @@
-#include "io/vertex_rounding.h"
-
-#include <ogr_geometry.h>
+#include "outlines/vertex_rounding.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,8 +7,7 @@
 #include <vector>
 
 #include "base/number.h"
-#include "io/gdal_errors.h"
-#include "io/geometry_conversion.h"
+#include "outlines/polygon_validity.h"
 #include "outlines/ring_direction.h"
 
 namespace thiessen {
@@ -30,9 +27,7 @@ bool valid(const MultiPolygon& shape) {
       if (!keeps_its_side(hole, false)) return false;
     }
   }
-  const auto geometry = ogr_shape(shape);
-  const GdalErrors errors;
-  return geometry->IsValid() != FALSE;
+  return validity_fault(shape).empty();
 }
 
 }  // namespace

@@ -1,27 +1,27 @@
-#include "io/polygon_validity.h"
-
-#include <ogr_geometry.h>
+#include "outlines/polygon_validity.h"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "io/gdal_errors.h"
-#include "io/geometry_conversion.h"
+#include "outlines/geos.h"
 #include "outlines/ring_direction.h"
 
 namespace thiessen {
 namespace {
 
-/// GEOS's two ways to a valid shape: `LINEWORK` is the even-odd rule for a single ring; `STRUCTURE`
+/// GEOS's two ways to a valid shape: `linework` is the even-odd rule for a single ring; `structure`
 /// is the union of the shells less the union of the holes.
-MultiPolygon made_valid(const MultiPolygon& shape, const char* method) {
-  const std::string option = std::string("METHOD=") + method;
-  const char* options[] = {option.c_str(), nullptr};
-  const auto geometry = ogr_shape(shape);
-  const GdalErrors errors;
-  const std::unique_ptr<OGRGeometry> valid(geometry->MakeValid(options));
-  return valid ? polygons_of(*valid) : MultiPolygon{};
+MultiPolygon made_valid(const MultiPolygon& shape, GEOSMakeValidMethods method) {
+  const Geos geos;
+  const Geos::Shape geometry = geos.shape_of(shape);
+  if (!geometry) return {};
+  GEOSMakeValidParams* const way = GEOSMakeValidParams_create_r(geos.context());
+  GEOSMakeValidParams_setMethod_r(geos.context(), way, method);
+  GEOSMakeValidParams_setKeepCollapsed_r(geos.context(), way, 0);
+  const Geos::Shape valid =
+      geos.own(GEOSMakeValidWithParams_r(geos.context(), geometry.get(), way));
+  GEOSMakeValidParams_destroy_r(geos.context(), way);
+  return geos.polygons_of(valid.get());
 }
 
 /// By how much rings together cover more or less than their union.
@@ -35,7 +35,7 @@ double disputed_area(const Polygon& ring) {
   const MultiPolygon one = {ring};
   if (validity_fault(one).empty()) return 0;
   const double area = plane_area(one);
-  return std::max(std::abs(plane_area(made_valid(one, "LINEWORK")) - area),
+  return std::max(std::abs(plane_area(made_valid(one, GEOS_MAKE_VALID_LINEWORK)) - area),
                   std::abs(plane_area(made_valid(one)) - area));
 }
 
@@ -51,16 +51,17 @@ double plane_area(const MultiPolygon& shape) {
 }
 
 std::string validity_fault(const MultiPolygon& shape) {
-  const auto geometry = ogr_shape(shape);
-  const GdalErrors errors;
-  if (geometry->IsValid() != FALSE) return {};
-  std::string reason = errors.text();
+  const Geos geos;
+  const Geos::Shape geometry = geos.shape_of(shape);
+  constexpr char valid = 1;
+  if (geometry && GEOSisValid_r(geos.context(), geometry.get()) == valid) return {};
+  std::string reason = geos.text();
   for (char& c : reason) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return reason;
 }
 
 MultiPolygon made_valid(const MultiPolygon& shape) {
-  return made_valid(shape, "STRUCTURE");
+  return made_valid(shape, GEOS_MAKE_VALID_STRUCTURE);
 }
 
 double disputed_area(const MultiPolygon& shape, const MultiPolygon& valid) {
