@@ -11,11 +11,11 @@
 #include "base/utf8.h"
 #include "cli/command_arguments.h"
 #include "cli/words.h"
-#include "io/points_file.h"
 #include "map/plot/tessellation_picture.h"
 #include "tessellation/audit.h"
 #include "tessellation/session.h"
 #include "tessellation/topology_table.h"
+#include "text/points_file.h"
 
 namespace thiessen::cli {
 namespace {

@@ -8,7 +8,7 @@
 #include "cli/picture_of.h"
 #include "cli/raster_of.h"
 #include "cli/session.h"
-#include "io/raster_file.h"
+#include "gdal/raster_file.h"
 
 namespace thiessen::cli {
 namespace {

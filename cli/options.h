@@ -7,12 +7,12 @@
 
 #include "base/destination.h"
 #include "cli/option_values.h"
-#include "io/rain_file.h"
-#include "io/study.h"
+#include "files/study.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"
 #include "readings/readings_reader.h"
+#include "results/rain_file.h"
 
 namespace thiessen::cli {
 

@@ -3,7 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "io/crs.h"
+#include "gdal/crs.h"
+#include "gdal/transformation.h"
 
 namespace thiessen::cli {
 namespace {

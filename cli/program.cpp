@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "cli/command_line.h"
-#include "io/drivers.h"
+#include "gdal/drivers.h"
 
 namespace thiessen::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include "cli/rain_methods.h"
 #include "cli/rain_table.h"
 #include "cli/session.h"
-#include "io/weights_log.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
+#include "results/weights_log.h"
 
 namespace thiessen::cli {
 namespace {

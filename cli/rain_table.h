@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "io/rain_file.h"
-#include "io/rain_totals_file.h"
 #include "rainfall/series/rain_periods.h"
+#include "results/rain_file.h"
+#include "results/rain_totals_file.h"
 
 namespace thiessen::cli {
 

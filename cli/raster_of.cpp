@@ -2,8 +2,9 @@
 
 #include <memory>
 
-#include "io/crs.h"
-#include "io/raster_file.h"
+#include "gdal/crs.h"
+#include "gdal/raster_file.h"
+#include "gdal/transformation.h"
 #include "map/raster/owners.h"
 #include "map/raster/raster_frame.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/session.h"
-#include "io/cells_file.h"
+#include "files/cells_file.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {

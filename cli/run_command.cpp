@@ -10,9 +10,9 @@
 #include "cli/rain_table.h"
 #include "cli/session.h"
 #include "cli/summary.h"
-#include "io/weights_file.h"
 #include "rainfall/errors/mean_error.h"
 #include "rainfall/series/gauge_readings.h"
+#include "results/weights_file.h"
 
 namespace thiessen::cli {
 namespace {

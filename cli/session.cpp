@@ -1,6 +1,6 @@
 #include "cli/session.h"
 
-#include "io/rainfall_file.h"
+#include "files/rainfall_file.h"
 
 #include <algorithm>
 

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "io/study.h"
-#include "io/weights_file.h"
+#include "files/study.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/watched_readings.h"
 #include "rainfall/weights.h"
+#include "results/weights_file.h"
 
 namespace thiessen::cli {
 

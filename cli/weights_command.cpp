@@ -8,10 +8,10 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/session.h"
-#include "io/influence_file.h"
-#include "io/weights_file.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
+#include "results/influence_file.h"
+#include "results/weights_file.h"
 
 namespace thiessen::cli {
 namespace {

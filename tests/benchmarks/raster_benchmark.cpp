@@ -10,8 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "io/crs.h"
-#include "io/raster_file.h"
+#include "gdal/crs.h"
+#include "gdal/raster_file.h"
+#include "gdal/transformation.h"
 #include "map/raster/owners.h"
 
 namespace thiessen {

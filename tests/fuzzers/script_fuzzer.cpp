@@ -20,8 +20,8 @@
 #include "fuzzers/memory_file.h"
 #include "geometry/predicates.h"
 #include "geometry/space_predicates.h"
-#include "io/points_file.h"
 #include "text/geojson_audit.h"
+#include "text/points_file.h"
 #include "text/text_bytes.h"
 
 namespace thiessen::fuzzers {

@@ -12,10 +12,10 @@
 #include "base/number.h"
 #include "base/temporary_folder.h"
 #include "basin/shapes.h"
+#include "files/study.h"
 #include "geometry/seeded.h"
-#include "outlines/polygon_validity.h"
-#include "io/study.h"
 #include "outlines/antimeridian.h"
+#include "outlines/polygon_validity.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {

@@ -1,0 +1,181 @@
+#include "files/basins_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "base/utf8.h"
+#include "files/features.h"
+#include "text/field_names.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::array<std::string_view, 5> id_names = {"basin", "basin_id", "id", "code", "name"};
+constexpr std::size_t longest_field = std::size_t{256} << 20U;
+
+bool finite(const Ring& ring) {
+  return std::all_of(ring.begin(), ring.end(),
+                     [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); });
+}
+
+bool finite(const MultiPolygon& shape) {
+  return std::all_of(shape.begin(), shape.end(), [](const Polygon& polygon) {
+    return finite(polygon.outer) && std::all_of(polygon.holes.begin(), polygon.holes.end(),
+                                                [](const Ring& hole) { return finite(hole); });
+  });
+}
+
+/// A feature before it is known which field is the id.
+struct Candidate {
+  std::vector<std::string> ids;  ///< one for each field that may be the id
+  std::size_t number = 0;
+  std::size_t line = 0;
+  std::string place;
+  MultiPolygon polygons;
+};
+
+class BasinsReader {
+ public:
+  BasinsReader(const BasinsRequest& request, Warnings& warnings)
+      : request_(request), warnings_(warnings), features_(request.source, longest_field) {
+    result_.file = features_.file();
+    if (!features_.has_geometry()) {
+      throw Error(Message{features_.file(), features_.header_line(), "holds no polygons",
+                          features_.has_lines() ? "a CSV of basins has a column named WKT" : ""});
+    }
+    const Features::Named named = features_.crs();
+    result_.crs = named.crs;
+    if (named.crs) {
+      result_.crs_origin = named.by_option ? CrsOrigin::option
+                           : named.implied ? CrsOrigin::implied
+                                           : CrsOrigin::file;
+    }
+    find_id_fields();
+  }
+
+  BasinsFile read() {
+    features_.warn_of_oddities(warnings_);
+    while (features_.next(complaints_)) {
+      ++number_;
+      if (features_.kept()) add_feature();
+    }
+    complaints_.throw_if_any();
+    if (candidates_.empty()) {
+      throw Error(Message{{},
+                          0,
+                          "no basins in " + features_.file() +
+                              (number_ > 0 ? " pass " + request_.source.where_option : ""),
+                          {}});
+    }
+    if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
+    group(chosen_id());
+    return std::move(result_);
+  }
+
+ private:
+  void find_id_fields() {
+    const auto& header = features_.header();
+    if (!request_.id.empty()) {
+      fields_ = {require_field(header, request_.id, "--basin-id", features_.file(),
+                               features_.header_line())};
+      return;
+    }
+    for (const std::string_view name : id_names) {
+      if (const auto field = find_field(header, {&name, 1})) fields_.push_back(*field);
+    }
+  }
+
+  void add_feature() {
+    Candidate candidate;
+    const Row& row = features_.row();
+    for (const std::size_t field : fields_) candidate.ids.emplace_back(row.fields[field]);
+    candidate.number = number_;
+    candidate.line = features_.has_lines() ? row.line : 0;
+    candidate.place = features_.place();
+    try {
+      GeometryRecord geometry = features_.geometry();
+      if (!is_area(geometry, candidate)) return;
+      heights_ = heights_ || geometry.has_z;
+      candidate.polygons = std::move(geometry.polygons);
+    } catch (const Error& error) {
+      for (const Message& message : error.messages()) complaints_.add(message);
+      return;
+    }
+    if (!request_.id.empty() && candidate.ids[0].empty()) {
+      complaints_.add(features_.message("basin has no " + quoted(request_.id, 80)));
+      return;
+    }
+    candidates_.push_back(std::move(candidate));
+  }
+
+  bool is_area(const GeometryRecord& geometry, const Candidate& candidate) {
+    const auto named = std::find_if(candidate.ids.begin(), candidate.ids.end(),
+                                    [](const std::string& id) { return !id.empty(); });
+    const std::string what = named == candidate.ids.end() ? "basin" : "basin " + quoted(*named, 80);
+    std::string text;
+    if (geometry.type.empty()) {
+      text = " has no geometry";
+    } else if (geometry.type != "Polygon" && geometry.type != "MultiPolygon") {
+      text = " is a " + geometry.type + ", and not a polygon";
+    } else if (geometry.polygons.empty()) {
+      text = " has an empty geometry";
+    } else if (!finite(geometry.polygons)) {
+      text = " has a coordinate that is not finite";
+    }
+    if (!text.empty()) complaints_.add(features_.message(what + text));
+    return text.empty();
+  }
+
+  /// Which of the fields holds the id: given by name, or the first whose values are all there and
+  /// all different; nothing: the feature's number.
+  std::optional<std::size_t> chosen_id() const {
+    if (!request_.id.empty()) return 0;
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      std::unordered_set<std::string_view> seen;
+      const bool good =
+          std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) {
+            return !c.ids[field].empty() && seen.insert(c.ids[field]).second;
+          });
+      if (good) return field;
+    }
+    return std::nullopt;
+  }
+
+  void group(std::optional<std::size_t> field) {
+    std::unordered_map<std::string, std::size_t> known;
+    for (Candidate& candidate : candidates_) {
+      std::string id = field ? candidate.ids[*field] : std::to_string(candidate.number);
+      const auto [at, fresh] = known.emplace(id, result_.basins.size());
+      if (fresh) {
+        std::string place = "basin " + quoted(id, 80);
+        if (!candidate.place.empty()) place += " (" + candidate.place + ")";
+        result_.basins.push_back({std::move(id), std::move(place), candidate.line, {}});
+      }
+      MultiPolygon& polygons = result_.basins[at->second].polygons;
+      std::move(candidate.polygons.begin(), candidate.polygons.end(), std::back_inserter(polygons));
+    }
+  }
+
+  const BasinsRequest& request_;
+  Warnings& warnings_;
+  Features features_;
+  Complaints complaints_;
+  BasinsFile result_;
+  std::vector<std::size_t> fields_;
+  std::vector<Candidate> candidates_;
+  std::size_t number_ = 0;
+  bool heights_ = false;
+};
+
+}  // namespace
+
+BasinsFile read_basins(const BasinsRequest& request, Warnings& warnings) {
+  return BasinsReader(request, warnings).read();
+}
+
+}  // namespace thiessen

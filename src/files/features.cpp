@@ -1,0 +1,159 @@
+#include "files/features.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "base/utf8.h"
+#include "gdal/opening.h"
+#include "gdal/wkt.h"
+#include "text/csv_reader.h"
+#include "text/field_names.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::array<std::string_view, 1> wkt_name = {"wkt"};
+
+std::unique_ptr<Table> open_csv(const Source& source, std::size_t longest_field) {
+  CsvOptions options;
+  if (source.separator != '\0') options.separator = source.separator;
+  options.limits.field_bytes = longest_field;
+  options.limits.row_bytes = std::max(options.limits.row_bytes, longest_field);
+  return std::make_unique<CsvReader>(source.file, options);
+}
+
+}  // namespace
+
+struct Features::Loaded {
+  std::vector<std::vector<std::string>> rows;
+  std::vector<std::size_t> lines;
+  std::size_t next = 0;
+  std::optional<Error> error;
+};
+
+Features::Features(const Source& source, std::size_t longest_field) : source_(source) {
+  if (read_by_gdal(source.file)) {
+    auto layer = std::make_unique<Layer>(source.file, source.layer, source.layer_option);
+    layer_ = layer.get();
+    table_ = std::move(layer);
+  } else {
+    if (!source.layer.empty()) {
+      throw Error(Message{
+          source.file,
+          0,
+          "a CSV file has no layers: " + source.layer_option + " " + quoted(source.layer, 80),
+          {}});
+    }
+    table_ = open_csv(source, longest_field);
+    wkt_ = find_field(header(), wkt_name);
+    if (source.decimal_comma) mark_ = DecimalMark::comma;
+  }
+  if (source.where.empty()) return;
+  if (layer_ == nullptr) load_rows();
+  std::vector<FieldName> fields;
+  for (std::size_t i = 0; i < header().size(); ++i) fields.push_back({header()[i], type(i)});
+  if (loaded_) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      FieldTypeGuess guess;
+      for (const auto& row : loaded_->rows) guess.see(row[i]);
+      fields[i].type = guess.type();
+    }
+  }
+  filter_ = std::make_unique<AttributeFilter>(source.where, source.where_option, file(), fields);
+}
+
+Features::~Features() = default;
+
+void Features::load_rows() {
+  loaded_ = std::make_unique<Loaded>();
+  Row row;
+  try {
+    while (table_->next(row)) {
+      loaded_->rows.emplace_back(row.fields.begin(), row.fields.end());
+      loaded_->lines.push_back(row.line);
+    }
+  } catch (const Error& error) {
+    loaded_->error = error;
+  }
+}
+
+bool Features::next_loaded() {
+  if (loaded_->next == loaded_->rows.size()) {
+    if (loaded_->error) throw Error(*std::exchange(loaded_->error, std::nullopt));
+    return false;
+  }
+  const auto& fields = loaded_->rows[loaded_->next];
+  row_.fields.assign(fields.begin(), fields.end());
+  row_.line = loaded_->lines[loaded_->next++];
+  return true;
+}
+
+bool Features::next(Complaints& complaints) {
+  try {
+    if (!(loaded_ ? next_loaded() : table_->next(row_))) return false;
+  } catch (const Error& error) {
+    complaints.add(error);
+    return false;
+  }
+  kept_ = filter_ == nullptr || filter_->keeps(row_);
+  return true;
+}
+
+bool Features::has_geometry() const {
+  return layer_ != nullptr ? layer_->has_geometry() : wkt_.has_value();
+}
+
+FieldType Features::type(std::size_t field) const {
+  return layer_ != nullptr ? layer_->types()[field] : FieldType::text;
+}
+
+GeometryRecord Features::geometry() const {
+  if (layer_ != nullptr) return layer_->geometry();
+  const std::string_view text = row_.fields[*wkt_];
+  if (auto record = record_of_wkt(std::string(text))) return *std::move(record);
+  throw Error(message("not a geometry in WKT: " + quoted(text, 60)));
+}
+
+std::string Features::place() const {
+  if (layer_ == nullptr) return {};
+  if (layer_->is_geojson()) return "features[" + std::to_string(row_.line - 1) + "].geometry";
+  return "feature " + std::to_string(row_.line);
+}
+
+Message Features::message(std::string text, std::string hint) const {
+  const std::string where = place();
+  return {file(), has_lines() ? row_.line : 0,
+          where.empty() ? std::move(text) : where + ": " + text, std::move(hint)};
+}
+
+Features::Named Features::crs() const {
+  Named named;
+  if (layer_ != nullptr) {
+    named.crs = layer_->crs();
+    named.implied = layer_->crs_implied();
+  }
+  if (source_.crs.empty()) {
+    if (named.implied) named.crs = Crs::wgs84();
+    return named;
+  }
+  const Crs wanted = Crs::from_text(source_.crs, source_.crs_option);
+  if (named.crs && !named.crs->same_as(wanted)) {
+    throw Error(Message{file(), 0,
+                        "its CRS is " + named.crs->name() + ", and not " + wanted.name() + " as " +
+                            source_.crs_option + " says",
+                        "leave " + source_.crs_option + " out: it is for files that name no CRS"});
+  }
+  named.by_option = !named.crs;
+  named.crs = wanted;
+  named.implied = false;
+  return named;
+}
+
+void Features::warn_of_oddities(Warnings& warnings) const {
+  if (layer_ == nullptr) return;
+  for (const std::string& oddity : layer_->oddities()) warnings.add({file(), 0, oddity, {}});
+}
+
+}  // namespace thiessen

@@ -1,0 +1,234 @@
+#include "files/stations_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+
+#include "base/number.h"
+#include "base/utf8.h"
+#include "files/features.h"
+#include "text/field_names.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::array<std::string_view, 11> id_names = {"id",    "station", "station_id", "stnid",
+                                                       "staid", "site_no", "gauge",      "gage",
+                                                       "code",  "num",     "name"};
+constexpr std::array<std::string_view, 5> x_names = {"lon", "long", "longitude", "x", "easting"};
+constexpr std::array<std::string_view, 4> y_names = {"lat", "latitude", "y", "northing"};
+constexpr std::array<std::string_view, 5> degree_names = {"lon", "long", "longitude", "lat",
+                                                          "latitude"};
+constexpr std::size_t longest_field = std::size_t{1} << 20U;
+
+std::string names_of(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+/// The field that `named` names (option `--x` or `--y`), else the first that has one of the names.
+std::optional<std::size_t> coordinate_field(const Features& features, const std::string& named,
+                                            std::string_view option,
+                                            std::span<const std::string_view> names) {
+  if (named.empty()) return find_field(features.header(), names);
+  return require_field(features.header(), named, option, features.file(), features.header_line());
+}
+
+[[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
+  std::string wanted;
+  if (!x) wanted = names_of(x_names);
+  if (!y) wanted += (x ? "" : ", and ") + names_of(y_names);
+  throw Error(
+      Message{features.file(), features.header_line(),
+              "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
+              std::string("name ") + (x || y ? "it with " : "them with ") +
+                  (x   ? "--y"
+                   : y ? "--x"
+                       : "--x and --y")});
+}
+
+bool holds_degrees(const std::string& name) {
+  return std::any_of(degree_names.begin(), degree_names.end(),
+                     [&](std::string_view degrees) { return equal_ignoring_case(name, degrees); });
+}
+
+/// Reads the stations of one file, a feature at a time.
+class StationsReader {
+ public:
+  StationsReader(const StationsRequest& request, Warnings& warnings)
+      : request_(request), warnings_(warnings), features_(request.source, longest_field) {
+    result_.file = features_.file();
+    result_.has_lines = features_.has_lines();
+    find_fields();
+    name_crs();
+  }
+
+  StationsFile read() {
+    features_.warn_of_oddities(warnings_);
+    while (features_.next(complaints_)) {
+      if (features_.kept()) {
+        add_station();
+      } else {
+        result_.filtered_ids.emplace(features_.row().fields[id_]);
+      }
+    }
+    complaints_.throw_if_any();
+    require_some();
+    if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
+    finish_attributes();
+    return std::move(result_);
+  }
+
+ private:
+  void find_fields() {
+    const auto& header = features_.header();
+    if (header.empty())
+      throw Error(Message{features_.file(), 0, "has no field that could be the id", {}});
+    id_ = request_.id.empty() ? find_field(header, id_names).value_or(0)
+                              : require_field(header, request_.id, "--id", features_.file(),
+                                              features_.header_line());
+    by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
+    if (by_geometry_) return;
+    const auto x = coordinate_field(features_, request_.x, "--x", x_names);
+    const auto y = coordinate_field(features_, request_.y, "--y", y_names);
+    if (!x || !y) fail_without_coordinates(features_, x.has_value(), y.has_value());
+    x_ = *x;
+    y_ = *y;
+  }
+
+  void name_crs() {
+    const Features::Named named = features_.crs();
+    const bool degrees = !by_geometry_ && holds_degrees(features_.header()[x_]) &&
+                         holds_degrees(features_.header()[y_]);
+    // Columns may hold other coordinates than the geometry beside them: its CRS is not theirs.
+    if (named.by_option) {
+      result_.crs_origin = CrsOrigin::option;
+    } else if (by_geometry_ && named.crs) {
+      result_.crs_origin = named.implied ? CrsOrigin::implied : CrsOrigin::file;
+    } else if (degrees) {
+      result_.crs_origin = CrsOrigin::columns;
+      result_.crs = Crs::wgs84();
+      return;
+    }
+    if (result_.crs_origin != CrsOrigin::none) result_.crs = named.crs;
+  }
+
+  void add_station() {
+    const Row& row = features_.row();
+    Station station{std::string(row.fields[id_]), {}, row.line};
+    bool good = by_geometry_ ? read_geometry(station) : read_columns(station);
+    if (station.id.empty()) {
+      complain("a station has no id");
+      good = false;
+    }
+    const auto [first, fresh] = lines_.emplace(station.id, row.line);
+    if (!fresh && !station.id.empty()) {
+      complain("station " + quoted(station.id, 80) + " is already in " +
+                   (features_.has_lines() ? "line " : "feature ") + std::to_string(first->second),
+               "ids must differ; --id names another field, --stations-where leaves stations out");
+      good = false;
+    }
+    if (!good) return;
+    result_.stations.push_back(std::move(station));
+    if (request_.attributes) keep_attributes(row);
+  }
+
+  bool read_columns(Station& station) {
+    const auto x = read_number(station, x_);
+    const auto y = read_number(station, y_);
+    // Adding zero makes -0 the same place as 0.
+    if (x && y) station.position = {*x + 0.0, *y + 0.0};
+    return x && y;
+  }
+
+  std::optional<double> read_number(const Station& station, std::size_t field) {
+    const std::string_view text = trimmed(features_.row().fields[field]);
+    const auto number = parse_number(text, features_.decimal_mark());
+    if (number) return number.value;
+    const std::string what =
+        quoted(features_.header()[field], 40) + " of station " + quoted(station.id, 80);
+    if (text.empty()) {
+      complain(what + " is empty");
+    } else if (number.fault == NumberFault::out_of_range) {
+      complain(what + " is outside the range of numbers: " + quoted(text, 60));
+    } else {
+      complain(what + " is no number: " + quoted(text, 60),
+               parse_number(text, DecimalMark::comma) ? "--decimal-comma reads 1,5 as 1.5" : "");
+    }
+    return std::nullopt;
+  }
+
+  bool read_geometry(Station& station) {
+    try {
+      const GeometryRecord geometry = features_.geometry();
+      const std::string what = "station " + quoted(station.id, 80);
+      if (geometry.type.empty()) return complain(what + " has no geometry");
+      if (geometry.type != "Point" && geometry.type != "MultiPoint") {
+        return complain(what + " is a " + geometry.type + ", and not a point");
+      }
+      if (geometry.points.empty()) return complain(what + " has an empty geometry");
+      if (geometry.points.size() > 1) return complain(what + " has more than one point");
+      const Point at = geometry.points[0];
+      if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
+        return complain(what + " has a coordinate that is not finite");
+      }
+      heights_ = heights_ || geometry.has_z;
+      station.position = {at.x + 0.0, at.y + 0.0};
+      return true;
+    } catch (const Error& error) {
+      for (const Message& message : error.messages()) complaints_.add(message);
+      return false;
+    }
+  }
+
+  bool complain(std::string text, std::string hint = {}) {
+    complaints_.add(features_.message(std::move(text), std::move(hint)));
+    return false;
+  }
+
+  void require_some() const {
+    if (!result_.stations.empty()) return;
+    std::string text = "no stations in " + features_.file();
+    if (!result_.filtered_ids.empty()) text += " pass " + request_.source.where_option;
+    throw Error(Message{{}, 0, text, {}});
+  }
+
+  void keep_attributes(const Row& row) {
+    guesses_.resize(row.fields.size());
+    for (std::size_t i = 0; i < row.fields.size(); ++i) guesses_[i].see(row.fields[i]);
+    result_.attributes.rows.emplace_back(row.fields.begin(), row.fields.end());
+  }
+
+  void finish_attributes() {
+    if (!request_.attributes) return;
+    for (std::size_t i = 0; i < features_.header().size(); ++i) {
+      const FieldType type = features_.has_lines() ? guesses_[i].type() : features_.type(i);
+      result_.attributes.fields.push_back({features_.header()[i], type});
+    }
+  }
+
+  const StationsRequest& request_;
+  Warnings& warnings_;
+  Features features_;
+  Complaints complaints_;
+  StationsFile result_;
+  std::size_t id_ = 0;
+  std::size_t x_ = 0;
+  std::size_t y_ = 0;
+  bool by_geometry_ = false;
+  bool heights_ = false;
+  std::unordered_map<std::string, std::size_t> lines_;
+  std::vector<FieldTypeGuess> guesses_;
+};
+
+}  // namespace
+
+StationsFile read_stations(const StationsRequest& request, Warnings& warnings) {
+  return StationsReader(request, warnings).read();
+}
+
+}  // namespace thiessen

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "base/error.h"
+#include "files/crs_origin.h"
+#include "files/source.h"
+#include "gdal/crs.h"
+#include "rainfall/network.h"
+#include "text/attributes.h"
+
+namespace thiessen {
+
+struct StationsRequest {
+  Source source;
+  std::string id, x, y;  ///< fields' names; empty: found by name
+  bool attributes = false;
+};
+
+/// The stations of a file, in its order, with coordinates as the file has them.
+struct StationsFile {
+  std::string file;
+  std::vector<Station> stations;                 ///< positions in `crs`, or in a plane without one
+  Attributes attributes;                         ///< where asked for
+  std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out
+  std::optional<Crs> crs;
+  CrsOrigin crs_origin = CrsOrigin::none;
+  bool has_lines = false;  ///< Station::line is a line, and not a feature's number
+};
+
+/// Reads the stations: CSV with coordinates in two columns or a WKT column, or any vector file or
+/// table that GDAL reads. Ids are kept as written. Columns named lon, long or longitude and lat or
+/// latitude hold WGS 84 longitude and latitude unless the options say otherwise; x, y, easting and
+/// northing say nothing of their CRS. Throws Error with every bad row: an id given twice, a
+/// coordinate that is no finite number, a geometry that is no point; and where there are no
+/// stations. Cost: linear in the file's length, memory in its stations.
+StationsFile read_stations(const StationsRequest& request, Warnings& warnings);
+
+}  // namespace thiessen

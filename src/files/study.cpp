@@ -1,0 +1,322 @@
+#include "files/study.h"
+#include "gdal/transformation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "base/number.h"
+#include "base/utf8.h"
+#include "files/coordinate_checks.h"
+#include "files/crs_agreement.h"
+#include "files/datums.h"
+#include "gdal/shape_tracer.h"
+#include "outlines/basin_mending.h"
+#include "outlines/common_turn.h"
+#include "outlines/longitudes.h"
+
+namespace thiessen {
+namespace {
+
+constexpr const char* with = "--with";
+constexpr std::size_t no_line = 0;  // of a gauge that the file lacks
+
+std::string coordinates(Point point) {
+  return shortest_text(point.x) + " " + shortest_text(point.y);
+}
+
+/// Of the vertices there.
+std::set<double> latitudes_on_antimeridian(const MultiPolygon& shape) {
+  std::set<double> latitudes;
+  const auto ring = [&](const Ring& points) {
+    for (const Point point : points) {
+      if (std::abs(std::remainder(point.x, 360)) == 180) latitudes.insert(point.y);
+    }
+  };
+  for (const Polygon& polygon : shape) {
+    ring(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), ring);
+  }
+  return latitudes;
+}
+
+/// Brings two files into one system of coordinates.
+class StudyMaker {
+ public:
+  StudyMaker(const StudyRequest& request, Warnings& warnings)
+      : request_(request),
+        warnings_(warnings),
+        stations_(read_stations(request.stations, warnings)) {
+    if (request.basins) basins_ = read_basins(*request.basins, warnings);
+  }
+
+  Study make() {
+    agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
+    choose_coordinates();
+    open_gauges();
+    settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
+    mend_basins();
+    bring_stations();
+    bring_basins();
+    bring_basins_together();
+    if (study_.crs && planar_degrees()) {
+      require_one_turn();
+      warn_of_degrees();
+    }
+    finish();
+    return std::move(study_);
+  }
+
+ private:
+  void choose_coordinates() {
+    if (!request_.plane.empty()) {
+      study_.crs = Crs::from_text(request_.plane, "--plane");
+      require_crs("--plane");
+      return;
+    }
+    study_.metric = request_.metric.value_or(stations_.crs ? Metric::geodesic : Metric::planar);
+    if (study_.metric == Metric::geodesic) {
+      require_crs("--metric geodesic");
+      study_.crs = Crs::wgs84();
+    } else {
+      study_.crs = basins_ && basins_->crs ? basins_->crs : stations_.crs;
+    }
+  }
+
+  // Behind those of the file, whose CRS they have.
+  void open_gauges() {
+    if (request_.opened.empty()) return;
+    std::set<std::string> ids;
+    for (const Station& station : stations_.stations) ids.insert(station.id);
+    StationsFile opened;
+    opened.file = with;
+    for (const Point at : request_.opened) {
+      std::string id = "with " + std::to_string(opened.stations.size() + 1);
+      while (ids.contains(id)) id += '\'';
+      opened.stations.push_back({id, {at.x + 0.0, at.y + 0.0}, no_line});
+    }
+    if (stations_.crs && stations_.crs->geographic()) {
+      require_degrees(opened, *stations_.crs);
+      if (!planar_degrees()) turn_longitudes(opened, *stations_.crs, warnings_);
+    }
+    study_.opened = opened.stations.size();
+    std::move(opened.stations.begin(), opened.stations.end(),
+              std::back_inserter(stations_.stations));
+  }
+
+  std::string file_of(const Station& station) const {
+    return station.line == no_line ? with : stations_.file;
+  }
+
+  void require_crs(const std::string& option) const {
+    const bool known = stations_.crs && (!basins_ || basins_->crs);
+    if (known) return;
+    throw Error(Message{stations_.file, 0, option + " needs to know the CRS of the coordinates",
+                        "name it with --crs (EPSG:4326 for longitude and latitude)"});
+  }
+
+  bool planar_degrees() const {
+    return study_.metric == Metric::planar && study_.crs->geographic();
+  }
+
+  void warn_of_degrees() {
+    Reach reach;
+    for (const Station& station : study_.stations) reach.see(station.position);
+    const double latitude = (reach.south + reach.north) / 2;
+    const double percent = 100 * (1 - std::cos(latitude * std::numbers::pi / 180));
+    warnings_.add({stations_.file, 0,
+                   "distances are planar in degrees: at latitude " + fixed_text(latitude, 1) +
+                       " a degree from west to east is " + fixed_text(percent, 1) +
+                       " % shorter than one from south to north",
+                   "--metric geodesic, or --plane with a projected CRS, measures the Earth"});
+  }
+
+  void require_one_turn() const {
+    const double unit = study_.crs->degrees_per_unit();
+    LongitudeRange range;
+    for (const Station& station : study_.stations) {
+      range.see(station.position.x * unit, "station " + quoted(station.id, 80), file_of(station),
+                stations_.has_lines ? station.line : 0);
+    }
+    for (std::size_t i = 0; i < study_.basins.size(); ++i) {
+      const RawBasin& basin = basins_->basins[i];
+      for (const Polygon& polygon : study_.basins[i].shape) {
+        const auto [west, east] = std::minmax_element(polygon.outer.begin(), polygon.outer.end());
+        range.see(west->x * unit, basin.place, basins_->file, basin.line);
+        range.see(east->x * unit, basin.place, basins_->file, basin.line);
+      }
+    }
+    range.require_one_turn();
+  }
+
+  void mend_basins() {
+    if (!basins_) return;
+    Complaints complaints;
+    const bool wraps = basins_->crs && basins_->crs->geographic() &&
+                       basins_->crs->degrees_per_unit() == 1 && !planar_degrees();
+    for (RawBasin& basin : basins_->basins) {
+      on_antimeridian_.push_back(wraps ? latitudes_on_antimeridian(basin.polygons)
+                                       : std::set<double>());
+      const std::string fault = wraps ? unwrap_longitudes(basin.polygons) : "";
+      if (!fault.empty()) {
+        complaints.add({basins_->file, basin.line, basin.place + ": " + fault, {}});
+        continue;
+      }
+      auto mended = mend(basin, basins_->file, warnings_, complaints);
+      if (mended) study_.native_basins.push_back(*std::move(mended));
+      basin.polygons.clear();
+    }
+    complaints.throw_if_any();
+  }
+
+  void bring_stations() {
+    if (study_.crs && stations_.crs && stations_.crs->geographic() && !planar_degrees()) {
+      turn_longitudes(stations_, *stations_.crs, warnings_);
+    }
+    study_.stations = std::move(stations_.stations);
+    if (!study_.crs) return;
+    std::vector<Point> points;
+    points.reserve(study_.stations.size());
+    for (const Station& station : study_.stations) points.push_back(station.position);
+    const std::vector<bool> inside = Transformation(*stations_.crs, *study_.crs).apply(points);
+    Complaints complaints;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!inside[i]) {
+        complain_of_area(study_.stations[i], complaints);
+      } else if (study_.metric == Metric::geodesic && std::abs(points[i].x) > 180) {
+        points[i].x = std::remainder(points[i].x, 360);
+      }
+      study_.stations[i].position = points[i];
+    }
+    complaints.throw_if_any();
+  }
+
+  void complain_of_area(const Station& station, Complaints& complaints) const {
+    const bool is_feature = !stations_.has_lines && station.line != no_line;
+    const std::string where = is_feature ? "feature " + std::to_string(station.line) + ": " : "";
+    complaints.add({file_of(station),
+                    stations_.has_lines ? station.line : 0,
+                    where + "station " + quoted(station.id, 80) + " at " +
+                        coordinates(station.position) + " lies outside the projection's area (" +
+                        projections(*stations_.crs) + ")",
+                    {}});
+  }
+
+  /// `EPSG:32633`, or both where both are projected.
+  std::string projections(const Crs& from) const {
+    if (from.geographic()) return study_.crs->name();
+    return study_.crs->geographic() ? from.name() : from.name() + " to " + study_.crs->name();
+  }
+
+  void bring_basins() {
+    if (!basins_) return;
+    Complaints complaints;
+    for (std::size_t i = 0; i < study_.native_basins.size(); ++i) {
+      Basin basin{basins_->basins[i].id, {}, {}};
+      if (!study_.crs || basins_->crs->same_as(*study_.crs)) {
+        basin.shape = study_.native_basins[i];
+      } else if (study_.metric == Metric::geodesic) {
+        trace(i, basin, complaints);
+      } else {
+        project(i, basin, complaints);
+      }
+      study_.basins.push_back(std::move(basin));
+    }
+    complaints.throw_if_any();
+  }
+
+  void complain_of_area(std::size_t i, Point point, Complaints& complaints) const {
+    const RawBasin& basin = basins_->basins[i];
+    complaints.add({basins_->file,
+                    basin.line,
+                    basin.place + ": the point " + coordinates(point) +
+                        " lies outside the projection's area (" + projections(*basins_->crs) + ")",
+                    {}});
+  }
+
+  /// Every edge along its true course over the ellipsoid.
+  void trace(std::size_t i, Basin& basin, Complaints& complaints) {
+    if (!tracer_) {
+      tracer_ = tracer_between(*basins_->crs, *study_.crs, request_.tolerance / 4,
+                               Course::chords_and_bulges);
+    }
+    take(i, tracer_->trace(study_.native_basins[i], Longitudes::run_on), basin, complaints);
+  }
+
+  /// Every vertex into the plane, vertices only.
+  void project(std::size_t i, Basin& basin, Complaints& complaints) {
+    constexpr double untorn = 1e5;  // metres
+    if (!tracer_) tracer_ = tracer_between(*basins_->crs, *study_.crs, untorn, Course::ends);
+    take(i, tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]), basin,
+         complaints);
+  }
+
+  void take(std::size_t i, std::optional<CurvedShape> brought, Basin& basin,
+            Complaints& complaints) const {
+    if (!brought) return complain_of_area(i, tracer_->outside(), complaints);
+    basin.shape = std::move(brought->shape);
+    basin.bulges = std::move(brought->bulges);
+  }
+
+  // On both sides of the antimeridian basins would be far apart.
+  void bring_basins_together() {
+    if (study_.metric == Metric::geodesic) {
+      std::vector<CurvedShape> shapes;
+      shapes.reserve(study_.basins.size());
+      for (Basin& basin : study_.basins)
+        shapes.push_back({std::move(basin.shape), std::move(basin.bulges)});
+      bring_together(shapes);
+      for (std::size_t i = 0; i < shapes.size(); ++i) {
+        study_.basins[i].shape = std::move(shapes[i].shape);
+        study_.basins[i].bulges = std::move(shapes[i].bulges);
+      }
+    }
+    if (!basins_ || !basins_->crs || basins_->crs->degrees_per_unit() != 1) return;
+    std::vector<CurvedShape> native;
+    native.reserve(study_.native_basins.size());
+    for (MultiPolygon& shape : study_.native_basins) native.push_back({std::move(shape), {}});
+    bring_together(native);
+    for (std::size_t i = 0; i < native.size(); ++i)
+      study_.native_basins[i] = std::move(native[i].shape);
+  }
+
+  static void bring_together(std::vector<CurvedShape>& shapes) {
+    std::vector<CurvedShape*> all;
+    all.reserve(shapes.size());
+    for (CurvedShape& shape : shapes) all.push_back(&shape);
+    bring_to_common_turn(all);
+  }
+
+  void finish() {
+    study_.stations_file = stations_.file;
+    study_.stations_have_lines = stations_.has_lines;
+    study_.attributes = std::move(stations_.attributes);
+    study_.filtered_ids = std::move(stations_.filtered_ids);
+    study_.stations_crs = stations_.crs;
+    if (basins_) {
+      study_.basins_file = basins_->file;
+      study_.basins_crs = basins_->crs;
+    }
+    if (study_.crs && !study_.crs->geographic())
+      study_.metres_per_unit = study_.crs->metres_per_unit();
+  }
+
+  const StudyRequest& request_;
+  Warnings& warnings_;
+  StationsFile stations_;
+  std::optional<BasinsFile> basins_;
+  Study study_;
+  std::vector<std::set<double>> on_antimeridian_;  // by basin: latitudes of vertices of its own
+  std::optional<ShapeTracer> tracer_;
+};
+
+}  // namespace
+
+Study read_study(const StudyRequest& request, Warnings& warnings) {
+  return StudyMaker(request, warnings).make();
+}
+
+}  // namespace thiessen

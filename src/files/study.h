@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "base/error.h"
+#include "basin/basin.h"
+#include "earth/ground.h"
+#include "files/basins_file.h"
+#include "files/stations_file.h"
+#include "gdal/crs.h"
+#include "rainfall/network.h"
+#include "text/attributes.h"
+
+namespace thiessen {
+
+struct StudyRequest {
+  StationsRequest stations;
+  std::optional<BasinsRequest> basins;
+  std::vector<Point> opened;     ///< --with: gauges that the file lacks, in its coordinates
+  std::optional<Metric> metric;  ///< --metric; none: geodesic where the coordinates have a CRS
+  std::string plane;             ///< --plane; empty: not given
+  double tolerance = 0.1;        ///< metres
+};
+
+/// Stations and basins in one system of coordinates, ready to be tessellated.
+struct Study {
+  Metric metric = Metric::planar;
+  std::string stations_file;
+  std::string basins_file;
+  std::vector<Station> stations;     ///< in the study's coordinates, in file order
+  std::size_t opened = 0;            ///< how many, the last of `stations`, the file lacks
+  bool stations_have_lines = false;  ///< Station::line is a line, and not a feature's number
+  Attributes attributes;
+  std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out
+  std::vector<Basin> basins;                ///< in the study's coordinates, mended, in file order
+  std::vector<MultiPolygon> native_basins;  ///< the same, mended, in `basins_crs`: their own edges
+  std::optional<Crs> stations_crs;          ///< of the stations' file
+  std::optional<Crs> basins_crs;            ///< of the basins' file, and of native_basins
+  /// Of the study's coordinates: WGS 84 where the metric is geodesic; none: a plane without a CRS.
+  std::optional<Crs> crs;
+  /// How long the plane's unit is in metres; nothing where that is unknown (no CRS, or degrees):
+  /// areas are then in the square of the coordinates' unit.
+  std::optional<double> metres_per_unit;
+
+  /// The CRS in which files other than GeoJSON are written: the basins', without basins the
+  /// stations'.
+  const std::optional<Crs>& output_crs() const {
+    return basins_file.empty() ? stations_crs : basins_crs;
+  }
+};
+
+/// Reads both files, settles the CRS of each and the metric, and brings everything into the study's
+/// coordinates. Geodesic: WGS 84 longitude and latitude in degrees; edges of basins that are
+/// straight in a projection are subdivided until the chord in longitude and latitude lies within a
+/// quarter of the tolerance of the true edge, and what the chords cut off is kept as `bulges`.
+/// Longitudes of a basin run on over the antimeridian (to 190), stations lie in [-180, 180].
+/// Planar: coordinates as they are, or every vertex taken to `plane`. Throws Error where a CRS is
+/// unknown or contradicts the file's, coordinates do not fit the CRS, or a basin crosses itself.
+/// Cost: linear, but for one check of validity a basin (n log n).
+Study read_study(const StudyRequest& request, Warnings& warnings);
+
+}  // namespace thiessen

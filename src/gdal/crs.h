@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/point.h"
+#include "outlines/mapping.h"
+
+namespace thiessen {
+
+/// A coordinate reference system on the Earth, geographic or projected. Coordinates are always in
+/// the traditional order of GIS (longitude before latitude, easting before northing), whatever
+/// order its authority states. Copies are cheap and share the definition.
+class Crs {
+ public:
+  /// From `EPSG:32633` or another authority's code, WKT or PROJ. Opens no file and no connection.
+  /// Throws Error, naming `option`, where the text is none of these, is longer than 64 KiB, is
+  /// unknown, is a pipeline, is of another body than the Earth, or is neither geographic nor
+  /// projected.
+  static Crs from_text(std::string_view text, std::string_view option);
+  static Crs wgs84();
+
+  /// WKT 2 (2019).
+  const std::string& wkt() const;
+  /// `EPSG:32633`, or the CRS's name where it has no code; for messages.
+  const std::string& name() const;
+  /// What its coordinates count.
+  CoordinateKind kind() const;
+  /// Longitude and latitude in degrees, and not easting and northing.
+  bool geographic() const;
+  /// WGS 84 longitude and latitude in degrees.
+  bool is_wgs84() const;
+  /// How many degrees the unit of a geographic CRS holds; 0 for a projected one.
+  double degrees_per_unit() const;
+  /// How long the unit of a projected CRS is in metres; 0 for a geographic one.
+  double metres_per_unit() const;
+  /// The same CRS, used in this area: degrees of WGS 84, east possibly beyond 180. The operation
+  /// between its datum and another's is then the one for this area.
+  Crs over(const Box& area) const;
+  const std::optional<Box>& area() const { return area_; }
+  /// Whether both place the same coordinates at the same points; names and axis order do not count.
+  bool same_as(const Crs& other) const;
+
+  struct Definition;
+  explicit Crs(std::shared_ptr<const Definition> definition) : definition_(std::move(definition)) {}
+  const Definition& definition() const { return *definition_; }
+
+ private:
+  std::shared_ptr<const Definition> definition_;
+  std::optional<Box> area_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,101 @@
+#include "gdal/drivers.h"
+
+#include <cpl_conv.h>
+#include <cpl_http.h>
+#include <gdal_priv.h>
+#include <ogr_srs_api.h>
+#include <ogrsf_frmts.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+extern "C" char** environ;
+
+namespace thiessen {
+namespace {
+
+constexpr std::array option_prefixes = {"GDAL_",
+                                        "OGR_",
+                                        "CPL_",
+                                        "OSR_",
+                                        "VSI_",
+                                        "SHAPE_",
+                                        "LIBKML_",
+                                        "PG_",
+                                        "GTIFF_",
+                                        "GEOTIFF_",
+                                        "TIFF_",
+                                        "ESRI_",
+                                        "PROJ_NETWORK",
+                                        "PROJ_DEBUG",
+                                        "SQLITE_",
+                                        "AWS_",
+                                        "KML_",
+                                        "CENTER_LONG",
+                                        "CHECK_WITH_INVERT_PROJ"};
+
+void remove_options_from_environment() {
+  std::vector<std::string> names;
+  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+    const std::string_view variable = *entry;
+    for (const std::string_view prefix : option_prefixes) {
+      if (variable.starts_with(prefix)) names.emplace_back(variable.substr(0, variable.find('=')));
+    }
+  }
+  for (const std::string& name : names) unsetenv(name.c_str());
+}
+
+CPLHTTPResult* refuse_to_fetch(const char*, CSLConstList, GDALProgressFunc, void*,
+                               CPLHTTPFetchWriteFunc, void*, void*) {
+  // A null result would hand the request on to the handler that does fetch.
+  auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+  result->nStatus = 1;
+  result->pszErrBuf = CPLStrdup("nothing is fetched over a network");
+  return result;
+}
+
+void set_options() {
+  // Spreadsheet cells come as their text, under the names in the first row.
+  for (const char* sheet : {"XLSX", "ODS", "XLS"}) {
+    CPLSetConfigOption(("OGR_" + std::string(sheet) + "_HEADERS").c_str(), "FORCE");
+    CPLSetConfigOption(("OGR_" + std::string(sheet) + "_FIELD_TYPES").c_str(), "STRING");
+  }
+  CPLSetConfigOption("OGR_ARC_STEPSIZE", "0.1");  // degrees: a circle's area to 5e-7
+  CPLSetConfigOption("GDAL_CONFIG_FILE", "/dev/null");
+  CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "YES");
+  CPLSetConfigOption("OGR_SQLITE_LIST_VIRTUAL_OGR", "NO");
+  CPLSetConfigOption("LIBKML_RESOLVE_STYLE", "NO");
+  CPLHTTPSetFetchCallback(refuse_to_fetch, nullptr);
+  OSRSetPROJEnableNetwork(FALSE);
+}
+
+void register_drivers() {
+  RegisterOGRGeoJSON();
+  RegisterOGRGeoPackage();
+  RegisterOGRShape();
+  RegisterOGRFlatGeobuf();
+  RegisterOGRLIBKML();
+  RegisterOGRKML();
+  RegisterOGRXLSX();
+  RegisterOGRODS();
+  RegisterOGRXLS();
+  RegisterOGRPG();
+}
+
+}  // namespace
+
+void start_gdal() {
+  static std::once_flag started;
+  std::call_once(started, [] {
+    remove_options_from_environment();
+    set_options();
+    register_drivers();
+  });
+}
+
+}  // namespace thiessen

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace thiessen {
+
+/// A file as it is to lie on disk.
+struct EncodedFile {
+  std::string name;  ///< its path: as asked for, or a side file's beside it
+  std::string bytes;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "gdal/crs.h"
+#include "geometry/point.h"
+#include "outlines/mapping.h"
+
+namespace thiessen {
+
+class CoordinateOperation;
+
+/// Takes points from one CRS to another, vertex by vertex, by one operation for all (see
+/// CoordinateOperation): the best for the area over which either CRS is used.
+/// Every answer is proved: a point lies outside the projection's area where the way back misses it
+/// by more than 0.1 m (within the area it misses by less than 1 mm), or where it is further than 20
+/// degrees from the area for which the CRS is made: projections give finite nonsense there. Not
+/// safe for two threads at once.
+class Transformation : public Mapping {
+ public:
+  /// Throws Error where no transformation of datum is known, naming both.
+  Transformation(const Crs& from, const Crs& to);
+  ~Transformation() override;
+  Transformation(Transformation&&) noexcept;
+  Transformation& operator=(Transformation&&) noexcept;
+
+  CoordinateKind from() const override;
+  CoordinateKind to() const override;
+  /// The same CRS on both sides.
+  bool identity() const override;
+  /// Cost: up to four projections a point.
+  std::vector<bool> apply(std::vector<Point>& points) const override;
+  /// Cost: a projection a point; there is no way back.
+  void apply_unproved(std::vector<Point>& points) const override;
+  /// What takes the points; null for the same CRS on both sides.
+  const CoordinateOperation* operation() const;
+
+ private:
+  struct Proj;
+  std::unique_ptr<Proj> proj_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,154 @@
+#include "outlines/basin_mending.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/number.h"
+#include "outlines/polygon_validity.h"
+#include "outlines/ring_direction.h"
+
+namespace thiessen {
+namespace {
+
+// Of the basin's area: what rounding may leave in dispute, and what a mending may.
+constexpr double same_area = 1e-9;
+constexpr double nearly_same_area = 1e-5;
+
+/// What was mended in a basin.
+struct Mended {
+  std::size_t repeated = 0;
+  std::size_t spikes = 0;
+  std::size_t open = 0;
+  std::size_t parts = 0;
+  std::size_t holes = 0;
+  bool redrawn = false;
+  double disputed = 0;  ///< share of the area
+
+  bool any() const { return repeated + spikes + open + parts + holes > 0 || redrawn; }
+};
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string sentence(const Mended& mended, const std::string& reason) {
+  std::vector<std::string> what;
+  if (mended.repeated > 0)
+    what.push_back(counted(mended.repeated, "repeated point", "repeated points"));
+  if (mended.spikes > 0) what.push_back(counted(mended.spikes, "spike", "spikes"));
+  if (mended.open > 0) what.push_back(counted(mended.open, "open ring", "open rings"));
+  if (mended.parts > 0)
+    what.push_back(counted(mended.parts, "part without area", "parts without area"));
+  if (mended.holes > 0)
+    what.push_back(counted(mended.holes, "hole without area", "holes without area"));
+  if (mended.redrawn && mended.disputed <= same_area) {
+    what.push_back("where it meets itself (" + reason + ")");
+  } else if (mended.redrawn) {
+    what.push_back("where it crosses itself (" + reason + "): each piece of ground counts once, " +
+                   fixed_text(100 * mended.disputed, 7) + " % of its area is in dispute");
+  }
+  std::string text;
+  for (std::size_t i = 0; i < what.size(); ++i) text += (i == 0 ? "" : ", ") + what[i];
+  return text;
+}
+
+/// Adds a point to a ring that never doubles back: a point, its return and the spike between are
+/// gone.
+void append(Ring& ring, Point point, Mended& mended) {
+  if (!ring.empty() && ring.back() == point) {
+    ++mended.repeated;
+  } else if (ring.size() > 1 && ring[ring.size() - 2] == point) {
+    ring.pop_back();
+    ++mended.spikes;
+  } else {
+    ring.push_back(point);
+  }
+}
+
+/// The same over the ring's seam.
+void trim_seam(Ring& ring, Mended& mended) {
+  std::size_t first = 0;
+  while (ring.size() - first > 2) {
+    if (ring.back() == ring[first]) {
+      ring.pop_back();
+      ++mended.repeated;
+    } else if (ring[ring.size() - 2] == ring[first]) {
+      ring.resize(ring.size() - 2);
+      ++mended.spikes;
+    } else if (ring.back() == ring[first + 1]) {
+      ++first;
+      ring.pop_back();
+      ++mended.spikes;
+    } else {
+      break;
+    }
+  }
+  ring.erase(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(first));
+}
+
+Ring cleaned(const Ring& raw, Mended& mended) {
+  Ring ring;
+  ring.reserve(raw.size());
+  std::size_t length = raw.size();
+  if (length > 1 && raw.front() == raw.back()) {
+    --length;
+  } else {
+    ++mended.open;
+  }
+  for (std::size_t i = 0; i < length; ++i) append(ring, raw[i], mended);
+  trim_seam(ring, mended);
+  return ring;
+}
+
+MultiPolygon cleaned(const MultiPolygon& raw, Mended& mended) {
+  MultiPolygon shape;
+  for (const Polygon& part : raw) {
+    Polygon polygon;
+    polygon.outer = cleaned(part.outer, mended);
+    for (const Ring& hole : part.holes) {
+      Ring ring = cleaned(hole, mended);
+      if (ring.size() > 2) {
+        polygon.holes.push_back(std::move(ring));
+      } else {
+        ++mended.holes;
+      }
+    }
+    if (polygon.outer.size() > 2 || !polygon.holes.empty()) {
+      shape.push_back(std::move(polygon));
+    } else {
+      ++mended.parts;
+    }
+  }
+  return shape;
+}
+
+}  // namespace
+
+std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file, Warnings& warnings,
+                                 Complaints& complaints) {
+  const auto refuse = [&](const std::string& text) {
+    complaints.add({file, basin.line, basin.place + " " + text, {}});
+    return std::nullopt;
+  };
+  Mended mended;
+  MultiPolygon shape = cleaned(basin.polygons, mended);
+  if (shape.empty()) return refuse("has no area");
+  const std::string fault = validity_fault(shape);
+  if (!fault.empty()) {
+    MultiPolygon redrawn = made_valid(shape);
+    const double whole = plane_area(redrawn);
+    if (!(whole > 0)) return refuse("has no area: " + fault);
+    mended.disputed = disputed_area(shape, redrawn) / whole;
+    if (!(mended.disputed <= nearly_same_area))
+      return refuse("crosses or overlaps itself: " + fault);
+    shape = std::move(redrawn);
+    mended.redrawn = true;
+  }
+  turn_rings(shape);
+  if (mended.any()) {
+    warnings.add({file, basin.line, basin.place + " is mended: " + sentence(mended, fault), {}});
+  }
+  return shape;
+}
+
+}  // namespace thiessen

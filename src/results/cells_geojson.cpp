@@ -1,0 +1,106 @@
+#include "results/cells_geojson.h"
+
+#include <cmath>
+#include <vector>
+
+#include "base/number.h"
+#include "text/json_text.h"
+
+namespace thiessen {
+namespace {
+
+void append_name(std::string& out, std::string_view name) {
+  if (out.back() != '{') out += ',';
+  append_json_string(out, name);
+  out += ':';
+}
+
+void append_value(std::string& out, const std::string& text, FieldType type) {
+  const auto number = parse_number(text);
+  if (text.empty()) {
+    out += "null";
+  } else if (type == FieldType::integer) {
+    out += text;
+  } else if (type == FieldType::real && number) {
+    append_shortest(out, number.value);
+  } else {
+    append_json_string(out, text);
+  }
+}
+
+void append_number(std::string& out, double value) {
+  if (std::isfinite(value)) {
+    append_shortest(out, value);
+  } else {
+    out += "null";
+  }
+}
+
+void append_properties(std::string& out, const CellFeatures& features, const CellFeature& cell,
+                       const std::vector<FieldName>& attributes) {
+  append_name(out, "station");
+  append_json_string(out, cell.station);
+  if (cell.basin) {
+    append_name(out, "basin");
+    append_json_string(out, *cell.basin);
+  }
+  append_name(out, "area_km2");
+  append_number(out, cell.area_km2);
+  append_name(out, "weight");
+  append_number(out, cell.weight);
+  if (features.has_rainfall) {
+    append_name(out, "rainfall");
+    append_number(out, cell.rainfall);
+  }
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    append_name(out, attributes[i].name);
+    append_value(out, features.attributes->rows[cell.attribute_row][i], attributes[i].type);
+  }
+}
+
+void append_polygon(std::string& out, const Polygon& polygon, const VertexRounding& rounding) {
+  out += '[';
+  rounding.append(out, polygon.outer);
+  for (const Ring& hole : polygon.holes) {
+    out += ',';
+    rounding.append(out, hole);
+  }
+  out += ']';
+}
+
+void append_geometry(std::string& out, const MultiPolygon& shape, const VertexRounding& rounding) {
+  if (shape.empty()) {
+    out += "null";
+  } else if (shape.size() == 1) {
+    out += R"({"type":"Polygon","coordinates":)";
+    append_polygon(out, shape[0], rounding);
+    out += '}';
+  } else {
+    out += R"({"type":"MultiPolygon","coordinates":[)";
+    for (std::size_t i = 0; i < shape.size(); ++i) {
+      if (i > 0) out += ',';
+      append_polygon(out, shape[i], rounding);
+    }
+    out += "]}";
+  }
+}
+
+}  // namespace
+
+std::string cells_geojson(const CellFeatures& features, std::span<const MultiPolygon> shapes,
+                          const VertexRounding& rounding) {
+  const std::vector<FieldName> attributes = attribute_fields(features);
+  std::string out = R"({"type":"FeatureCollection","features":[)";
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    out += i == 0 ? "\n" : ",\n";
+    out += R"({"type":"Feature","properties":{)";
+    append_properties(out, features, features.cells[i], attributes);
+    out += R"(},"geometry":)";
+    append_geometry(out, shapes[i], rounding);
+    out += '}';
+  }
+  out += "\n]}\n";
+  return out;
+}
+
+}  // namespace thiessen

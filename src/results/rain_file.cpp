@@ -1,0 +1,105 @@
+#include "results/rain_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/number.h"
+#include "results/column_names.h"
+#include "text/csv_writer.h"
+
+namespace thiessen {
+namespace {
+
+constexpr const char* error_suffix = "_se";
+
+}  // namespace
+
+std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const RainFormat& format) {
+  std::vector<std::string> columns;
+  for (const Basin& basin : basins) {
+    if (format.methods.empty()) columns.push_back(basin.id);
+    for (const std::string& method : format.methods) columns.push_back(basin.id + '_' + method);
+  }
+  return columns;
+}
+
+void append_rain_key(std::string& row, std::string_view time, std::size_t series,
+                     const std::vector<Basin>& basins, const RainFormat& format) {
+  const std::size_t methods = std::max<std::size_t>(1, format.methods.size());
+  append_csv_field(row, time);
+  row += ',';
+  append_csv_field(row, basins[series / methods].id);
+  if (!format.methods.empty()) row += ',' + format.methods[series % methods];
+}
+
+RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format)
+    : file_(file), basins_(basins), format_(std::move(format)) {
+  if (format_.rows_for_basins) {
+    file_.append(format_.methods.empty() ? "time,basin," : "time,basin,method,");
+    std::string columns = "rainfall,gauges,coverage";
+    if (format_.errors) columns += ",se";
+    if (format_.patterns) columns += ",pattern";
+    file_.append(columns + '\n');
+    return;
+  }
+  // A method's name between the two keeps them apart.
+  if (format_.errors && format_.methods.empty()) check_column_names(basins_, error_suffix);
+  write_header();
+}
+
+void RainFile::write_header() {
+  std::string row = "time";
+  const std::vector<std::string> columns = rain_columns(basins_, format_);
+  for (const std::string& column : columns) {
+    row += ',';
+    append_csv_field(row, column);
+  }
+  for (std::size_t i = 0; format_.errors && i < columns.size(); ++i) {
+    row += ',';
+    append_csv_field(row, columns[i] + error_suffix);
+  }
+  row += '\n';
+  file_.append(row);
+}
+
+std::string RainFile::text_of(const RainStep& step, std::size_t pattern) const {
+  if (format_.rows_for_basins) return row_for_each_basin(step, pattern);
+  std::string row;
+  append_csv_field(row, step.time);
+  for (const BasinRainfall& basin : step.basins) {
+    row += ',';
+    append_value(row, basin.rainfall);
+  }
+  for (std::size_t b = 0; format_.errors && b < step.basins.size(); ++b) {
+    row += ',';
+    append_value(row, step.basins[b].standard_error);
+  }
+  row += '\n';
+  return row;
+}
+
+void RainFile::append_value(std::string& row, double value) const {
+  if (!std::isnan(value)) append_fixed(row, value, format_.decimals);
+}
+
+std::string RainFile::row_for_each_basin(const RainStep& step, std::size_t pattern) const {
+  std::string rows;
+  for (std::size_t b = 0; b < step.basins.size(); ++b) {
+    const BasinRainfall& basin = step.basins[b];
+    append_rain_key(rows, step.time, b, basins_, format_);
+    rows += ',';
+    append_value(rows, basin.rainfall);
+    rows += ',' + std::to_string(basin.gauges) + ',';
+    append_shortest(rows, basin.coverage);
+    if (format_.errors) {
+      rows += ',';
+      append_value(rows, basin.standard_error);
+    }
+    if (format_.patterns) rows += ',' + std::to_string(pattern);
+    rows += '\n';
+  }
+  return rows;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,68 @@
+#include "results/weights_file.h"
+
+#include <string>
+
+#include "base/number.h"
+#include "text/csv_writer.h"
+
+namespace thiessen {
+namespace {
+
+void append_ids(std::string& row, const Weighing& weighing, std::size_t basin,
+                StationIndex station) {
+  append_csv_field(row, weighing.basins()[basin].id);
+  row += ',';
+  append_csv_field(row, weighing.network().stations()[index(station)].id);
+}
+
+void append_part(std::string& row, const StationWeight& part, AreaUnit unit) {
+  row += ',';
+  append_shortest(row, part.area * unit.km2);
+  row += ',';
+  append_shortest(row, part.weight);
+}
+
+}  // namespace
+
+void write_weights(OutputFile& file, const Weighing& weighing,
+                   const std::vector<BasinWeights>& weights, AreaUnit unit) {
+  file.append("basin,station,area_km2,weight\n");
+  std::string row;
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    for (const StationWeight& s : weights[b].stations) {
+      row.clear();
+      append_ids(row, weighing, b, s.station);
+      append_part(row, s, unit);
+      row += '\n';
+      file.append(row);
+    }
+  }
+}
+
+void write_changed_weights(OutputFile& file, const Weighing& weighing,
+                           const std::vector<BasinWeights>& before,
+                           const std::vector<BasinWeights>& after, AreaUnit unit) {
+  file.append("basin,station,area_km2,weight,area_km2_after,weight_after\n");
+  std::string row;
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    auto old_part = before[b].stations.begin();
+    auto new_part = after[b].stations.begin();
+    while (old_part != before[b].stations.end() || new_part != after[b].stations.end()) {
+      const bool has_old =
+          old_part != before[b].stations.end() &&
+          (new_part == after[b].stations.end() || old_part->station <= new_part->station);
+      const bool has_new = new_part != after[b].stations.end() &&
+                           (!has_old || new_part->station == old_part->station);
+      const StationIndex station = has_old ? old_part->station : new_part->station;
+      const StationWeight none{station, 0, 0};
+      row.clear();
+      append_ids(row, weighing, b, station);
+      append_part(row, has_old ? *old_part++ : none, unit);
+      append_part(row, has_new ? *new_part++ : none, unit);
+      row += '\n';
+      file.append(row);
+    }
+  }
+}
+
+}  // namespace thiessen
