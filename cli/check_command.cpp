@@ -44,7 +44,7 @@ class CheckCommand : public Command {
   }
 
   static std::string describe(const Session& session) {
-    const Study& study = session.study();
+    const StudyFiles& study = session.study();
     const Network& network = session.network();
     std::string text = "stations: " + count(network.stations().size(), "station", "stations") +
                        " at " + count(network.places().size(), "place", "places") + "\n";

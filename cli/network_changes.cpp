@@ -16,12 +16,12 @@ namespace {
 constexpr std::size_t longest_id = 80;
 
 Message unknown(const std::string& id, const Session& session) {
-  const Study& study = session.study();
+  const StudyFiles& study = session.study();
   const std::string text = "--without names station " + quoted(id, longest_id);
   if (study.filtered_ids.contains(id))
     return {study.stations_file, 0, text + ", which --stations-where leaves out", ""};
   std::string hint;
-  for (const std::string& similar : similar_ids(id, study.stations))
+  for (const std::string& similar : similar_ids(id, session.network().stations()))
     hint += (hint.empty() ? "did you mean " : " or ") + quoted(similar, longest_id);
   return {study.stations_file, 0, text + ", which is not there", hint + (hint.empty() ? "" : "?")};
 }

@@ -7,7 +7,7 @@
 
 #include "base/destination.h"
 #include "cli/option_values.h"
-#include "files/study.h"
+#include "files/study_files.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"

@@ -11,7 +11,7 @@ namespace {
 
 // Within 5 degrees, at the study area's centre, where its CRS tells.
 bool is_north_up(const Session& session) {
-  const Study& study = session.study();
+  const StudyFiles& study = session.study();
   if (!study.crs || study.crs->geographic()) return true;
   const Point centre = session.weighing().frame().centre();
   const auto there = Transformation(*study.crs, Crs::wgs84())(centre);
@@ -29,7 +29,7 @@ bool is_north_up(const Session& session) {
 
 Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view) {
-  const Study& study = session.study();
+  const StudyFiles& study = session.study();
   Picture picture;
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
   picture.metres_per_unit =

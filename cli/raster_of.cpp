@@ -19,7 +19,7 @@ PointMapping mapping(const std::optional<Crs>& from, const std::optional<Crs>& t
 
 /// The study area in the raster's coordinates.
 std::vector<MultiPolygon> areas_of(const Session& session) {
-  const Study& study = session.study();
+  const StudyFiles& study = session.study();
   if (session.has_basins()) return study.native_basins;
   const auto& to = study.output_crs();
   const bool same = !study.crs || !to || study.crs->same_as(*to);
@@ -33,7 +33,7 @@ std::vector<MultiPolygon> areas_of(const Session& session) {
 
 std::vector<EncodedFile> raster_of(const Session& session, const GaugeReadings* readings,
                                    double resolution, const std::string& path, unsigned threads) {
-  const Study& study = session.study();
+  const StudyFiles& study = session.study();
   const std::vector<MultiPolygon> areas = areas_of(session);
   const PixelGrid grid = grid_over(areas, resolution);
   const std::vector<bool> reports =

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cli/options.h"
-#include "files/study.h"
+#include "files/study_files.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/watched_readings.h"
-#include "rainfall/weights.h"
 #include "results/weights_file.h"
+#include "study/study.h"
 
 namespace thiessen::cli {
 
@@ -21,15 +21,13 @@ class Session {
   /// the study area. Throws Error.
   Session(const StudyOptions& options, double margin, Warnings& warnings);
 
-  const Study& study() const { return study_; }
-  const Network& network() const { return *network_; }
-  const Weighing& weighing() const { return *weighing_; }
-  const std::vector<Basin>& basins() const { return study_.basins; }
-  bool has_basins() const { return has_basins_; }
-  AreaUnit area_unit() const;
-  std::vector<bool> all_report() const {
-    return std::vector<bool>(network().stations().size(), true);
-  }
+  const StudyFiles& study() const { return *files_; }
+  const Network& network() const { return study_.network(); }
+  const Weighing& weighing() const { return study_.weighing(); }
+  const std::vector<Basin>& basins() const { return study_.basins(); }
+  bool has_basins() const { return files_->has_basins; }
+  AreaUnit area_unit() const { return {study_.km2_per_area()}; }
+  std::vector<bool> all_report() const { return study_.all_report(); }
 
   /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
   /// thread may ask it for the share that is read. The session must outlive it.
@@ -38,16 +36,9 @@ class Session {
       const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
-  void add_extent_as_basin(double margin);
-  void check_range() const;
-  void warn_of_shared_places(Warnings& warnings) const;
-  void warn_of_line(Warnings& warnings) const;
-
-  Study study_;
-  bool has_basins_;
+  std::shared_ptr<StudyFiles> files_;  // their stations are in the study's network
   std::vector<std::string> filtered_ids_;
-  std::unique_ptr<Network> network_;
-  std::unique_ptr<Weighing> weighing_;
+  Study study_;
 };
 
 }  // namespace thiessen::cli

@@ -8,7 +8,7 @@
 #include "files/crs_origin.h"
 #include "files/source.h"
 #include "gdal/crs.h"
-#include "outlines/raw_basin.h"
+#include "study/source_lists.h"
 
 namespace thiessen {
 
@@ -17,9 +17,7 @@ struct BasinsRequest {
   std::string id;  ///< the field's name (--basin-id); empty: found by the contract's rule
 };
 
-struct BasinsFile {
-  std::string file;
-  std::vector<RawBasin> basins;  ///< in the order in which their ids first come
+struct BasinsFile : BasinList {
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;
 };

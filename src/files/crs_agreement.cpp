@@ -1,6 +1,7 @@
 #include "files/crs_agreement.h"
 
-#include "files/coordinate_checks.h"
+#include "files/crs_fit.h"
+#include "study/coordinate_checks.h"
 
 namespace thiessen {
 namespace {
@@ -48,7 +49,7 @@ template <typename File>
 void check_fit(const File& file) {
   if (!file.crs) return;
   require_fit(file);
-  if (file.crs->geographic()) require_degrees(file, *file.crs);
+  if (file.crs->geographic()) require_degrees(file, file.crs->kind());
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 #include "files/crs_origin.h"
 #include "files/source.h"
 #include "gdal/crs.h"
-#include "rainfall/network.h"
+#include "study/source_lists.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -21,14 +21,11 @@ struct StationsRequest {
 };
 
 /// The stations of a file, in its order, with coordinates as the file has them.
-struct StationsFile {
-  std::string file;
-  std::vector<Station> stations;                 ///< positions in `crs`, or in a plane without one
+struct StationsFile : StationList {              ///< positions in `crs`, or in a plane without one
   Attributes attributes;                         ///< where asked for
   std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;
-  bool has_lines = false;  ///< Station::line is a line, and not a feature's number
 };
 
 /// Reads the stations: CSV with coordinates in two columns or a WKT column, or any vector file or

@@ -4,7 +4,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "files/study.h"
+#include "files/study_files.h"
 
 namespace thiessen {
 namespace {
@@ -18,7 +18,7 @@ struct Given {
   StudyRequest request = {};
   Warnings warnings = {};
 
-  Study study() {
+  StudyFiles study() {
     const TemporaryFolder folder;
     request.stations.source.file = folder.write("s.csv", stations);
     request.stations.source.crs = stations_crs;
@@ -53,7 +53,7 @@ TEST(Datums, modern_frames_are_silent) {
 TEST(Datums, a_sphere_is_warned_of_once) {
   Given given;
   given.stations_crs = "+proj=longlat +R=6370000";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.stations.at(0).position, (Point{100.2, 15.3}));
   ASSERT_EQ(given.warnings.messages().size(), 1U);
   EXPECT_TRUE(sentences_of(given.warnings)[0].ends_with(
@@ -81,7 +81,7 @@ TEST(Datums, a_place_in_two_files_of_one_datum_stays_one_place) {
   given.stations = "id,x,y\na,500000,0\n";  // on the equator at 99 degrees east
   given.basins_crs = "EPSG:4239";
   given.basins = "id,WKT\nq,\"POLYGON ((99 0,100 0,100 1,99 0))\"\n";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   const Point station = study.stations.at(0).position;
   const Point corner = study.basins.at(0).shape.at(0).outer.at(0);
   EXPECT_NEAR(station.x, corner.x, 1e-12);

@@ -12,7 +12,7 @@
 #include "base/number.h"
 #include "base/temporary_folder.h"
 #include "basin/shapes.h"
-#include "files/study.h"
+#include "files/study_files.h"
 #include "geometry/seeded.h"
 #include "outlines/antimeridian.h"
 #include "outlines/polygon_validity.h"
@@ -100,7 +100,7 @@ std::string random_stations(Seeded& seeded) {
 }
 
 /// Weighs the stations in the one basin of a study, and looks at what is written of its cells.
-void expect_cells_make_up_the_basin(const Study& study) {
+void expect_cells_make_up_the_basin(const StudyFiles& study) {
   const Network network(study.stations, study.metric);
   const Weighing weighing(network, study.basins, {study.metric, 1, 1000});
   const std::vector<bool> all(network.stations().size(), true);
@@ -116,7 +116,7 @@ void expect_cells_make_up_the_basin(const Study& study) {
   }
 }
 
-Study study_of(const std::string& stations, const std::string& basins_name,
+StudyFiles study_of(const std::string& stations, const std::string& basins_name,
                const std::string& basins, const std::string& basins_crs) {
   const TemporaryFolder folder;
   StudyRequest request;
@@ -129,7 +129,7 @@ Study study_of(const std::string& stations, const std::string& basins_name,
   return read_study(request, warnings);
 }
 
-double basin_area(const Study& study) {
+double basin_area(const StudyFiles& study) {
   const Network network(study.stations, study.metric);
   return Weighing(network, study.basins, {study.metric, 1, 1000}).basin_area(0);
 }
@@ -149,7 +149,7 @@ TEST(PolarBasins, have_the_area_that_GeographicLib_gives_them) {
       rings += "," + json_of(hole);
       expected -= judged_area(hole);
     }
-    const Study study = study_of(random_stations(seeded), "b.geojson",
+    const StudyFiles study = study_of(random_stations(seeded), "b.geojson",
                                  R"({"type":"Polygon","coordinates":[)" + rings + "]}", "");
     EXPECT_NEAR(basin_area(study) / expected, 1, 1e-8) << rings;
     expect_cells_make_up_the_basin(study);
@@ -174,7 +174,7 @@ TEST(PolarBasins, in_an_equal_area_projection_have_the_planes_area) {
       text += shortest_text(point.x) + " " + shortest_text(point.y) + ",";
     }
     text += shortest_text(ring[0].x) + " " + shortest_text(ring[0].y);
-    const Study study = study_of(random_stations(seeded), "b.csv",
+    const StudyFiles study = study_of(random_stations(seeded), "b.csv",
                                  "id,WKT\n1,\"POLYGON ((" + text + "))\"\n", "EPSG:3571");
     // PROJ's series for the authalic latitude is right to 1e-10.
     EXPECT_NEAR(basin_area(study) / plane_area({{ring, {}}}), 1, 1e-9) << how << " " << text;

@@ -1,4 +1,4 @@
-#include "files/coordinate_checks.h"
+#include "study/coordinate_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,35 +31,6 @@ bool looks_swapped(Point at, double degrees_per_unit) {
          std::abs(at.x * degrees_per_unit) <= 90;
 }
 
-/// What says that the coordinates are in this CRS.
-std::string claim(const Crs& crs, CrsOrigin origin, const std::string& option) {
-  if (origin == CrsOrigin::option) return option + " says " + crs.name();
-  if (origin == CrsOrigin::columns) return "the names of its columns say " + crs.name();
-  return "its CRS is " + crs.name();
-}
-
-template <typename File>
-void require_fit(const File& file, const std::string& option) {
-  const Reach reach = reach_of(file);
-  const Crs& crs = *file.crs;
-  const std::string but = ", but " + claim(crs, file.crs_origin, option);
-  const double widest = std::max(std::abs(reach.west), std::abs(reach.east));
-  const double highest = std::max(std::abs(reach.south), std::abs(reach.north));
-  const double nearest = std::min(widest, highest);
-  if (crs.geographic()) {
-    const bool none = reach.not_degrees == reach.points;
-    if (!none || nearest * crs.degrees_per_unit() <= farthest_longitude) return;
-    throw Error(Message{file.file, 0, "coordinates are not degrees" + but + ": " + reach.sentence(),
-                        "name the CRS that they are in with " + option});
-  }
-  if (widest <= 180 && highest <= 90 && crs.metres_per_unit() <= 1) {
-    throw Error(
-        Message{file.file, 0,
-                "coordinates look like degrees" + but + ", which is projected: " + reach.sentence(),
-                "longitude and latitude are EPSG:4326"});
-  }
-}
-
 /// Calls `see` with every point of the shape until it answers false.
 template <typename See>
 void each_point(const MultiPolygon& shape, See see) {
@@ -88,13 +59,13 @@ std::string Reach::sentence() const {
          shortest_text(south) + " to " + shortest_text(north);
 }
 
-Reach reach_of(const StationsFile& stations) {
+Reach reach_of(const StationList& stations) {
   Reach reach;
   for (const Station& station : stations.stations) reach.see(station.position);
   return reach;
 }
 
-Reach reach_of(const BasinsFile& basins) {
+Reach reach_of(const BasinList& basins) {
   Reach reach;
   for (const RawBasin& basin : basins.basins) {
     each_point(basin.polygons, [&](Point point) {
@@ -105,16 +76,8 @@ Reach reach_of(const BasinsFile& basins) {
   return reach;
 }
 
-void require_fit(const StationsFile& stations) {
-  require_fit(stations, "--crs");
-}
-
-void require_fit(const BasinsFile& basins) {
-  require_fit(basins, "--basins-crs");
-}
-
-void require_degrees(const StationsFile& file, const Crs& crs) {
-  const double unit = crs.degrees_per_unit();
+void require_degrees(const StationList& file, const CoordinateKind& kind) {
+  const double unit = kind.degrees_per_unit();
   const bool swapped =
       std::all_of(file.stations.begin(), file.stations.end(), [&](const Station& station) {
         return looks_swapped(station.position, unit) || is_well(station.position, unit);
@@ -134,8 +97,8 @@ void require_degrees(const StationsFile& file, const Crs& crs) {
   complaints.throw_if_any();
 }
 
-void require_degrees(const BasinsFile& file, const Crs& crs) {
-  const double unit = crs.degrees_per_unit();
+void require_degrees(const BasinList& file, const CoordinateKind& kind) {
+  const double unit = kind.degrees_per_unit();
   Complaints complaints;
   for (const RawBasin& basin : file.basins) {
     std::string text;
@@ -152,8 +115,8 @@ void require_degrees(const BasinsFile& file, const Crs& crs) {
   complaints.throw_if_any();
 }
 
-void turn_longitudes(StationsFile& file, const Crs& crs, Warnings& warnings) {
-  const double unit = crs.degrees_per_unit();
+void turn_longitudes(StationList& file, const CoordinateKind& kind, Warnings& warnings) {
+  const double unit = kind.degrees_per_unit();
   Message first;
   std::size_t turned = 0;
   for (Station& station : file.stations) {

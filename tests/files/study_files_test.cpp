@@ -1,4 +1,4 @@
-#include "files/study.h"
+#include "files/study_files.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ struct Given {
   bool with_basins = true;
   Warnings warnings = {};
 
-  Study study() {
+  StudyFiles study() {
     const TemporaryFolder folder;
     request.stations.source.file = folder.write("s.csv", stations);
     if (with_basins) {
@@ -51,7 +51,7 @@ std::string geojson(const std::string& ring) {
 
 TEST(Study, longitude_and_latitude_are_geodesic) {
   Given given;
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.metric, Metric::geodesic);
   EXPECT_TRUE(study.crs->is_wgs84());
   EXPECT_EQ(study.stations.at(1).position, (Point{16, 51}));
@@ -65,7 +65,7 @@ TEST(Study, a_plane_without_crs_is_planar_and_silent) {
   Given given;
   given.stations = "id,x,y\na,7,4\n";
   given.basins = geojson("[[5,5],[-5,5],[-5,-5],[0,-10],[5,-5],[5,5]]");
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.metric, Metric::planar);
   EXPECT_FALSE(study.crs);
   EXPECT_FALSE(study.metres_per_unit);
@@ -79,7 +79,7 @@ TEST(Study, a_crs_that_one_side_names_holds_for_both) {
   given.basins = square(499000, 5499000, 2000);
   given.basins_name = "b.csv";
   given.request.stations.source.crs = "EPSG:32633";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.metric, Metric::geodesic);
   EXPECT_EQ(study.basins_crs->name(), "EPSG:32633");
   ASSERT_EQ(given.warnings.messages().size(), 1U);
@@ -102,7 +102,7 @@ TEST(Study, projected_edges_are_followed_over_the_ellipsoid) {
   given.basins = square(600000, 5500000, 100000);
   given.basins_name = "b.csv";
   given.request.stations.source.crs = "EPSG:32633";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   const Ring& ring = study.basins.at(0).shape.at(0).outer;
   const std::vector<double>& bulges = study.basins.at(0).bulges.at(0);
   ASSERT_EQ(bulges.size(), ring.size());
@@ -139,7 +139,7 @@ TEST(Study, a_finer_tolerance_changes_the_vertices_and_not_the_area) {
     given.basins_name = "b.csv";
     given.request.stations.source.crs = "EPSG:32633";
     given.request.tolerance = fine == 1 ? 0.001 : 10;
-    const Study study = given.study();
+    const StudyFiles study = given.study();
     const Ring& ring = study.basins.at(0).shape.at(0).outer;
     vertices[fine] = ring.size();
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -154,7 +154,7 @@ TEST(Study, a_finer_tolerance_changes_the_vertices_and_not_the_area) {
 TEST(Study, the_plane_option_takes_vertices_alone) {
   Given given;
   given.request.plane = "EPSG:32633";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.metric, Metric::planar);
   EXPECT_EQ(study.crs->name(), "EPSG:32633");
   EXPECT_EQ(study.metres_per_unit, 1);
@@ -173,7 +173,7 @@ TEST(Study, the_plane_option_joins_what_the_antimeridian_cuts) {
   for (const char* ring : {"[[-135,-80],[-45,-80],[45,-80],[135,-80],[-135,-80]]",
                            "[[170,-80],[170,-70],[180,-70],[-170,-80],[170,-80]]"}) {
     given.basins = geojson(ring);
-    const Study study = given.study();
+    const StudyFiles study = given.study();
     ASSERT_EQ(study.basins.at(0).shape.size(), 1U);
     EXPECT_EQ(study.basins.at(0).shape.at(0).outer.size(), 4U);
     EXPECT_TRUE(study.basins.at(0).shape.at(0).holes.empty());
@@ -201,7 +201,7 @@ TEST(Study, basins_all_round_the_earth_in_a_projection) {
   given.basins = "id,WKT\n" + square_at("pole", -1e6, -1e6) + square_at("beside", 1e6, -1e6) +
                  square_at("left", -3e6, -1e6) + square_at("below", -1e6, -3e6) +
                  square_at("above", -1e6, 1e6);
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   ASSERT_EQ(study.basins.size(), 5U);
   for (const Basin& basin : study.basins) {
     for (const Polygon& part : basin.shape) {
@@ -267,7 +267,7 @@ TEST(Study, longitudes_beyond_180_are_taken_round_with_one_warning) {
   Given given;
   given.with_basins = false;
   given.stations = "id,lon,lat\na,185,1\nb,-190,2\nc,359.5,3\nd,360,4\ne,540,5\nf,180,6\n";
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   const double expected[] = {-175, 170, -0.5, 0, 180, 180};
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_EQ(std::abs(study.stations[i].position.x), std::abs(expected[i])) << i;
@@ -334,7 +334,7 @@ TEST(Study, a_basin_over_the_antimeridian_runs_on) {
   Given given;
   given.stations = "id,lon,lat\na,179,0\nb,-179,1\n";
   given.basins = geojson("[[178,-1],[-178,-1],[-178,2],[178,2],[178,-1]]");
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.basins.at(0).shape.at(0).outer, (Ring{{178, -1}, {182, -1}, {182, 2}, {178, 2}}));
 }
 
@@ -345,7 +345,7 @@ TEST(Study, stations_take_the_basins_crs_where_planar_is_asked_for) {
   given.request.basins.emplace();
   given.request.basins->source.crs = "EPSG:32633";
   given.request.metric = Metric::planar;
-  const Study study = given.study();
+  const StudyFiles study = given.study();
   EXPECT_EQ(study.crs->name(), "EPSG:32633");
   EXPECT_NEAR(study.stations.at(0).position.x, 500000, 1e-6);
   EXPECT_TRUE(study.stations_crs->is_wgs84());

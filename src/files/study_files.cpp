@@ -1,4 +1,4 @@
-#include "files/study.h"
+#include "files/study_files.h"
 #include "gdal/transformation.h"
 
 #include <algorithm>
@@ -10,13 +10,11 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "files/coordinate_checks.h"
 #include "files/crs_agreement.h"
 #include "files/datums.h"
 #include "gdal/shape_tracer.h"
-#include "outlines/basin_mending.h"
-#include "outlines/common_turn.h"
-#include "outlines/longitudes.h"
+#include "study/basin_placing.h"
+#include "study/coordinate_checks.h"
 
 namespace thiessen {
 namespace {
@@ -53,7 +51,7 @@ class StudyMaker {
     if (request.basins) basins_ = read_basins(*request.basins, warnings);
   }
 
-  Study make() {
+  StudyFiles make() {
     agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
     choose_coordinates();
     open_gauges();
@@ -99,8 +97,8 @@ class StudyMaker {
       opened.stations.push_back({id, {at.x + 0.0, at.y + 0.0}, no_line});
     }
     if (stations_.crs && stations_.crs->geographic()) {
-      require_degrees(opened, *stations_.crs);
-      if (!planar_degrees()) turn_longitudes(opened, *stations_.crs, warnings_);
+      require_degrees(opened, stations_.crs->kind());
+      if (!planar_degrees()) turn_longitudes(opened, stations_.crs->kind(), warnings_);
     }
     study_.opened = opened.stations.size();
     std::move(opened.stations.begin(), opened.stations.end(),
@@ -154,27 +152,17 @@ class StudyMaker {
 
   void mend_basins() {
     if (!basins_) return;
-    Complaints complaints;
-    const bool wraps = basins_->crs && basins_->crs->geographic() &&
-                       basins_->crs->degrees_per_unit() == 1 && !planar_degrees();
-    for (RawBasin& basin : basins_->basins) {
+    const bool wraps = basins_->crs && basins_->crs->kind().in_degrees() && !planar_degrees();
+    for (const RawBasin& basin : basins_->basins) {
       on_antimeridian_.push_back(wraps ? latitudes_on_antimeridian(basin.polygons)
                                        : std::set<double>());
-      const std::string fault = wraps ? unwrap_longitudes(basin.polygons) : "";
-      if (!fault.empty()) {
-        complaints.add({basins_->file, basin.line, basin.place + ": " + fault, {}});
-        continue;
-      }
-      auto mended = mend(basin, basins_->file, warnings_, complaints);
-      if (mended) study_.native_basins.push_back(*std::move(mended));
-      basin.polygons.clear();
     }
-    complaints.throw_if_any();
+    study_.native_basins = thiessen::mend_basins(*basins_, wraps, warnings_);
   }
 
   void bring_stations() {
     if (study_.crs && stations_.crs && stations_.crs->geographic() && !planar_degrees()) {
-      turn_longitudes(stations_, *stations_.crs, warnings_);
+      turn_longitudes(stations_, stations_.crs->kind(), warnings_);
     }
     study_.stations = std::move(stations_.stations);
     if (!study_.crs) return;
@@ -263,34 +251,13 @@ class StudyMaker {
 
   // On both sides of the antimeridian basins would be far apart.
   void bring_basins_together() {
-    if (study_.metric == Metric::geodesic) {
-      std::vector<CurvedShape> shapes;
-      shapes.reserve(study_.basins.size());
-      for (Basin& basin : study_.basins)
-        shapes.push_back({std::move(basin.shape), std::move(basin.bulges)});
-      bring_together(shapes);
-      for (std::size_t i = 0; i < shapes.size(); ++i) {
-        study_.basins[i].shape = std::move(shapes[i].shape);
-        study_.basins[i].bulges = std::move(shapes[i].bulges);
-      }
-    }
-    if (!basins_ || !basins_->crs || basins_->crs->degrees_per_unit() != 1) return;
-    std::vector<CurvedShape> native;
-    native.reserve(study_.native_basins.size());
-    for (MultiPolygon& shape : study_.native_basins) native.push_back({std::move(shape), {}});
-    bring_together(native);
-    for (std::size_t i = 0; i < native.size(); ++i)
-      study_.native_basins[i] = std::move(native[i].shape);
-  }
-
-  static void bring_together(std::vector<CurvedShape>& shapes) {
-    std::vector<CurvedShape*> all;
-    all.reserve(shapes.size());
-    for (CurvedShape& shape : shapes) all.push_back(&shape);
-    bring_to_common_turn(all);
+    if (study_.metric == Metric::geodesic) thiessen::bring_basins_together(study_.basins);
+    if (basins_ && basins_->crs && basins_->crs->degrees_per_unit() == 1)
+      thiessen::bring_basins_together(study_.native_basins);
   }
 
   void finish() {
+    study_.has_basins = basins_.has_value();
     study_.stations_file = stations_.file;
     study_.stations_have_lines = stations_.has_lines;
     study_.attributes = std::move(stations_.attributes);
@@ -308,14 +275,14 @@ class StudyMaker {
   Warnings& warnings_;
   StationsFile stations_;
   std::optional<BasinsFile> basins_;
-  Study study_;
+  StudyFiles study_;
   std::vector<std::set<double>> on_antimeridian_;  // by basin: latitudes of vertices of its own
   std::optional<ShapeTracer> tracer_;
 };
 
 }  // namespace
 
-Study read_study(const StudyRequest& request, Warnings& warnings) {
+StudyFiles read_study(const StudyRequest& request, Warnings& warnings) {
   return StudyMaker(request, warnings).make();
 }
 

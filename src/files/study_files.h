@@ -6,12 +6,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "basin/basin.h"
-#include "earth/ground.h"
 #include "files/basins_file.h"
 #include "files/stations_file.h"
 #include "gdal/crs.h"
-#include "rainfall/network.h"
+#include "study/study_parts.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -25,31 +23,20 @@ struct StudyRequest {
   double tolerance = 0.1;        ///< metres
 };
 
-/// Stations and basins in one system of coordinates, ready to be tessellated.
-struct Study {
-  Metric metric = Metric::planar;
-  std::string stations_file;
-  std::string basins_file;
-  std::vector<Station> stations;     ///< in the study's coordinates, in file order
-  std::size_t opened = 0;            ///< how many, the last of `stations`, the file lacks
-  bool stations_have_lines = false;  ///< Station::line is a line, and not a feature's number
+/// A study as its files have it, ready to be tessellated, and what they say beyond that.
+struct StudyFiles : StudyParts {
   Attributes attributes;
   std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out
-  std::vector<Basin> basins;                ///< in the study's coordinates, mended, in file order
-  std::vector<MultiPolygon> native_basins;  ///< the same, mended, in `basins_crs`: their own edges
-  std::optional<Crs> stations_crs;          ///< of the stations' file
-  std::optional<Crs> basins_crs;            ///< of the basins' file, and of native_basins
+  std::vector<MultiPolygon>
+      native_basins;                ///< the basins, mended, in `basins_crs`: their own edges
+  std::optional<Crs> stations_crs;  ///< of the stations' file
+  std::optional<Crs> basins_crs;    ///< of the basins' file, and of native_basins
   /// Of the study's coordinates: WGS 84 where the metric is geodesic; none: a plane without a CRS.
   std::optional<Crs> crs;
-  /// How long the plane's unit is in metres; nothing where that is unknown (no CRS, or degrees):
-  /// areas are then in the square of the coordinates' unit.
-  std::optional<double> metres_per_unit;
 
   /// The CRS in which files other than GeoJSON are written: the basins', without basins the
   /// stations'.
-  const std::optional<Crs>& output_crs() const {
-    return basins_file.empty() ? stations_crs : basins_crs;
-  }
+  const std::optional<Crs>& output_crs() const { return has_basins ? basins_crs : stations_crs; }
 };
 
 /// Reads both files, settles the CRS of each and the metric, and brings everything into the study's
@@ -60,6 +47,6 @@ struct Study {
 /// Planar: coordinates as they are, or every vertex taken to `plane`. Throws Error where a CRS is
 /// unknown or contradicts the file's, coordinates do not fit the CRS, or a basin crosses itself.
 /// Cost: linear, but for one check of validity a basin (n log n).
-Study read_study(const StudyRequest& request, Warnings& warnings);
+StudyFiles read_study(const StudyRequest& request, Warnings& warnings);
 
 }  // namespace thiessen

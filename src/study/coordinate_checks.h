@@ -5,10 +5,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "files/basins_file.h"
-#include "files/stations_file.h"
-#include "gdal/crs.h"
 #include "geometry/point.h"
+#include "outlines/mapping.h"
+#include "study/source_lists.h"
 
 namespace thiessen {
 
@@ -28,22 +27,18 @@ struct Reach {
   std::string sentence() const;
 };
 
-Reach reach_of(const StationsFile& stations);
-Reach reach_of(const BasinsFile& basins);
+Reach reach_of(const StationList& stations);
+Reach reach_of(const BasinList& basins);
 
-/// Coordinates that do not fit the file's CRS as a whole: metres under degrees, or degrees under a
-/// projection. Throws Error, naming the CRS and the range.
-void require_fit(const StationsFile& stations);
-void require_fit(const BasinsFile& basins);
-
-/// Each station's latitude lies in [-90, 90] and its longitude in [-540, 540]. For a geographic
-/// CRS. Throws Error with every station that is not so, with a hint where the two look swapped.
-void require_degrees(const StationsFile& stations, const Crs& crs);
+/// Each station's latitude lies in [-90, 90] and its longitude in [-540, 540]. For a
+/// geographic kind. Throws Error with every station that is not so, with a hint where the two look
+/// swapped.
+void require_degrees(const StationList& stations, const CoordinateKind& kind);
 /// The same for the basins: the first such point of each.
-void require_degrees(const BasinsFile& basins, const Crs& crs);
+void require_degrees(const BasinList& basins, const CoordinateKind& kind);
 
-/// Takes longitudes beyond 180 degrees round the Earth, with one warning. For a geographic CRS.
-void turn_longitudes(StationsFile& stations, const Crs& crs, Warnings& warnings);
+/// Takes longitudes beyond 180 degrees round the Earth, with one warning. For a geographic kind.
+void turn_longitudes(StationList& stations, const CoordinateKind& kind, Warnings& warnings);
 
 /// The longitudes of a plane of degrees, where distances do not go round the Earth: those that run
 /// from -180 to 180 must not stand beside others from 0 to 360.

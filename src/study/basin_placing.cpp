@@ -1,0 +1,59 @@
+#include "study/basin_placing.h"
+
+#include <string>
+#include <utility>
+
+#include "outlines/basin_mending.h"
+#include "outlines/common_turn.h"
+#include "outlines/longitudes.h"
+
+namespace thiessen {
+namespace {
+
+void bring_together(std::vector<CurvedShape>& shapes) {
+  std::vector<CurvedShape*> all;
+  all.reserve(shapes.size());
+  for (CurvedShape& shape : shapes) all.push_back(&shape);
+  bring_to_common_turn(all);
+}
+
+}  // namespace
+
+std::vector<MultiPolygon> mend_basins(BasinList& basins, bool round_the_earth, Warnings& warnings) {
+  std::vector<MultiPolygon> shapes;
+  shapes.reserve(basins.basins.size());
+  Complaints complaints;
+  for (RawBasin& basin : basins.basins) {
+    const std::string fault = round_the_earth ? unwrap_longitudes(basin.polygons) : "";
+    if (!fault.empty()) {
+      complaints.add({basins.file, basin.line, basin.place + ": " + fault, {}});
+      continue;
+    }
+    auto mended = mend(basin, basins.file, warnings, complaints);
+    if (mended) shapes.push_back(*std::move(mended));
+    basin.polygons.clear();
+  }
+  complaints.throw_if_any();
+  return shapes;
+}
+
+void bring_basins_together(std::vector<Basin>& basins) {
+  std::vector<CurvedShape> shapes;
+  shapes.reserve(basins.size());
+  for (Basin& basin : basins) shapes.push_back({std::move(basin.shape), std::move(basin.bulges)});
+  bring_together(shapes);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    basins[i].shape = std::move(shapes[i].shape);
+    basins[i].bulges = std::move(shapes[i].bulges);
+  }
+}
+
+void bring_basins_together(std::vector<MultiPolygon>& shapes) {
+  std::vector<CurvedShape> straight;
+  straight.reserve(shapes.size());
+  for (MultiPolygon& shape : shapes) straight.push_back({std::move(shape), {}});
+  bring_together(straight);
+  for (std::size_t i = 0; i < straight.size(); ++i) shapes[i] = std::move(straight[i].shape);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "outlines/raw_basin.h"
+#include "rainfall/network.h"
+
+namespace thiessen {
+
+/// Stations as their source has them.
+struct StationList {
+  std::string file;
+  std::vector<Station> stations;
+  bool has_lines = false;  ///< Station::line is a line, and not a feature's number
+};
+
+/// Basins as their source has them, not yet mended.
+struct BasinList {
+  std::string file;
+  std::vector<RawBasin> basins;  ///< in the order in which their ids first come
+};
+
+}  // namespace thiessen

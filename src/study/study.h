@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "base/error.h"
+#include "rainfall/network.h"
+#include "rainfall/weights.h"
+#include "study/study_parts.h"
+
+namespace thiessen {
+
+struct StudySettings {
+  double margin = 0;       ///< percent, by which the extent is grown where there are no basins
+  double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
+};
+
+/// A study in memory: a network of gauges weighed in basins. It owns its parts.
+class Study {
+ public:
+  /// The stations of `parts` go into the network. Without basins the stations' extent becomes the
+  /// only one. Warns of stations that share a place and of a network on one line. Throws Error with
+  /// every coordinate outside the exact range of predicates.h, and where stations without extent
+  /// make no study area. Cost: n log n.
+  Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, Warnings& warnings);
+  Study(const Study&) = delete;
+  Study& operator=(const Study&) = delete;
+
+  const StudyParts& parts() const { return *parts_; }
+  const Network& network() const { return network_; }
+  const Weighing& weighing() const { return weighing_; }
+  const std::vector<Basin>& basins() const { return parts_->basins; }
+  /// How many square kilometres an area of the weighing is; 1 where the plane's unit is unknown.
+  double km2_per_area() const {
+    const bool known = parts_->metric == Metric::geodesic || parts_->metres_per_unit.has_value();
+    return known ? 1e-6 : 1.0;
+  }
+  std::vector<bool> all_report() const {
+    return std::vector<bool>(network_.stations().size(), true);
+  }
+
+ private:
+  void warn_of_shared_places(Warnings& warnings) const;
+  void warn_of_line(Warnings& warnings) const;
+
+  std::shared_ptr<StudyParts> parts_;
+  Network network_;
+  Weighing weighing_;
+};
+
+}  // namespace thiessen
