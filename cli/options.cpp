@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/help.h"
 #include "cli/rain_methods.h"
+#include "rainfall/gaps/gap_policies.h"
 
 namespace thiessen::cli {
 namespace {
@@ -160,12 +161,14 @@ ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
 
 void GapOptions::add_to(CLI::App& app) {
   app.option_defaults()->group("Method");
+  std::map<std::string, Gaps> policies;
+  std::string names;
+  for (const Gaps gaps : all_gaps) {
+    policies.emplace(name_of(gaps), gaps);
+    names += (names.empty() ? "" : "|") + std::string(name_of(gaps));
+  }
   add_choice<Gaps>(
-      app, "--gaps", settings_.gaps,
-      {{"retessellate", Gaps::retessellate},
-       {"renormalise", Gaps::renormalise},
-       {"strict", Gaps::strict}},
-      "retessellate|renormalise|strict",
+      app, "--gaps", settings_.gaps, policies, names,
       "what a step with silent gauges gets: the cells of the gauges that report (default), the "
       "full network's weights scaled to them, or no value");
   add_count(app, "--min-gauges", settings_.min_gauges, 1, 1'000'000'000,

@@ -8,9 +8,9 @@
 #include "base/destination.h"
 #include "cli/option_values.h"
 #include "files/study_files.h"
-#include "rainfall/areal_rainfall.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"
+#include "rainfall/weighed_rainfall.h"
 #include "readings/readings_reader.h"
 #include "results/rain_file.h"
 
@@ -69,10 +69,6 @@ struct GapOptions {
   void add_to(CLI::App& app);
   /// Only how much may be remembered.
   void add_cache_to(CLI::App& app);
-  /// Whether values are what the tessellation of the gauges that report gives, however few.
-  bool are_usual() const {
-    return settings_.gaps == Gaps::retessellate && settings_.min_gauges <= 1;
-  }
   ArealRainfallSettings settings() const {
     ArealRainfallSettings settings = settings_;
     settings.remembered_bytes = cache_ << 20U;

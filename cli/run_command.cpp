@@ -80,7 +80,7 @@ class RunCommand : public Command {
     series.finish(warnings);
     const GaugeReadings mean = means.result();
     if (!common_.quiet) {
-      if (gaps_.are_usual()) summary.find_most_influential(rainfall, threads);
+      if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
       std::vector<double> errors = error.result(threads);
       summary.set_errors_of_mean(std::move(errors), error.shortfall());
     }

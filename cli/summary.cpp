@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -49,10 +48,8 @@ void Summary::add(const RainStep& step) {
 }
 
 void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned threads) {
-  std::optional<Handovers> own;
-  if (rainfall.handovers() == nullptr) own.emplace(session_.weighing(), threads);
-  influence_ = thiessen::most_influential(own ? *own : *rainfall.handovers(), sample_,
-                                          sampled_handovers, threads);
+  influence_ =
+      thiessen::most_influential(rainfall.handovers(), sample_, sampled_handovers, threads);
 }
 
 std::string Summary::most_influential(std::size_t basin, const std::string& unit) const {

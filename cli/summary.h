@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/session.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
 #include "rainfall/series/rain_series.h"
 

@@ -8,18 +8,12 @@
 
 #include "basin/basin.h"
 #include "basin/sphere_shape.h"
+#include "rainfall/gaps/cell_account.h"
 #include "rainfall/gaps/cell_adjacency.h"
 #include "rainfall/network_cells.h"
 #include "rainfall/weights.h"
 
 namespace thiessen {
-
-/// A cell's part in a basin.
-struct CellWeight {
-  std::uint32_t basin;
-  PlaceIndex cell;
-  double weight;  ///< its share of the basin
-};
 
 /// What cells next to a component of silent ones take over, by basin, then by cell.
 using Handover = std::vector<CellWeight>;

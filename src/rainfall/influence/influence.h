@@ -24,7 +24,7 @@ struct GaugeInfluence {
 /// How much a basin's areal rainfall changes when a gauge is left out, over a series of steps.
 ///
 /// The change of a step is the value without the gauge's reading less the value with it, both of
-/// the tessellation of the gauges that report (Gaps::retessellate): one deletion, taken back. All
+/// the tessellation of the gauges that report (Retessellation): one deletion, taken back. All
 /// steps count in which both values can be had: where the gauge itself is silent the change is 0,
 /// where it alone reports there is none. That is what comparing the series with the one computed
 /// from a file without the gauge's column gives: to 1e-12 of the largest reading in a plane, on the

@@ -13,6 +13,7 @@
 
 #include "basin/shapes.h"
 #include "earth/geodesic.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/methods/arithmetic_mean.h"
 #include "rainfall/methods/basin_points.h"
 #include "rainfall/methods/inverse_distance.h"

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "rainfall/gaps/handover.h"
+#include "rainfall/gaps/handover_cache.h"
+#include "rainfall/gaps/retessellation.h"
+
+namespace thiessen {
+
+/// The cells of the gauges that report. Gauges at places that rounding cannot tell apart share a
+/// cell. Cost of a step: its gauges, the full network's weights and the silent cells' neighbours;
+/// for each component of silent cells that is not remembered also Handovers::of.
+class CellRetessellation : public Retessellation {
+ public:
+  /// The handovers must outlive it; `remembered_bytes` of them are remembered. Without
+  /// `counts_gauges` values have 0 gauges, which is cheaper.
+  CellRetessellation(const Handovers& handovers, std::size_t remembered_bytes, bool counts_gauges);
+
+  const std::vector<BasinWeights>& full_weights() const override { return full_; }
+  std::vector<BasinRainfall> at(std::span<const double> readings) const override;
+  std::vector<BasinRainfall> at(std::span<const double> readings,
+                                CellAccount& account) const override;
+  std::vector<BasinWeights> weights_at(std::span<const double> readings) const override;
+  std::vector<CellWeight> full_cells() const override { return handovers_.full(); }
+  std::vector<double> cell_readings(std::span<const double> readings) const override;
+
+ private:
+  /// What the cells read and hand over at one time.
+  struct State {
+    std::vector<double> of_cell;  ///< the mean of those in the cell that report; NaN: none does
+    std::vector<std::shared_ptr<const Handover>> handovers;
+    bool any = false;
+  };
+
+  State state_of(std::span<const double> readings) const;
+  std::vector<BasinRainfall> rainfall(const State& state, std::span<const double> readings) const;
+  std::vector<CellWeight> change(const State& state) const;
+  std::vector<CellWeight> weights(const State& state) const;
+
+  const Handovers& handovers_;
+  mutable HandoverCache remembered_;
+  bool counts_gauges_;
+  std::vector<BasinWeights> full_;
+  /// The full network's weights of cells, first one of each basin, then the next of each: sums that
+  /// do not wait for each other.
+  std::vector<CellWeight> full_in_turn_;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,11 @@
+#include "rainfall/gaps/retessellation.h"
+
+#include "rainfall/gaps/weigher.h"
+
+namespace thiessen {
+
+std::unique_ptr<const GapPolicy> Retessellation::of(const Weigher& weigher) {
+  return weigher.retessellation();
+}
+
+}  // namespace thiessen

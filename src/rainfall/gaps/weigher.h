@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "rainfall/gaps/retessellation.h"
+#include "rainfall/network.h"
+#include "rainfall/weights.h"
+
+namespace thiessen {
+
+/// Gives gauges their weights in the basins, by their cells or by another method. It is what the
+/// gap policies are made from; each takes the one answer that it needs, once.
+class Weigher {
+ public:
+  Weigher() = default;
+  Weigher(const Weigher&) = delete;
+  Weigher& operator=(const Weigher&) = delete;
+  virtual ~Weigher() = default;
+
+  virtual const Network& network() const = 0;
+  /// The weights where every gauge reports, by basin.
+  virtual std::vector<BasinWeights> full_weights() const = 0;
+  /// Weighs the gauges of each step that report, whichever they are. The weigher must outlive it.
+  virtual std::unique_ptr<const Retessellation> retessellation() const = 0;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,94 @@
+#include "rainfall/methods/method_retessellation.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "geometry/long_sum.h"
+#include "rainfall/mean_reading.h"
+
+namespace thiessen {
+namespace {
+
+/// What the stations at a place say: how many report, and their mean.
+struct PlaceReading {
+  double mean = 0;
+  std::size_t reporting = 0;
+};
+
+void append(std::vector<CellWeight>& cells, const AreaMethod::Weights& weights, double sign) {
+  for (std::uint32_t b = 0; b < weights.size(); ++b) {
+    for (const PlaceWeight& w : weights[b]) cells.push_back({b, w.place, sign * w.weight});
+  }
+}
+
+}  // namespace
+
+MethodRetessellation::MethodRetessellation(const MethodWeigher& weigher, const AreaMethod& method,
+                                           std::size_t remembered_bytes)
+    : weigher_(weigher),
+      full_places_(weigher.full_places()),
+      full_(weigher.by_station(full_places_,
+                               std::vector<bool>(weigher.network().stations().size(), true))),
+      remembered_(method, remembered_bytes) {}
+
+std::vector<bool> MethodRetessellation::reporting_places(std::span<const double> readings) const {
+  const Network& network = weigher_.network();
+  std::vector<bool> reports(network.places().size(), false);
+  for (std::uint32_t s = 0; s < readings.size(); ++s) {
+    if (!std::isnan(readings[s])) reports[index(network.place_of(StationIndex{s}))] = true;
+  }
+  return reports;
+}
+
+std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings) const {
+  const auto weights = remembered_.of(reporting_places(readings));
+  const Network& network = weigher_.network();
+  std::vector<PlaceReading> known(network.places().size());
+  std::vector<BasinRainfall> result;
+  result.reserve(weights->size());
+  for (const auto& basin : *weights) {
+    LongSum sum;
+    std::size_t gauges = 0;
+    for (const PlaceWeight& w : basin) {
+      PlaceReading& place = known[index(w.place)];
+      if (place.reporting == 0) {
+        const auto stations = network.stations_at(w.place);
+        place = {mean_reading(stations, readings), count_reporting(stations, readings)};
+      }
+      sum.add(w.weight * place.mean);
+      gauges += place.reporting;
+    }
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    result.push_back({gauges > 0 ? sum.value() : none, gauges, 0});
+  }
+  return result;
+}
+
+std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings,
+                                                    CellAccount& account) const {
+  account.readings = cell_readings(readings);
+  account.change.clear();
+  append(account.change, full_places_, -1);
+  append(account.change, *remembered_.of(reporting_places(readings)), 1);
+  return at(readings);
+}
+
+std::vector<BasinWeights> MethodRetessellation::weights_at(std::span<const double> readings) const {
+  std::vector<bool> stations_report;
+  stations_report.reserve(readings.size());
+  for (const double reading : readings) stations_report.push_back(!std::isnan(reading));
+  return weigher_.by_station(*remembered_.of(reporting_places(readings)), stations_report);
+}
+
+std::vector<CellWeight> MethodRetessellation::full_cells() const {
+  std::vector<CellWeight> cells;
+  append(cells, full_places_, 1);
+  return cells;
+}
+
+std::vector<double> MethodRetessellation::cell_readings(std::span<const double> readings) const {
+  return readings_by_place(weigher_.network(), readings);
+}
+
+}  // namespace thiessen

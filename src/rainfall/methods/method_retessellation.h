@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "rainfall/gaps/retessellation.h"
+#include "rainfall/methods/area_method.h"
+#include "rainfall/methods/method_weigher.h"
+#include "rainfall/methods/weights_cache.h"
+
+namespace thiessen {
+
+/// A method anew among the gauges that report. Its cells are the network's places. Cost of a step:
+/// its gauges and the weights; and what the method takes for a set of reporting gauges that is not
+/// remembered.
+class MethodRetessellation : public Retessellation {
+ public:
+  /// The weigher and the method must outlive it.
+  MethodRetessellation(const MethodWeigher& weigher, const AreaMethod& method,
+                       std::size_t remembered_bytes);
+
+  const std::vector<BasinWeights>& full_weights() const override { return full_; }
+  std::vector<BasinRainfall> at(std::span<const double> readings) const override;
+  std::vector<BasinRainfall> at(std::span<const double> readings,
+                                CellAccount& account) const override;
+  std::vector<BasinWeights> weights_at(std::span<const double> readings) const override;
+  std::vector<CellWeight> full_cells() const override;
+  std::vector<double> cell_readings(std::span<const double> readings) const override;
+
+ private:
+  std::vector<bool> reporting_places(std::span<const double> readings) const;
+
+  const MethodWeigher& weigher_;
+  AreaMethod::Weights full_places_;
+  std::vector<BasinWeights> full_;
+  mutable WeightsCache remembered_;
+};
+
+}  // namespace thiessen

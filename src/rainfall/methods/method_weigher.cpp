@@ -1,0 +1,46 @@
+#include "rainfall/methods/method_weigher.h"
+
+#include <utility>
+
+#include "rainfall/methods/method_retessellation.h"
+
+namespace thiessen {
+
+MethodWeigher::MethodWeigher(const Weighing& weighing, std::unique_ptr<const AreaMethod> method,
+                             std::size_t remembered_bytes)
+    : weighing_(weighing), method_(std::move(method)), remembered_bytes_(remembered_bytes) {}
+
+AreaMethod::Weights MethodWeigher::full_places() const {
+  return method_->weights(std::vector<bool>(network().places().size(), true));
+}
+
+std::vector<BasinWeights> MethodWeigher::full_weights() const {
+  return by_station(full_places(), std::vector<bool>(network().stations().size(), true));
+}
+
+std::unique_ptr<const Retessellation> MethodWeigher::retessellation() const {
+  return std::make_unique<const MethodRetessellation>(*this, *method_, remembered_bytes_);
+}
+
+std::vector<BasinWeights> MethodWeigher::by_station(
+    const AreaMethod::Weights& weights, const std::vector<bool>& stations_report) const {
+  std::vector<BasinWeights> result(weights.size());
+  std::vector<StationIndex> reporting;
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    BasinWeights& basin = result[b];
+    basin.area = weighing_.basin_area(b);
+    for (const PlaceWeight& w : weights[b]) {
+      reporting.clear();
+      for (const StationIndex s : network().stations_at(w.place)) {
+        if (stations_report[index(s)]) reporting.push_back(s);
+      }
+      const double weight = w.weight / static_cast<double>(reporting.size());
+      for (const StationIndex s : reporting)
+        basin.stations.push_back({s, weight * basin.area, weight});
+    }
+    sort_by_station(basin.stations);
+  }
+  return result;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,66 @@
+#include "rainfall/weighed_rainfall.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/long_sum.h"
+#include "rainfall/gaps/gap_policies.h"
+
+namespace thiessen {
+namespace {
+
+/// How much of a basin the full network gives to gauges that report.
+double coverage(const BasinWeights& full, std::span<const double> readings) {
+  LongSum sum;
+  bool whole = true;
+  for (const StationWeight& s : full.stations) {
+    if (std::isnan(readings[index(s.station)])) {
+      whole = false;
+    } else {
+      sum.add(s.weight);
+    }
+  }
+  return whole && !full.stations.empty() ? 1 : sum.value();
+}
+
+}  // namespace
+
+WeighedRainfall::WeighedRainfall(std::shared_ptr<const Weigher> weigher,
+                                 const ArealRainfallSettings& settings)
+    : settings_(settings),
+      weigher_(std::move(weigher)),
+      policy_(gap_policy(settings.gaps, *weigher_)) {}
+
+void WeighedRainfall::finish(std::vector<BasinRainfall>& values,
+                             std::span<const double> readings) const {
+  for (std::size_t b = 0; b < values.size(); ++b) {
+    BasinRainfall& basin = values[b];
+    if (settings_.counts_gauges() && basin.gauges < settings_.min_gauges)
+      basin.rainfall = std::numeric_limits<double>::quiet_NaN();
+    if (settings_.accounts) basin.coverage = coverage(full_weights()[b], readings);
+  }
+}
+
+std::vector<BasinRainfall> WeighedRainfall::at(std::span<const double> readings) const {
+  std::vector<BasinRainfall> values = policy_->at(readings);
+  finish(values, readings);
+  return values;
+}
+
+std::vector<BasinRainfall> WeighedRainfall::at(std::span<const double> readings,
+                                               CellAccount& account) const {
+  std::vector<BasinRainfall> values = policy_->at(readings, account);
+  finish(values, readings);
+  return values;
+}
+
+std::vector<BasinWeights> WeighedRainfall::weights_at(std::span<const double> readings) const {
+  std::vector<BasinWeights> weights = policy_->weights_at(readings);
+  for (BasinWeights& basin : weights) {
+    if (basin.stations.size() < settings_.min_gauges) basin.stations.clear();
+  }
+  return weights;
+}
+
+}  // namespace thiessen
