@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "earth/bisector_arc.h"
 #include "geometry/predicates.h"
 #include "geometry/seeded.h"
 
@@ -88,30 +87,6 @@ TEST(StereographicChart, knows_its_pole) {
   const Direction pole = on_sphere({12, 34});
   EXPECT_TRUE(StereographicChart(pole).is_pole(pole));
   EXPECT_FALSE(StereographicChart(pole).is_pole(on_sphere({12, 34.0000001})));
-}
-
-TEST(BisectorArc, is_as_far_from_both_with_the_first_on_its_left) {
-  Seeded seeded;
-  for (std::uint64_t round = 0; round < seeded.rounds(5000); ++round) {
-    const Direction a = random_direction(seeded);
-    const Direction b = random_direction(seeded);
-    const BisectorArc arc(a, b);
-    for (const double angle : {-3.0, -1.0, 0.0, 0.5, 2.0}) {
-      const Direction p = arc.at(angle);
-      ASSERT_NEAR(length(p), 1, 1e-15 + 1e-15 / length(a + b));
-      ASSERT_NEAR(dot(p, a), dot(p, b), 1e-15 + 1e-15 / length(a + b));
-      ASSERT_NEAR(arc.angle_of(p), angle, 1e-14 + 1e-15 / length(a + b));
-      const Direction ahead = arc.at(angle + 0.1) - p;
-      ASSERT_GT(dot(cross(p, ahead), a - b), 0);
-    }
-    ASSERT_GT(dot(arc.at(0), a + b), 0);
-  }
-}
-
-TEST(BisectorArc, of_antipodes_stands) {
-  const BisectorArc arc({1, 0, 0}, {-1, 0, 0});
-  EXPECT_NEAR(arc.at(1.3).x, 0, 1e-15);
-  EXPECT_NEAR(length(arc.at(1.3)), 1, 1e-15);
 }
 
 }  // namespace
