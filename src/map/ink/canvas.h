@@ -75,7 +75,4 @@ class Canvas {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// The coverage grown by `radius` pixels on every side: a halo.
-Coverage halo(const Coverage& coverage, int radius);
-
 }  // namespace thiessen

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "map/ink/ink.h"
+#include "map/opencv/halo.h"
 
 namespace thiessen {
 

@@ -4,7 +4,7 @@
 
 #include "map/ink/canvas.h"
 #include "map/ink/labels.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 
 namespace thiessen {
 

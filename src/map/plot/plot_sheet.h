@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "map/ink/canvas.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/page.h"
 
 namespace thiessen {

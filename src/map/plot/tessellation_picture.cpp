@@ -1,7 +1,7 @@
 #include "map/plot/tessellation_picture.h"
 
-#include "map/ink/drawing_errors.h"
-#include "map/ink/encoding.h"
+#include "map/opencv/drawing_errors.h"
+#include "map/opencv/encoding.h"
 #include "map/plot/plane_plot.h"
 #include "map/plot/space_view.h"
 

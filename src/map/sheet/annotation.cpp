@@ -8,6 +8,7 @@
 
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
+#include "map/opencv/halo.h"
 
 namespace thiessen {
 namespace {

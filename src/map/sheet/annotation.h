@@ -7,7 +7,7 @@
 #include "map/ink/canvas.h"
 #include "map/ink/labels.h"
 #include "map/ink/scanline.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/page.h"
 #include "map/sheet/picture.h"
 #include "map/sheet/study_view.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "map/ink/canvas.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/page.h"
 #include "map/sheet/study_view.h"
 

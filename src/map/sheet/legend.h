@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "map/ink/canvas.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/ticks.h"
 
 namespace thiessen {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "map/ink/canvas.h"
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/legend.h"
 #include "map/sheet/map_shape.h"
 #include "map/sheet/picture.h"

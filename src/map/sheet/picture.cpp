@@ -3,11 +3,11 @@
 #include <cmath>
 
 #include "map/ink/canvas.h"
-#include "map/ink/drawing_errors.h"
-#include "map/ink/encoding.h"
 #include "map/ink/ink.h"
-#include "map/ink/typesetter.h"
 #include "map/ink/unicode.h"
+#include "map/opencv/drawing_errors.h"
+#include "map/opencv/encoding.h"
+#include "map/opencv/typesetter.h"
 #include "map/sheet/annotation.h"
 #include "map/sheet/footer.h"
 #include "map/sheet/legend.h"

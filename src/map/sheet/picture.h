@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "geometry/polygon.h"
-#include "map/ink/encoding.h"
+#include "map/opencv/encoding.h"
 
 namespace thiessen {
 

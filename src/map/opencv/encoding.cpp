@@ -1,4 +1,4 @@
-#include "map/ink/encoding.h"
+#include "map/opencv/encoding.h"
 
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>

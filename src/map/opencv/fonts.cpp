@@ -1,4 +1,4 @@
-#include "map/ink/fonts.h"
+#include "map/opencv/fonts.h"
 
 #include <fontconfig/fontconfig.h>
 

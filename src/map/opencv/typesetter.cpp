@@ -1,4 +1,4 @@
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 
 #include <algorithm>
 #include <map>
@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "base/error.h"
-#include "map/ink/fonts.h"
 #include "map/ink/unicode.h"
+#include "map/opencv/fonts.h"
 
 namespace thiessen {
 

@@ -1,4 +1,4 @@
-#include "map/ink/drawing_errors.h"
+#include "map/opencv/drawing_errors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "map/ink/typesetter.h"
+#include "map/opencv/typesetter.h"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 #include <string>
 
-#include "map/ink/fonts.h"
+#include "map/opencv/fonts.h"
 
 namespace thiessen {
 namespace {
