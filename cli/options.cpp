@@ -95,11 +95,12 @@ StudyRequest StudyOptions::request() const {
   request.stations.attributes = attributes;
   if (!basins.empty() || app_->count("BASINS") > 0) {
     BasinsRequest& b = request.basins.emplace();
-    b.source = {basins,           basins_layer_,  basins_where_, basins_crs_,   "--basins-layer",
-                "--basins-where", "--basins-crs", separator_,    decimal_comma_};
+    b.source = {basins,         basins_layer_, basins_where_, basins_crs_,   "basins_layer",
+                "basins_where", "basins_crs",  separator_,    decimal_comma_};
     b.id = basin_id_;
   }
   request.opened = opened;
+  request.opened_from = "--with";
   check_texts();
   if (!metric_.empty()) request.metric = metric_ == "planar" ? Metric::planar : Metric::geodesic;
   request.plane = plane_;

@@ -1,6 +1,5 @@
 #include "cli/program.h"
 
-#include <iostream>
 #include <new>
 #include <string>
 
@@ -8,6 +7,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "cli/command_line.h"
+#include "cli/messages.h"
 #include "gdal/drivers.h"
 
 namespace thiessen::cli {
@@ -15,25 +15,14 @@ namespace {
 
 enum Status { done = 0, failed = 1, wrong_usage = 2 };
 
-void print(const char* kind, const std::string& text, const std::string& hint) {
-  std::cerr << "thiessen: " << kind << ": " << text << '\n';
-  if (!hint.empty()) std::cerr << "hint: " << printable(hint) << '\n';
-}
-
-void print(const Error& error) {
-  for (const Message& message : error.messages()) print("error", message.sentence(), message.hint);
-  if (error.unlisted() > 0) print("error", "and " + std::to_string(error.unlisted()) + " more", "");
-}
-
-void print(const Warnings& warnings) {
-  for (const Message& message : warnings.messages())
-    print("warning", message.sentence(), message.hint);
-}
+constexpr const char* before_error = "thiessen: error: ";
+constexpr const char* before_warning = "thiessen: warning: ";
 
 int run_command(Command& command) {
   Warnings warnings;
   const auto report = [&] {
-    if (!command.quiet()) print(warnings);
+    if (command.quiet()) return;
+    for (const Message& message : warnings.messages()) print(before_warning, message);
   };
   try {
     start_gdal();
@@ -59,19 +48,19 @@ int run_program(int argc, char** argv) {
     when_interrupted = command->when_interrupted();
     return run_command(*command);
   } catch (const UsageError& error) {
-    print("error", error.text, error.hint);
+    print(before_error, error.text, printable(error.hint));
     return wrong_usage;
   } catch (const Error& error) {
-    print(error);
+    print(before_error, error);
     return failed;
   } catch (const Interrupted& interrupted) {
-    print("error", when_interrupted, "");
+    print(before_error, when_interrupted, "");
     return interrupted.exit_status();
   } catch (const std::bad_alloc&) {
-    print("error", "not enough memory", "");
+    print(before_error, "not enough memory", "");
     return failed;
   } catch (const std::exception& error) {
-    print("error", std::string("a fault of the program itself: ") + error.what(),
+    print(before_error, std::string("a fault of the program itself: ") + error.what(),
           "please report it with the input");
     return failed;
   }

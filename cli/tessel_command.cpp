@@ -1,6 +1,5 @@
 #include <unistd.h>
 
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/interpreter.h"
 #include "cli/keyboard.h"
+#include "cli/messages.h"
 #include "cli/option_values.h"
 #include "cli/script_lines.h"
 
@@ -20,7 +20,7 @@ namespace {
 Error placed(const Error& error, const std::string& file, std::size_t line) {
   std::vector<Message> messages;
   for (const Message& message : error.messages())
-    messages.push_back({file, line, message.sentence(), message.hint});
+    messages.push_back({file, line, message.placed(), message.hint});
   return {std::move(messages), error.unlisted()};
 }
 
@@ -35,13 +35,6 @@ void run_script(ScriptLines& lines, Interpreter& interpreter, OutputFile& output
   }
 }
 
-void tell(const char* kind, const std::vector<Message>& messages) {
-  for (const Message& message : messages) {
-    std::cerr << kind << message.sentence() << '\n';
-    if (!message.hint.empty()) std::cerr << "hint: " << printable(message.hint) << '\n';
-  }
-}
-
 /// Whether the session goes on. What cannot be done is told, and does no harm.
 bool perform_typed(const std::string& line, Interpreter& interpreter) {
   try {
@@ -49,8 +42,7 @@ bool perform_typed(const std::string& line, Interpreter& interpreter) {
       throw Error(Message{"", 0, "not UTF-8 at byte " + std::to_string(*invalid), {}});
     return interpreter.perform(line);
   } catch (const Error& error) {
-    tell("error: ", error.messages());
-    if (error.unlisted() > 0) std::cerr << "error: and " << error.unlisted() << " more\n";
+    print("error: ", error);
     return true;
   }
 }
@@ -113,7 +105,9 @@ class TesselCommand : public Command {
     while (const auto line = keyboard.next()) {
       const bool goes_on = perform_typed(*line, *interpreter);
       output.flush();
-      if (!quiet_) tell("warning: ", warnings.messages());
+      if (!quiet_) {
+        for (const Message& message : warnings.messages()) print("warning: ", message);
+      }
       warnings = {};
       if (!goes_on) break;
     }

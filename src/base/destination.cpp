@@ -43,7 +43,7 @@ void refuse_unless_replaceable(const std::string& path, const struct stat& statu
                         "give the output another name"});
   }
   if (!rules.overwrite) {
-    throw Error(Message{"", 0, path + " exists already", "--overwrite replaces it"});
+    throw Error(Message{"", 0, path + " exists already", setting("overwrite") + " replaces it"});
   }
 }
 

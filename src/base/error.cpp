@@ -85,17 +85,13 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+Wording Message::placed() const {
+  if (file.empty()) return text;
+  return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + text;
+}
+
 std::string Message::sentence() const {
-  std::string out;
-  if (!file.empty()) {
-    out = printable(file);
-    if (line > 0) {
-      out += ':';
-      out += std::to_string(line);
-    }
-    out += ": ";
-  }
-  return out + printable(text);
+  return printable(placed().plain());
 }
 
 Error::Error(Message message) : messages_{std::move(message)}, what_(sentences(messages_, 0)) {}

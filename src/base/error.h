@@ -6,16 +6,20 @@
 #include <string_view>
 #include <vector>
 
+#include "base/wording.h"
+
 namespace thiessen {
 
 /// One thing that a user should know: what is wrong or odd, where, and what to do about it.
 struct Message {
   std::string file;      ///< as the user named it; empty where no file is to blame
   std::size_t line = 0;  ///< from 1; 0 where the file has no lines
-  std::string text;
-  std::string hint;  ///< may be empty
+  Wording text;
+  Wording hint;  ///< may be empty
 
-  /// `file:line: text` without the hint, control characters shown as \x1b, on one line.
+  /// `file:line: text` without the hint.
+  Wording placed() const;
+  /// The same as a caller of the library reads it, control characters shown as \x1b, on one line.
   std::string sentence() const;
 };
 
@@ -30,6 +34,7 @@ class Error : public std::exception {
   const std::vector<Message>& messages() const { return messages_; }
   /// How many further messages were found beyond those listed.
   std::size_t unlisted() const { return unlisted_; }
+  /// All sentences, a line each.
   const char* what() const noexcept override { return what_.c_str(); }
 
  private:

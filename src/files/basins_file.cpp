@@ -66,11 +66,12 @@ class BasinsReader {
     }
     complaints_.throw_if_any();
     if (candidates_.empty()) {
-      throw Error(Message{{},
-                          0,
-                          "no basins in " + features_.file() +
-                              (number_ > 0 ? " pass " + request_.source.where_option : ""),
-                          {}});
+      throw Error(
+          Message{{},
+                  0,
+                  "no basins in " + features_.file() +
+                      (number_ > 0 ? " pass " + setting(request_.source.where_setting) : ""),
+                  {}});
     }
     if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
     group(chosen_id());
@@ -81,7 +82,7 @@ class BasinsReader {
   void find_id_fields() {
     const auto& header = features_.header();
     if (!request_.id.empty()) {
-      fields_ = {require_field(header, request_.id, "--basin-id", features_.file(),
+      fields_ = {require_field(header, request_.id, setting("basin_id"), features_.file(),
                                features_.header_line())};
       return;
     }

@@ -14,7 +14,7 @@ namespace thiessen {
 
 struct BasinsRequest {
   Source source;
-  std::string id;  ///< the field's name (--basin-id); empty: found by the contract's rule
+  std::string id;  ///< the field's name; empty: found by the contract's rule
 };
 
 struct BasinsFile : BasinList {

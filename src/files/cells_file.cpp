@@ -43,7 +43,7 @@ std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::strin
     if (!output.study_crs) {
       throw Error(Message{
           path, 0, "the format holds longitude and latitude, and the coordinates' CRS is not known",
-          "name it with --crs"});
+          "name it with " + setting("crs")});
     }
     crs = Crs::wgs84();
   }

@@ -13,17 +13,17 @@ namespace {
 constexpr double farthest_longitude = 540;
 
 /// What says that the coordinates are in this CRS.
-std::string claim(const Crs& crs, CrsOrigin origin, const std::string& option) {
-  if (origin == CrsOrigin::option) return option + " says " + crs.name();
+Wording claim(const Crs& crs, CrsOrigin origin, const Wording& its_setting) {
+  if (origin == CrsOrigin::option) return its_setting + " says " + crs.name();
   if (origin == CrsOrigin::columns) return "the names of its columns say " + crs.name();
   return "its CRS is " + crs.name();
 }
 
 template <typename File>
-void require_fit(const File& file, const std::string& option) {
+void require_fit(const File& file, const Wording& its_setting) {
   const Reach reach = reach_of(file);
   const Crs& crs = *file.crs;
-  const std::string but = ", but " + claim(crs, file.crs_origin, option);
+  const Wording but = ", but " + claim(crs, file.crs_origin, its_setting);
   const double widest = std::max(std::abs(reach.west), std::abs(reach.east));
   const double highest = std::max(std::abs(reach.south), std::abs(reach.north));
   const double nearest = std::min(widest, highest);
@@ -31,7 +31,7 @@ void require_fit(const File& file, const std::string& option) {
     const bool none = reach.not_degrees == reach.points;
     if (!none || nearest * crs.degrees_per_unit() <= farthest_longitude) return;
     throw Error(Message{file.file, 0, "coordinates are not degrees" + but + ": " + reach.sentence(),
-                        "name the CRS that they are in with " + option});
+                        "name the CRS that they are in with " + its_setting});
   }
   if (widest <= 180 && highest <= 90 && crs.metres_per_unit() <= 1) {
     throw Error(
@@ -44,11 +44,11 @@ void require_fit(const File& file, const std::string& option) {
 }  // namespace
 
 void require_fit(const StationsFile& stations) {
-  require_fit(stations, "--crs");
+  require_fit(stations, setting("crs"));
 }
 
 void require_fit(const BasinsFile& basins) {
-  require_fit(basins, "--basins-crs");
+  require_fit(basins, setting("basins_crs"));
 }
 
 }  // namespace thiessen

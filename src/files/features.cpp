@@ -35,7 +35,7 @@ struct Features::Loaded {
 
 Features::Features(const Source& source, std::size_t longest_field) : source_(source) {
   if (read_by_gdal(source.file)) {
-    auto layer = std::make_unique<Layer>(source.file, source.layer, source.layer_option);
+    auto layer = std::make_unique<Layer>(source.file, source.layer, source.layer_setting);
     layer_ = layer.get();
     table_ = std::move(layer);
   } else {
@@ -43,7 +43,7 @@ Features::Features(const Source& source, std::size_t longest_field) : source_(so
       throw Error(Message{
           source.file,
           0,
-          "a CSV file has no layers: " + source.layer_option + " " + quoted(source.layer, 80),
+          "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
           {}});
     }
     table_ = open_csv(source, longest_field);
@@ -61,7 +61,7 @@ Features::Features(const Source& source, std::size_t longest_field) : source_(so
       fields[i].type = guess.type();
     }
   }
-  filter_ = std::make_unique<AttributeFilter>(source.where, source.where_option, file(), fields);
+  filter_ = std::make_unique<AttributeFilter>(source.where, source.where_setting, file(), fields);
 }
 
 Features::~Features() = default;
@@ -122,7 +122,7 @@ std::string Features::place() const {
   return "feature " + std::to_string(row_.line);
 }
 
-Message Features::message(std::string text, std::string hint) const {
+Message Features::message(Wording text, Wording hint) const {
   const std::string where = place();
   return {file(), has_lines() ? row_.line : 0,
           where.empty() ? std::move(text) : where + ": " + text, std::move(hint)};
@@ -138,12 +138,13 @@ Features::Named Features::crs() const {
     if (named.implied) named.crs = Crs::wgs84();
     return named;
   }
-  const Crs wanted = Crs::from_text(source_.crs, source_.crs_option);
+  const Crs wanted = Crs::from_text(source_.crs, setting(source_.crs_setting));
   if (named.crs && !named.crs->same_as(wanted)) {
-    throw Error(Message{file(), 0,
-                        "its CRS is " + named.crs->name() + ", and not " + wanted.name() + " as " +
-                            source_.crs_option + " says",
-                        "leave " + source_.crs_option + " out: it is for files that name no CRS"});
+    throw Error(Message{
+        file(), 0,
+        "its CRS is " + named.crs->name() + ", and not " + wanted.name() + " as " +
+            setting(source_.crs_setting) + " says",
+        "leave " + setting(source_.crs_setting) + " out: it is for files that name no CRS"});
   }
   named.by_option = !named.crs;
   named.crs = wanted;

@@ -44,7 +44,7 @@ class Features {
   GeometryRecord geometry() const;
 
   /// What is wrong with the feature last read.
-  Message message(std::string text, std::string hint = {}) const;
+  Message message(Wording text, Wording hint = {}) const;
   /// `features[3].geometry` in GeoJSON, else `feature 4`; empty in a CSV, whose line says it.
   std::string place() const;
 

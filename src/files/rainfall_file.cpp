@@ -14,7 +14,7 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
     return open_dly_readings(rainfall, stations, passed_over, options, warnings);
   }
   if (options.keep_flagged) {
-    throw Error({rainfall, 0, "--keep-flagged is for .dly files of GHCN-Daily", ""});
+    throw Error({rainfall, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
   }
   return open_readings(open_table(rainfall, separator), stations, passed_over, options, warnings);
 }

@@ -30,12 +30,13 @@ std::string names_of(std::span<const std::string_view> names) {
   return text;
 }
 
-/// The field that `named` names (option `--x` or `--y`), else the first that has one of the names.
+/// The field that `named` names (the setting `x` or `y`), else the first that has one of the names.
 std::optional<std::size_t> coordinate_field(const Features& features, const std::string& named,
-                                            std::string_view option,
+                                            const char* its_setting,
                                             std::span<const std::string_view> names) {
   if (named.empty()) return find_field(features.header(), names);
-  return require_field(features.header(), named, option, features.file(), features.header_line());
+  return require_field(features.header(), named, setting(its_setting), features.file(),
+                       features.header_line());
 }
 
 [[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
@@ -45,10 +46,9 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
   throw Error(
       Message{features.file(), features.header_line(),
               "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
-              std::string("name ") + (x || y ? "it with " : "them with ") +
-                  (x   ? "--y"
-                   : y ? "--x"
-                       : "--x and --y")});
+              x   ? "name it with " + setting("y")
+              : y ? "name it with " + setting("x")
+                  : "name them with " + setting("x") + " and " + setting("y")});
 }
 
 bool holds_degrees(const std::string& name) {
@@ -89,12 +89,12 @@ class StationsReader {
     if (header.empty())
       throw Error(Message{features_.file(), 0, "has no field that could be the id", {}});
     id_ = request_.id.empty() ? find_field(header, id_names).value_or(0)
-                              : require_field(header, request_.id, "--id", features_.file(),
+                              : require_field(header, request_.id, setting("id"), features_.file(),
                                               features_.header_line());
     by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
     if (by_geometry_) return;
-    const auto x = coordinate_field(features_, request_.x, "--x", x_names);
-    const auto y = coordinate_field(features_, request_.y, "--y", y_names);
+    const auto x = coordinate_field(features_, request_.x, "x", x_names);
+    const auto y = coordinate_field(features_, request_.y, "y", y_names);
     if (!x || !y) fail_without_coordinates(features_, x.has_value(), y.has_value());
     x_ = *x;
     y_ = *y;
@@ -129,7 +129,8 @@ class StationsReader {
     if (!fresh && !station.id.empty()) {
       complain("station " + quoted(station.id, 80) + " is already in " +
                    (features_.has_lines() ? "line " : "feature ") + std::to_string(first->second),
-               "ids must differ; --id names another field, --stations-where leaves stations out");
+               "ids must differ; " + setting("id") + " names another field, " +
+                   setting(request_.source.where_setting) + " leaves stations out");
       good = false;
     }
     if (!good) return;
@@ -157,7 +158,9 @@ class StationsReader {
       complain(what + " is outside the range of numbers: " + quoted(text, 60));
     } else {
       complain(what + " is no number: " + quoted(text, 60),
-               parse_number(text, DecimalMark::comma) ? "--decimal-comma reads 1,5 as 1.5" : "");
+               parse_number(text, DecimalMark::comma)
+                   ? setting("decimal_comma") + " reads 1,5 as 1.5"
+                   : Wording());
     }
     return std::nullopt;
   }
@@ -185,15 +188,15 @@ class StationsReader {
     }
   }
 
-  bool complain(std::string text, std::string hint = {}) {
+  bool complain(Wording text, Wording hint = {}) {
     complaints_.add(features_.message(std::move(text), std::move(hint)));
     return false;
   }
 
   void require_some() const {
     if (!result_.stations.empty()) return;
-    std::string text = "no stations in " + features_.file();
-    if (!result_.filtered_ids.empty()) text += " pass " + request_.source.where_option;
+    Wording text = "no stations in " + features_.file();
+    if (!result_.filtered_ids.empty()) text += " pass " + setting(request_.source.where_setting);
     throw Error(Message{{}, 0, text, {}});
   }
 

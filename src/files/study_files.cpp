@@ -19,7 +19,6 @@
 namespace thiessen {
 namespace {
 
-constexpr const char* with = "--with";
 constexpr std::size_t no_line = 0;  // of a gauge that the file lacks
 
 std::string coordinates(Point point) {
@@ -71,13 +70,13 @@ class StudyMaker {
  private:
   void choose_coordinates() {
     if (!request_.plane.empty()) {
-      study_.crs = Crs::from_text(request_.plane, "--plane");
-      require_crs("--plane");
+      study_.crs = Crs::from_text(request_.plane, setting("plane"));
+      require_crs(setting("plane"));
       return;
     }
     study_.metric = request_.metric.value_or(stations_.crs ? Metric::geodesic : Metric::planar);
     if (study_.metric == Metric::geodesic) {
-      require_crs("--metric geodesic");
+      require_crs(setting("metric", "geodesic"));
       study_.crs = Crs::wgs84();
     } else {
       study_.crs = basins_ && basins_->crs ? basins_->crs : stations_.crs;
@@ -90,7 +89,7 @@ class StudyMaker {
     std::set<std::string> ids;
     for (const Station& station : stations_.stations) ids.insert(station.id);
     StationsFile opened;
-    opened.file = with;
+    opened.file = request_.opened_from;
     for (const Point at : request_.opened) {
       std::string id = "with " + std::to_string(opened.stations.size() + 1);
       while (ids.contains(id)) id += '\'';
@@ -101,19 +100,21 @@ class StudyMaker {
       if (!planar_degrees()) turn_longitudes(opened, stations_.crs->kind(), warnings_);
     }
     study_.opened = opened.stations.size();
+    study_.opened_from = request_.opened_from;
     std::move(opened.stations.begin(), opened.stations.end(),
               std::back_inserter(stations_.stations));
   }
 
   std::string file_of(const Station& station) const {
-    return station.line == no_line ? with : stations_.file;
+    return station.line == no_line ? request_.opened_from : stations_.file;
   }
 
-  void require_crs(const std::string& option) const {
+  void require_crs(const Wording& what) const {
     const bool known = stations_.crs && (!basins_ || basins_->crs);
     if (known) return;
-    throw Error(Message{stations_.file, 0, option + " needs to know the CRS of the coordinates",
-                        "name it with --crs (EPSG:4326 for longitude and latitude)"});
+    throw Error(
+        Message{stations_.file, 0, what + " needs to know the CRS of the coordinates",
+                "name it with " + setting("crs") + " (EPSG:4326 for longitude and latitude)"});
   }
 
   bool planar_degrees() const {
@@ -129,7 +130,8 @@ class StudyMaker {
                    "distances are planar in degrees: at latitude " + fixed_text(latitude, 1) +
                        " a degree from west to east is " + fixed_text(percent, 1) +
                        " % shorter than one from south to north",
-                   "--metric geodesic, or --plane with a projected CRS, measures the Earth"});
+                   setting("metric", "geodesic") + ", or " + setting("plane") +
+                       " with a projected CRS, measures the Earth"});
   }
 
   void require_one_turn() const {

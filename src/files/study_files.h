@@ -17,10 +17,11 @@ namespace thiessen {
 struct StudyRequest {
   StationsRequest stations;
   std::optional<BasinsRequest> basins;
-  std::vector<Point> opened;     ///< --with: gauges that the file lacks, in its coordinates
-  std::optional<Metric> metric;  ///< --metric; none: geodesic where the coordinates have a CRS
-  std::string plane;             ///< --plane; empty: not given
-  double tolerance = 0.1;        ///< metres
+  std::vector<Point> opened;                  ///< gauges that the file lacks, in its coordinates
+  std::string opened_from = "opened gauges";  ///< what messages about these call their file
+  std::optional<Metric> metric;               ///< none: geodesic where the coordinates have a CRS
+  std::string plane;                          ///< a CRS; empty: none
+  double tolerance = 0.1;                     ///< metres
 };
 
 /// A study as its files have it, ready to be tessellated, and what they say beyond that.

@@ -30,7 +30,7 @@ struct AttributeFilter::Query {
   OGRFeatureQuery query;
 };
 
-AttributeFilter::AttributeFilter(const std::string& where, const std::string& option,
+AttributeFilter::AttributeFilter(const std::string& where, const std::string& its_setting,
                                  const std::string& file, const std::vector<FieldName>& fields)
     : query_(std::make_unique<Query>()) {
   start_gdal();
@@ -43,7 +43,8 @@ AttributeFilter::AttributeFilter(const std::string& where, const std::string& op
   query_->feature = std::make_unique<OGRFeature>(query_->definition.get());
   const GdalErrors errors;
   if (query_->query.Compile(query_->definition.get(), where.c_str()) != OGRERR_NONE) {
-    throw Error(Message{file, 0, option + " " + quoted(where, 200) + ": " + errors.text(), {}});
+    throw Error(
+        Message{file, 0, setting(its_setting, quoted(where, 200)) + ": " + errors.text(), {}});
   }
 }
 

@@ -14,9 +14,9 @@ namespace thiessen {
 /// row's line or the feature's number.
 class AttributeFilter {
  public:
-  /// Throws Error, naming `option`, where the filter is no OGR expression or names no field of
+  /// Throws Error, naming `its_setting`, where the filter is no OGR expression or names no field of
   /// these.
-  AttributeFilter(const std::string& where, const std::string& option, const std::string& file,
+  AttributeFilter(const std::string& where, const std::string& its_setting, const std::string& file,
                   const std::vector<FieldName>& fields);
   ~AttributeFilter();
 

@@ -135,10 +135,9 @@ OGRSpatialReference parse(std::string_view text) {
 
 }  // namespace
 
-Crs Crs::from_text(std::string_view text, std::string_view option) {
+Crs Crs::from_text(std::string_view text, const Wording& subject) {
   start_gdal();
   require_proj_database();
-  const std::string subject = std::string(option) + " " + quoted(text, 80);
   try {
     const OGRSpatialReference system = parse(text);
     const GdalErrors errors;
@@ -146,7 +145,7 @@ Crs Crs::from_text(std::string_view text, std::string_view option) {
   } catch (const Fault& fault) {
     throw Error(Message{{},
                         0,
-                        subject + " " + fault.text,
+                        subject + " " + quoted(text, 80) + " " + fault.text,
                         "a CRS is EPSG:32633 or the like, WKT, or PROJ (+proj=utm +zone=33)"});
   }
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/wording.h"
 #include "geometry/box.h"
 #include "geometry/point.h"
 #include "outlines/mapping.h"
@@ -18,10 +19,10 @@ namespace thiessen {
 class Crs {
  public:
   /// From `EPSG:32633` or another authority's code, WKT or PROJ. Opens no file and no connection.
-  /// Throws Error, naming `option`, where the text is none of these, is longer than 64 KiB, is
+  /// Throws Error, naming `subject`, where the text is none of these, is longer than 64 KiB, is
   /// unknown, is a pipeline, is of another body than the Earth, or is neither geographic nor
   /// projected.
-  static Crs from_text(std::string_view text, std::string_view option);
+  static Crs from_text(std::string_view text, const Wording& subject);
   static Crs wgs84();
 
   /// WKT 2 (2019).

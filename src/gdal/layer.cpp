@@ -100,7 +100,7 @@ std::vector<OGRLayer*> layers_of(GDALDataset& dataset) {
 }
 
 OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::string& wanted,
-                 const std::string& option) {
+                 const std::string& its_setting) {
   const GdalErrors errors;
   if (!wanted.empty()) {
     if (OGRLayer* layer = dataset.GetLayerByName(wanted.c_str())) return layer;
@@ -114,7 +114,7 @@ OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::strin
   if (layers.empty()) throw Error(Message{file, 0, "has no layer", {}});
   if (layers.size() > 1) {
     throw Error(Message{file, 0, "has several layers: " + names_of(layers),
-                        option.empty() ? "" : "name one with " + option});
+                        its_setting.empty() ? Wording() : "name one with " + setting(its_setting)});
   }
   return layers[0];
 }
@@ -152,7 +152,7 @@ struct Layer::Opened {
   std::vector<std::string> oddities;
 };
 
-Layer::Layer(std::string file, const std::string& layer, const std::string& layer_option)
+Layer::Layer(std::string file, const std::string& layer, const std::string& layer_setting)
     : opened_(std::make_unique<Opened>()) {
   Opened& it = *opened_;
   it.file = std::move(file);
@@ -169,7 +169,7 @@ Layer::Layer(std::string file, const std::string& layer, const std::string& laye
     it.oddities.push_back("its crs member is a link, which is never followed; WGS 84 is assumed");
   }
   it.dataset = open(it.file, it.opening);
-  it.layer = choose(*it.dataset, it.file, layer, layer_option);
+  it.layer = choose(*it.dataset, it.file, layer, layer_setting);
   const OGRFeatureDefn& fields = *it.layer->GetLayerDefn();
   for (int i = 0; i < fields.GetFieldCount(); ++i) {
     it.header.emplace_back(fields.GetFieldDefn(i)->GetNameRef());

@@ -18,9 +18,9 @@ namespace thiessen {
 class Layer : public Table {
  public:
   /// `layer` may be empty where the file has one layer; several and none named is an Error that
-  /// lists them and names `layer_option`. Throws Error where the file cannot be opened by one of
+  /// lists them and names `layer_setting`. Throws Error where the file cannot be opened by one of
   /// the drivers of drivers.h, or is not whole.
-  Layer(std::string file, const std::string& layer, const std::string& layer_option);
+  Layer(std::string file, const std::string& layer, const std::string& layer_setting);
   ~Layer() override;
 
   const std::string& file() const override;

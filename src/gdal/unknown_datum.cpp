@@ -70,13 +70,13 @@ void fail_for_projection(const Crs& from, const Crs& to) {
 
 void fail_for_datum(const Crs& from, const Crs& to) {
   const Crs& odd = may_stay(from) ? to : from;
-  throw Error(Message{{},
-                      0,
-                      "no transformation of datum " + way_between(from, to) +
-                          " is known: coordinates on " + quoted(ellipsoid_of(odd), 60) +
-                          " without a known datum may be hundreds of metres off",
-                      "name a CRS whose datum is known; --metric planar, or --plane with a "
-                      "projected CRS of the same datum, needs no datum"});
+  throw Error(Message{
+      {},
+      0,
+      "no transformation of datum " + way_between(from, to) + " is known: coordinates on " +
+          quoted(ellipsoid_of(odd), 60) + " without a known datum may be hundreds of metres off",
+      "name a CRS whose datum is known; " + setting("metric", "planar") + ", or " +
+          setting("plane") + " with a projected CRS of the same datum, needs no datum"});
 }
 
 }  // namespace thiessen

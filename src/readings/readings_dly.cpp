@@ -22,14 +22,14 @@ CalendarMonth after(CalendarMonth month, std::int32_t months) {
 }
 
 void refuse_table_options(const std::string& rainfall, const ReadingsOptions& options) {
-  const std::pair<const char*, bool> given[] = {{"--time-field", !options.time_field.empty()},
-                                                {"--station-field", !options.station_field.empty()},
-                                                {"--value-field", !options.value_field.empty()},
-                                                {"--missing", !options.missing.empty()},
-                                                {"--trace", !options.trace.empty()}};
-  for (const auto& [option, is_given] : given) {
+  const std::pair<const char*, bool> given[] = {{"time_field", !options.time_field.empty()},
+                                                {"station_field", !options.station_field.empty()},
+                                                {"value_field", !options.value_field.empty()},
+                                                {"missing", !options.missing.empty()},
+                                                {"trace", !options.trace.empty()}};
+  for (const auto& [name, is_given] : given) {
     if (is_given) {
-      throw Error({rainfall, 0, std::string(option) + " is for tables, not for .dly files", ""});
+      throw Error({rainfall, 0, setting(name) + " is for tables, not for .dly files", ""});
     }
   }
 }
@@ -120,9 +120,9 @@ ReadingsStations::Found DlyReadings::station_of(const DlyRecord& record) {
   last_id_ = record.id;
   last_found_ = source_.stations->find(record.id);
   if (last_found_.standing == Standing::unknown) {
-    source_.findings.note_unknown(record.id, lines_.place().line,
-                                  "unknown station " + quoted(record.id),
-                                  "--ignore-unknown reads the stations of STATIONS alone");
+    source_.findings.note_unknown(
+        record.id, lines_.place().line, "unknown station " + quoted(record.id),
+        setting("ignore_unknown") + " reads the stations of " + input("stations") + " alone");
   }
   return last_found_;
 }
@@ -248,7 +248,8 @@ DlyReadings::MonthOfStation& DlyReadings::in_block(CalendarMonth month, StationI
 void DlyReadings::conclude() {
   source_.findings.now_in(source_.name);
   source_.findings.conclude(steps_);
-  if (steps_ == 0) source_.findings.warn("there is no value of PRCP of any station of STATIONS");
+  if (steps_ == 0)
+    source_.findings.warn("there is no value of PRCP of any station of " + input("stations"));
 }
 
 std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,

@@ -44,21 +44,23 @@ void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
   }
   if (reading.kind == ReadingKind::negative) {
     message.text = "negative reading " + shown + " of station " + quoted(id);
-    message.hint = "--missing=" + std::string(trimmed(field)) + " takes it for a gap";
+    message.hint = setting("missing", trimmed(field)) + " takes it for a gap";
   } else {
     message.text = "reading " + shown + " of station " + quoted(id) +
                    (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
                                                               : " is no number");
-    if (grammar.wants_decimal_comma(field)) message.hint = "--decimal-comma reads 1,5 as 1.5";
+    if (grammar.wants_decimal_comma(field)) {
+      message.hint = setting("decimal_comma") + " reads 1,5 as 1.5";
+    }
   }
   complaints_.add(std::move(message));
 }
 
 void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const std::string& text,
-                                    const std::string& hint) {
+                                    const Wording& hint) {
   if (!unknown_.emplace(id).second) return;
   if (!ignore_unknown_) {
-    complaints_.add({file_, line, text, unknown_.size() == 1 ? hint : ""});
+    complaints_.add({file_, line, text, unknown_.size() == 1 ? hint : Wording()});
   } else if (first_unknown_.size() < names_listed) {
     first_unknown_.emplace_back(id);
   }

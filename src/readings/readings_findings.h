@@ -24,7 +24,7 @@ class ReadingsFindings {
   /// Of the readings that follow, where they lie in several files: the lines are its.
   void now_in(const std::string& file) { file_ = file; }
   const std::string& file() const { return file_; }
-  void warn(std::string text) { warnings_.add({file_, 0, std::move(text), ""}); }
+  void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
   /// Where a field stands, for messages.
   struct Place {
@@ -44,7 +44,7 @@ class ReadingsFindings {
                    const ReadingGrammar& grammar);
   /// A station that is in no list; each is told once. `text` and `hint` are the complaint's.
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
-                    const std::string& hint);
+                    const Wording& hint);
   void note_empty_time(std::size_t line);
   /// The complaint of a time that is given before.
   Message time_twice(std::string_view time, std::size_t line, std::size_t first_line) const;

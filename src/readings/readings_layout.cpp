@@ -71,7 +71,7 @@ class LayoutFinder {
       : table_(table), stations_(stations) {}
 
   /// The column that the user names, the same text before one that differs in case.
-  std::size_t column_named(const std::string& name, const std::string& option) const {
+  std::size_t column_named(const std::string& name, const Wording& its_setting) const {
     const auto& header = table_.header();
     auto found = std::find(header.begin(), header.end(), name);
     if (found == header.end()) {
@@ -79,7 +79,7 @@ class LayoutFinder {
         return equal_ignoring_case(trimmed(other), trimmed(name));
       });
     }
-    if (found == header.end()) fail("there is no column " + quoted(name), "see " + option);
+    if (found == header.end()) fail("there is no column " + quoted(name), "see " + its_setting);
     return static_cast<std::size_t>(found - header.begin());
   }
 
@@ -93,11 +93,11 @@ class LayoutFinder {
     return std::nullopt;
   }
 
-  std::size_t column(const std::string& given, const std::string& option, Names names,
+  std::size_t column(const std::string& given, const Wording& its_setting, Names names,
                      bool with_unit) const {
-    if (!given.empty()) return column_named(given, option);
+    if (!given.empty()) return column_named(given, its_setting);
     const std::optional<std::size_t> found = column_among(names, with_unit);
-    if (!found) fail("no column is called " + list(names), option + " names it");
+    if (!found) fail("no column is called " + list(names), its_setting + " names it");
     return *found;
   }
 
@@ -105,7 +105,7 @@ class LayoutFinder {
     return stations_.find(table_.header()[column]).standing != ReadingsStations::Standing::unknown;
   }
 
-  [[noreturn]] void fail(const std::string& text, const std::string& hint) const {
+  [[noreturn]] void fail(const std::string& text, const Wording& hint) const {
     throw Error({table_.file(), table_.header_line(),
                  text + "; the columns are " + list(table_.header()), hint});
   }
@@ -131,17 +131,19 @@ ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
       !options.station_field.empty() || !options.value_field.empty() || looks_long(finder);
   if (!layout.is_long) {
     if (!options.time_field.empty()) {
-      layout.time = finder.column_named(options.time_field, "--time-field");
+      layout.time = finder.column_named(options.time_field, setting("time_field"));
     }
     return layout;
   }
-  layout.time = finder.column(options.time_field, "--time-field", time_names, false);
-  layout.station = finder.column(options.station_field, "--station-field", station_names, false);
-  layout.value = finder.column(options.value_field, "--value-field", value_names, true);
+  layout.time = finder.column(options.time_field, setting("time_field"), time_names, false);
+  layout.station =
+      finder.column(options.station_field, setting("station_field"), station_names, false);
+  layout.value = finder.column(options.value_field, setting("value_field"), value_names, true);
   if (layout.time == layout.station || layout.time == layout.value ||
       layout.station == layout.value) {
     finder.fail("time, station and value are not three columns",
-                "see --time-field, --station-field and --value-field");
+                "see " + setting("time_field") + ", " + setting("station_field") + " and " +
+                    setting("value_field"));
   }
   return layout;
 }

@@ -41,7 +41,7 @@ ReadingsStations::Found LongRows::station_of(const Row& row) {
   }
   if (last_found_.standing == Standing::unknown) {
     source_.findings.note_unknown(id, row.line, "unknown station " + quoted(id),
-                                  "--ignore-unknown passes over its readings");
+                                  setting("ignore_unknown") + " passes over its readings");
   }
   return last_found_;
 }

@@ -56,8 +56,9 @@ void WideReadings::note_unknown_column(std::size_t field) {
   const std::string text = id.empty() ? "column " + std::to_string(field + 1) + " has no name"
                                       : "unknown station " + quoted(id);
   source_.findings.note_unknown(id, source_.table->header_line(), text,
-                                "--ignore-unknown passes over it; a table of one reading a row is "
-                                "told by --station-field and --value-field");
+                                setting("ignore_unknown") +
+                                    " passes over it; a table of one reading a row is told by " +
+                                    setting("station_field") + " and " + setting("value_field"));
 }
 
 bool WideReadings::next(TimeStep& step) {

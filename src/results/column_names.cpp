@@ -16,7 +16,7 @@ void check_column_names(const std::vector<Basin>& basins, const std::string& suf
     throw Error({"", 0,
                  "basins " + quoted(basin.id) + " and " + quoted(second) +
                      " would both have a column of the latter name",
-                 "--long has a row a basin"});
+                 setting("long") + " has a row a basin"});
   }
 }
 

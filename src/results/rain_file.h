@@ -11,7 +11,8 @@
 namespace thiessen {
 
 struct RainFormat {
-  bool rows_for_basins = false;  ///< a row a basin and step (--long), and not a column a basin
+  bool rows_for_basins =
+      false;  ///< a row a basin and step (the setting `long`), and not a column a basin
   int decimals = 3;
   /// That each basin has a value by, next to each other: in columns `<basin id>_<method>`, or rows
   /// for basins that have a column `method`. Empty: there is one, which is not named.

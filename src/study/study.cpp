@@ -28,9 +28,11 @@ Ground ground_of(const StudyParts& parts, double tolerance) {
 std::vector<Station> in_exact_range(StudyParts& parts) {
   Complaints complaints;
   const std::string range(outside_exact_range);
-  for (const Station& station : parts.stations) {
+  for (std::size_t i = 0; i < parts.stations.size(); ++i) {
+    const Station& station = parts.stations[i];
     if (in_exact_range(station.position)) continue;
-    complaints.add({station.line == 0 ? "--with" : parts.stations_file,
+    const bool is_opened = i + parts.opened >= parts.stations.size();
+    complaints.add({is_opened ? parts.opened_from : parts.stations_file,
                     parts.stations_have_lines ? station.line : 0,
                     "a coordinate of " + place_text(parts, station) + " is " + range, ""});
   }
@@ -55,7 +57,8 @@ const std::vector<Basin>& basins_or_extent(StudyParts& parts, const Network& net
   auto area = extent_of(network.places(), parts.metric, margin);
   if (!area) {
     throw Error({parts.stations_file, 0, "the stations have no extent to make a study area of",
-                 "give BASINS, or a --margin above 0 where they lie on one line"});
+                 "give " + input("basins") + ", or a " + setting("margin") +
+                     " above 0 where they lie on one line"});
   }
   parts.basins.push_back(std::move(*area));
   return parts.basins;

@@ -26,6 +26,7 @@ struct StudyParts {
   // How messages name where these come from; empty for what is not of a file.
   std::string stations_file;
   std::string basins_file;
+  std::string opened_from;
   bool stations_have_lines = false;  ///< Station::line is a line, and not a feature's number
 };
 

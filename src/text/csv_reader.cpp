@@ -121,7 +121,7 @@ void CsvReader::check_header() const {
     const std::string_view other = likely_separator(header_[0], options_.separator);
     if (!other.empty()) {
       throw Error({file(), header_line_, "the header is one field, " + quoted(header_[0], 80),
-                   "--separator " + (other == "\t" ? "tab" : "'" + std::string(other) + "'") +
+                   setting("separator", other == "\t" ? "tab" : "'" + std::string(other) + "'") +
                        " reads such a file"});
     }
   }

@@ -38,16 +38,15 @@ std::optional<std::size_t> find_field(const std::vector<std::string>& header,
 }
 
 std::size_t require_field(const std::vector<std::string>& header, const std::string& name,
-                          std::string_view option, const std::string& file, std::size_t line) {
+                          const Wording& its_setting, const std::string& file, std::size_t line) {
   const auto same = std::find(header.begin(), header.end(), name);
   if (same != header.end()) return static_cast<std::size_t>(same - header.begin());
   const std::string_view wanted = name;
   if (const auto found = find_field(header, {&wanted, 1})) return *found;
-  throw Error(
-      Message{file,
-              line,
-              std::string(option) + ": no field " + quoted(name, 80) + "; found " + listed(header),
-              {}});
+  throw Error(Message{file,
+                      line,
+                      its_setting + ": no field " + quoted(name, 80) + "; found " + listed(header),
+                      {}});
 }
 
 std::string listed(const std::vector<std::string>& names) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/wording.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -15,10 +16,10 @@ namespace thiessen {
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,
                                       std::span<const std::string_view> names);
 
-/// Where the field stands that an option names: written alike, else alike but for case. Throws
+/// Where the field stands that a setting names: written alike, else alike but for case. Throws
 /// Error, listing the header's names, where there is none.
 std::size_t require_field(const std::vector<std::string>& header, const std::string& name,
-                          std::string_view option, const std::string& file, std::size_t line);
+                          const Wording& its_setting, const std::string& file, std::size_t line);
 
 /// `'a', 'b', 'c' and 7 more`.
 std::string listed(const std::vector<std::string>& names);

@@ -18,7 +18,8 @@ std::vector<std::string> complaints_of(Call call) {
   } catch (const Error& error) {
     std::vector<std::string> sentences;
     for (const Message& message : error.messages()) {
-      sentences.push_back(message.sentence() + (message.hint.empty() ? "" : " | " + message.hint));
+      const std::string hint = message.hint.plain();
+      sentences.push_back(message.sentence() + (hint.empty() ? "" : " | " + hint));
     }
     return sentences;
   }

@@ -75,7 +75,7 @@ TEST(Outputs, replace_a_file_only_when_told_to) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.messages()[0].sentence(), path + " exists already");
-    EXPECT_EQ(error.messages()[0].hint, "--overwrite replaces it");
+    EXPECT_EQ(error.messages()[0].hint, setting("overwrite") + " replaces it");
   }
   Outputs outputs(replacing);
   outputs.add(path).append("new");

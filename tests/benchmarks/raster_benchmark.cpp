@@ -78,9 +78,8 @@ void owners_ours(benchmark::State& state, Metric metric, const Square& square) {
 
 PointMapping from_zone() {
   return [transformation = std::make_shared<Transformation>(
-              Crs::from_text("EPSG:32633", "--crs"), Crs::wgs84())](std::vector<Point>& points) {
-    transformation->apply_unproved(points);
-  };
+              Crs::from_text("EPSG:32633", setting("crs")), Crs::wgs84())](
+             std::vector<Point>& points) { transformation->apply_unproved(points); };
 }
 
 std::vector<Point> stations_in_zone() {
@@ -110,7 +109,7 @@ void geotiff_in_zone(benchmark::State& state) {
     Owners owners(grid, area_of(zone), network, Metric::geodesic, all, from_zone, threads);
     benchmark::DoNotOptimize(owners_geotiff(
         grid, [&](int row, int count) { return owners.rows(row, count); }, ids,
-        Crs::from_text("EPSG:32633", "--crs"), "map.tif", threads));
+        Crs::from_text("EPSG:32633", setting("crs")), "map.tif", threads));
   }
 }
 

@@ -12,7 +12,7 @@ BasinsFile read(const std::string& text, BasinsRequest wanted = {},
                 const std::string& name = "b.geojson") {
   const TemporaryFolder folder;
   wanted.source.file = folder.write(name, text);
-  wanted.source.where_option = "--basins-where";
+  wanted.source.where_setting = "basins_where";
   Warnings warnings;
   return read_basins(wanted, warnings);
 }
@@ -88,7 +88,7 @@ TEST(BasinsFile, says_that_there_are_none) {
   BasinsRequest wanted;
   wanted.source.where = "name = 'B'";
   EXPECT_TRUE(contains(complaint_of([&] { read(collection({R"({"name":"A"})"}), wanted); }),
-                       "pass --basins-where"));
+                       "pass 'basins_where'"));
 }
 
 TEST(BasinsFile, the_number_of_a_feature_counts_those_filtered_out) {

@@ -154,7 +154,7 @@ TEST(CellsGeoJson, a_plane_with_crs_is_taken_to_wgs84_along_its_edges) {
   CellsOutput wanted =
       output({cell("A", {{{{600000, 5500000}, {700000, 5500000}, {700000, 5600000}}, {}}}),
               cell("B", {{{{600000, 5500000}, {700000, 5600000}, {600000, 5600000}}, {}}})});
-  wanted.study_crs = Crs::from_text("EPSG:32633", "--plane");
+  wanted.study_crs = Crs::from_text("EPSG:32633", setting("plane"));
   const auto cells = read_back(wanted);
   const Ring a = cells.at(0).shape.at(0).outer;
   Ring b = cells.at(1).shape.at(0).outer;

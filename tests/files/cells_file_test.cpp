@@ -81,7 +81,7 @@ TEST(CellsFile, the_same_cells_make_the_same_bytes) {
 
 TEST(CellsFile, other_formats_are_in_the_files_crs) {
   CellsOutput wanted = two_cells();
-  wanted.file_crs = Crs::from_text("EPSG:32633", "--basins-crs");
+  wanted.file_crs = Crs::from_text("EPSG:32633", setting("basins_crs"));
   const OnDisk disk(wanted, "c.gpkg");
   Layer layer(disk.folder.path("c.gpkg"), "", "");
   EXPECT_EQ(layer.crs()->name(), "EPSG:32633");
@@ -93,7 +93,7 @@ TEST(CellsFile, other_formats_are_in_the_files_crs) {
 
 TEST(CellsFile, kml_is_in_longitude_and_latitude) {
   CellsOutput wanted = two_cells();
-  wanted.file_crs = Crs::from_text("EPSG:32633", "--basins-crs");
+  wanted.file_crs = Crs::from_text("EPSG:32633", setting("basins_crs"));
   EXPECT_TRUE(contains(cells_files(wanted, "c.kml").at(0).bytes, "15,50"));
   wanted.study_crs.reset();
   EXPECT_TRUE(contains(complaint_of([&] { cells_files(wanted, "c.kml"); }),

@@ -25,7 +25,7 @@ struct Given {
     request.basins.emplace();
     request.basins->source.file = folder.write("b.csv", basins);
     request.basins->source.crs = basins_crs.empty() ? stations_crs : basins_crs;
-    request.basins->source.crs_option = "--basins-crs";
+    request.basins->source.crs_setting = "basins_crs";
     return read_study(request, warnings);
   }
 };

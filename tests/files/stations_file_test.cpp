@@ -72,17 +72,17 @@ TEST(StationsFile, takes_the_fields_that_options_name) {
   EXPECT_FALSE(std::signbit(file.stations.at(0).position.x));
   wanted.x = "w";
   EXPECT_EQ(complaints("id,b,u,v\n1,2,3,4\n", wanted).at(0),
-            "s.csv:1: --x: no field 'w'; found 'id', 'b', 'u', 'v'");
+            "s.csv:1: 'x': no field 'w'; found 'id', 'b', 'u', 'v'");
 }
 
 TEST(StationsFile, lists_wanted_and_found_names) {
   EXPECT_EQ(complaints("id,a\n1,2\n").at(0),
             "s.csv:1: no field of coordinates: wanted lon, long, longitude, x, easting, and lat, "
-            "latitude, y, northing; found 'id', 'a' | name them with --x and --y");
+            "latitude, y, northing; found 'id', 'a' | name them with 'x' and 'y'");
   EXPECT_EQ(
       complaints("id,X\n1,2\n").at(0),
       "s.csv:1: no field of coordinates: wanted lat, latitude, y, northing; found 'id', 'X' | "
-      "name it with --y");
+      "name it with 'y'");
 }
 
 TEST(StationsFile, reports_every_bad_row) {
@@ -95,7 +95,7 @@ TEST(StationsFile, reports_every_bad_row) {
   EXPECT_EQ(found[3], "s.csv:6: 'x' of station 'e' is empty");
   EXPECT_TRUE(found[4].starts_with("s.csv:7: station 'a' is already in line 2 | "));
   EXPECT_EQ(found[5], "s.csv:8: a station has no id");
-  EXPECT_TRUE(contains(found[6], "--decimal-comma"));
+  EXPECT_TRUE(contains(found[6], "'decimal_comma'"));
 }
 
 TEST(StationsFile, reports_bad_rows_of_both_kinds) {
@@ -117,7 +117,7 @@ TEST(StationsFile, says_that_there_are_none) {
   EXPECT_TRUE(found.at(0).starts_with("no stations in /")) << found.at(0);
   StationsRequest wanted;
   wanted.source.where = "x > 5";
-  EXPECT_TRUE(contains(complaints("id,x,y\na,1,2\n", wanted).at(0), "pass --stations-where"));
+  EXPECT_TRUE(contains(complaints("id,x,y\na,1,2\n", wanted).at(0), "pass 'stations_where'"));
 }
 
 TEST(StationsFile, keeps_the_ids_that_the_filter_leaves_out) {
@@ -213,7 +213,7 @@ TEST(StationsFile, a_crs_link_is_not_followed) {
   const StationsFile file = read_stations(request(folder.write("s.geojson", linked)), warnings);
   EXPECT_EQ(file.crs_origin, CrsOrigin::implied);
   ASSERT_EQ(warnings.messages().size(), 1U);
-  EXPECT_TRUE(contains(warnings.messages()[0].text, "never followed"));
+  EXPECT_TRUE(contains(warnings.messages()[0].text.plain(), "never followed"));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Given {
     if (with_basins) {
       if (!request.basins) request.basins.emplace();
       request.basins->source.file = folder.write(basins_name, basins);
-      request.basins->source.crs_option = "--basins-crs";
+      request.basins->source.crs_setting = "basins_crs";
     }
     return read_study(request, warnings);
   }
@@ -229,10 +229,10 @@ TEST(Study, geodesic_needs_a_crs) {
   given.basins_name = "b.csv";
   given.request.metric = Metric::geodesic;
   EXPECT_TRUE(
-      contains(complaint_of([&] { given.study(); }), "--metric geodesic needs to know the CRS"));
+      contains(complaint_of([&] { given.study(); }), "metric = geodesic needs to know the CRS"));
   given.request.metric.reset();
   given.request.plane = "EPSG:32633";
-  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }), "--plane needs to know the CRS"));
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }), "'plane' needs to know the CRS"));
 }
 
 TEST(Study, latitudes_beyond_the_poles_look_swapped) {
@@ -290,7 +290,7 @@ TEST(Study, coordinates_that_do_not_fit_their_crs_are_named_with_it) {
   given.request.stations.source.crs = "EPSG:32633";
   const std::string degrees = complaint_of([&] { given.study(); });
   EXPECT_TRUE(contains(degrees,
-                       "coordinates look like degrees, but --crs says EPSG:32633, which "
+                       "coordinates look like degrees, but 'crs' says EPSG:32633, which "
                        "is projected: x from 15 to 16 and y from 50 to 51"))
       << degrees;
 }
@@ -327,7 +327,7 @@ TEST(Study, a_station_far_from_its_zone_is_named) {
 TEST(Study, other_bodies_and_unknown_texts_are_refused) {
   Given given;
   given.request.plane = "EPSG:99999";
-  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }), "--plane 'EPSG:99999' is not known"));
+  EXPECT_TRUE(contains(complaint_of([&] { given.study(); }), "'plane' 'EPSG:99999' is not known"));
 }
 
 TEST(Study, a_basin_over_the_antimeridian_runs_on) {

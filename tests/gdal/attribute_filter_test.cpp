@@ -11,8 +11,7 @@ const std::vector<FieldName> fields = {
     {"name", FieldType::text}, {"elev", FieldType::integer}, {"slope", FieldType::real}};
 
 bool keeps(const std::string& where, std::vector<std::string_view> texts) {
-  return AttributeFilter(where, "--stations-where", "s.csv", fields)
-      .keeps(Row{2, std::move(texts)});
+  return AttributeFilter(where, "stations_where", "s.csv", fields).keeps(Row{2, std::move(texts)});
 }
 
 TEST(AttributeFilter, compares_numbers_as_numbers_and_texts_as_texts) {
@@ -30,9 +29,9 @@ TEST(AttributeFilter, an_empty_text_is_null) {
 
 TEST(AttributeFilter, names_the_option_and_the_fault) {
   EXPECT_TRUE(
-      complaint_of([] { keeps("elev >", {}); }).starts_with("s.csv: --stations-where 'elev >': "));
+      complaint_of([] { keeps("elev >", {}); }).starts_with("s.csv: stations_where = 'elev >': "));
   EXPECT_TRUE(contains(complaint_of([] { keeps("height > 3", {}); }), "height"));
-  EXPECT_TRUE(contains(complaint_of([] { keeps("1; DROP TABLE x", {}); }), "--stations-where"));
+  EXPECT_TRUE(contains(complaint_of([] { keeps("1; DROP TABLE x", {}); }), "stations_where"));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace thiessen {
 namespace {
 
 Crs crs(const std::string& text) {
-  return Crs::from_text(text, "--crs");
+  return Crs::from_text(text, setting("crs"));
 }
 
 Point taken(const std::string& from, const std::string& to, Point point) {
@@ -187,7 +187,7 @@ TEST(CoordinateOperation, a_datum_that_nobody_knows_is_refused) {
         Transformation(back ? Crs::wgs84() : crs(text), back ? crs(text) : Crs::wgs84());
       });
       EXPECT_TRUE(contains(found, "no transformation of datum from")) << text << ": " << found;
-      EXPECT_TRUE(contains(found, "--metric planar")) << found;
+      EXPECT_TRUE(contains(found, "metric = planar")) << found;
     }
   }
 }

@@ -11,7 +11,7 @@ namespace thiessen {
 namespace {
 
 Crs crs(const std::string& text) {
-  return Crs::from_text(text, "--crs");
+  return Crs::from_text(text, setting("crs"));
 }
 
 TEST(Crs, knows_codes_wkt_and_proj) {
@@ -63,7 +63,7 @@ class BadText : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadText, is_refused) {
   const std::string complaint = complaint_of([] { crs(GetParam()); });
-  EXPECT_TRUE(complaint.starts_with("--crs '")) << complaint;
+  EXPECT_TRUE(complaint.starts_with("'crs' '")) << complaint;
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -39,9 +39,9 @@ TEST(Layer, several_layers_want_one_named) {
   const std::string file = converted(folder, "id,x\na,1\n", "two.gpkg", "-nln first");
   run("ogr2ogr -update -nln second " + quoted_path(folder, "two.gpkg") + " " +
       quoted_path(folder, "in.csv"));
-  EXPECT_EQ(complaint_of([&] { Layer(file, "", "--stations-layer"); }),
-            file + ": has several layers: 'first', 'second' | name one with --stations-layer");
-  EXPECT_EQ(complaint_of([&] { Layer(file, "third", "--stations-layer"); }),
+  EXPECT_EQ(complaint_of([&] { Layer(file, "", "stations_layer"); }),
+            file + ": has several layers: 'first', 'second' | name one with 'stations_layer'");
+  EXPECT_EQ(complaint_of([&] { Layer(file, "third", "stations_layer"); }),
             file + ": has no layer 'third' | its layers are 'first', 'second'");
   Layer layer(file, "second", "");
   EXPECT_EQ(rows_of(layer), (std::vector<std::vector<std::string>>{{"a", "1"}}));

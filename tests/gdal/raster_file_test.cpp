@@ -42,7 +42,7 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   const TemporaryFolder folder;
   const auto files =
       owners_geotiff(grid, rows_of(owners, 300), {"007", "a<b"},
-                     Crs::from_text("EPSG:32633", "--crs"), folder.path("map.tif"), 1);
+                     Crs::from_text("EPSG:32633", setting("crs")), folder.path("map.tif"), 1);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, folder.path("map.tif"));
   EXPECT_EQ(files[1].name, folder.path("map.tif.aux.xml"));

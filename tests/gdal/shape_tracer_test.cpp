@@ -19,7 +19,7 @@ Ring square(double x, double y, double side) {
 /// In an equal-area projection about the north pole: the plane's areas are the Earth's (PROJ's
 /// series for the authalic latitude leaves 1e-10).
 struct Plane {
-  Crs crs = Crs::from_text("EPSG:3571", "--basins-crs");
+  Crs crs = Crs::from_text("EPSG:3571", setting("basins_crs"));
   ShapeTracer to_earth = tracer_between(crs, Crs::wgs84(), 0.02, Course::chords_and_bulges);
   ShapeTracer to_plane = tracer_between(Crs::wgs84(), crs, 0.02, Course::chords);
 
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 TEST(ShapeTracing, a_ring_that_holds_both_poles_leaves_a_hole_where_it_is_not) {
-  const Crs plane = Crs::from_text("+proj=laea +lat_0=0 +lon_0=100", "--basins-crs");
+  const Crs plane = Crs::from_text("+proj=laea +lat_0=0 +lon_0=100", setting("basins_crs"));
   ShapeTracer tracer = tracer_between(plane, Crs::wgs84(), 0.02, Course::chords_and_bulges);
   // The poles lie 9 million metres off, and the far side 12.7.
   Ring circle;
@@ -102,7 +102,7 @@ TEST(ShapeTracing, a_ring_that_holds_both_poles_leaves_a_hole_where_it_is_not) {
 }
 
 TEST(ShapeTracing, round_the_earth_in_a_cylinder_is_a_band) {
-  const Crs plane = Crs::from_text("EPSG:6933", "--basins-crs");
+  const Crs plane = Crs::from_text("EPSG:6933", setting("basins_crs"));
   ShapeTracer tracer = tracer_between(plane, Crs::wgs84(), 0.02, Course::chords_and_bulges);
   const Ring band = {
       {-17367530.44, 6e6}, {17367530.44, 6e6}, {17367530.44, 7e6}, {-17367530.44, 7e6}};
@@ -112,8 +112,8 @@ TEST(ShapeTracing, round_the_earth_in_a_cylinder_is_a_band) {
 }
 
 TEST(ShapeTracing, a_projection_torn_at_the_antimeridian_keeps_both_sides) {
-  ShapeTracer tracer = tracer_between(Crs::wgs84(), Crs::from_text("EPSG:3857", "--basins-crs"),
-                                      0.02, Course::chords);
+  ShapeTracer tracer = tracer_between(
+      Crs::wgs84(), Crs::from_text("EPSG:3857", setting("basins_crs")), 0.02, Course::chords);
   const auto torn =
       tracer.trace({{{{170, 0}, {190, 0}, {190, 10}, {170, 10}}, {}}}, Longitudes::run_on);
   ASSERT_TRUE(torn);
@@ -126,8 +126,8 @@ TEST(ShapeTracing, a_projection_torn_at_the_antimeridian_keeps_both_sides) {
 }
 
 TEST(ShapeTracing, a_pole_out_of_the_projections_reach_is_told) {
-  ShapeTracer tracer =
-      tracer_between(Crs::wgs84(), Crs::from_text("EPSG:3857", "--plane"), 1e5, Course::ends);
+  ShapeTracer tracer = tracer_between(Crs::wgs84(), Crs::from_text("EPSG:3857", setting("plane")),
+                                      1e5, Course::ends);
   EXPECT_FALSE(tracer.trace({{{{-180, 60}, {0, 60}, {180, 60}, {180, 90}, {-180, 90}}, {}}},
                             Longitudes::run_on));
   EXPECT_EQ(tracer.outside(), (Point{0, 90}));

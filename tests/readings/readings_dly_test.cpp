@@ -210,7 +210,7 @@ TEST_F(DlyTest, unknown_stations_are_told_or_passed_over_with_their_days) {
   write("b.dly", {dly_line(b, 2020, 1, {{1, {"1"}}})});
   write("c.dly", {dly_line("USC00050003", 2020, 1, {}, "TMAX")});
   EXPECT_EQ(complaints(), Texts{"a.dly:1: unknown station 'USC00050001' | "
-                                "--ignore-unknown reads the stations of STATIONS alone"});
+                                "'ignore_unknown' reads the stations of 'stations' alone"});
   options.ignore_unknown = true;
   const Series series = read();
   EXPECT_EQ(series.times.size(), 31u);
@@ -227,7 +227,8 @@ TEST_F(DlyTest, stations_without_readings_and_files_without_rain_are_warned_of) 
   EXPECT_EQ(read().warnings, Texts{"FOLDER: station 'USC00050002' has no readings"});
   write("a.dly", {dly_line(a, 2020, 1, {{1, {"1"}}}, "TMIN")});
   EXPECT_EQ(read().times, Texts{});
-  EXPECT_EQ(read().warnings, Texts{"FOLDER: there is no value of PRCP of any station of STATIONS"});
+  EXPECT_EQ(read().warnings,
+            Texts{"FOLDER: there is no value of PRCP of any station of 'stations'"});
 }
 
 TEST_F(DlyTest, folders_and_files_that_cannot_be_are_refused) {
@@ -244,7 +245,7 @@ TEST_F(DlyTest, folders_and_files_that_cannot_be_are_refused) {
 TEST_F(DlyTest, options_of_tables_are_refused) {
   write("a.dly", {dly_line(a, 2020, 1, {{1, {"1"}}})});
   options.missing = {"0"};
-  EXPECT_EQ(complaints("a.dly")[0], "a.dly: --missing is for tables, not for .dly files");
+  EXPECT_EQ(complaints("a.dly")[0], "a.dly: 'missing' is for tables, not for .dly files");
 }
 
 TEST_F(DlyTest, are_known_by_their_name) {

@@ -50,7 +50,7 @@ class Reader {
     } catch (const Error& error) {
       for (const Message& message : error.messages()) {
         outcome.sentences.push_back(message.sentence().substr(path.size() - 5));
-        outcome.hints.push_back(message.hint);
+        outcome.hints.push_back(message.hint.plain());
       }
       outcome.unlisted = error.unlisted();
     }
@@ -129,7 +129,7 @@ TEST(WideReadings, report_every_bad_field_with_line_station_and_text) {
                    "r.csv:4: reading '0x1' of station 'A' is no number",
                    "r.csv:4: reading 'inf' of station 'B' is no number",
                    "r.csv:4: reading '１' of station 'C' is no number"}));
-  EXPECT_EQ(outcome.hints[0], "--missing=-2 takes it for a gap");
+  EXPECT_EQ(outcome.hints[0], "missing = -2 takes it for a gap");
   EXPECT_EQ(outcome.times, Texts{}) << "no step follows a bad row";
 }
 
@@ -152,7 +152,7 @@ TEST(WideReadings, may_have_a_decimal_comma_only_when_told) {
   Reader reader({"A"});
   const Outcome refused = reader.read("time,A\n1,\"1,5\"\n");
   EXPECT_EQ(refused.sentences, Texts{"r.csv:2: reading '1,5' of station 'A' is no number"});
-  EXPECT_EQ(refused.hints, Texts{"--decimal-comma reads 1,5 as 1.5"});
+  EXPECT_EQ(refused.hints, Texts{"'decimal_comma' reads 1,5 as 1.5"});
   reader.options.decimal_comma = true;
   expect_readings(reader.read("time,A\n1,\"1,5\"\n2,\"-99,9\"\n3,2\n"), {"1", "2", "3"},
                   {{1.5}, {silent}, {2}});
@@ -171,7 +171,7 @@ TEST(WideReadings, refuse_unknown_stations_each_by_name) {
   EXPECT_EQ(outcome.sentences,
             (Texts{"r.csv:2: unknown station 'X'", "r.csv:2: unknown station 'a'",
                    "r.csv:2: column 5 has no name"}));
-  EXPECT_NE(outcome.hints[0].find("--ignore-unknown"), std::string::npos);
+  EXPECT_NE(outcome.hints[0].find("'ignore_unknown'"), std::string::npos);
 }
 
 TEST(WideReadings, pass_over_unknown_stations_when_told) {

@@ -40,7 +40,7 @@ Outcome read(const std::string& text, CsvOptions options = {}) {
     for (const Message& message : error.messages()) {
       EXPECT_EQ(message.file, path);
       outcome.sentences.push_back(message.sentence().substr(path.size() - 5));
-      outcome.hints.push_back(message.hint);
+      outcome.hints.push_back(message.hint.plain());
     }
     outcome.unlisted = error.unlisted();
   }
@@ -177,9 +177,9 @@ TEST(CsvReader, refuses_names_that_stand_twice_but_for_none) {
 TEST(CsvReader, takes_another_separator_only_when_told) {
   const Outcome semicolons = read("time;A;B\n1;2,5;3\n");
   EXPECT_EQ(semicolons.sentences, Fields{"f.csv:1: the header is one field, 'time;A;B'"});
-  EXPECT_EQ(semicolons.hints, Fields{"--separator ';' reads such a file"});
-  EXPECT_EQ(read("time\tA\n1\t2\n").hints, Fields{"--separator tab reads such a file"});
-  EXPECT_EQ(read("time,A\n", {';', {}}).hints, Fields{"--separator ',' reads such a file"});
+  EXPECT_EQ(semicolons.hints, Fields{"separator = ';' reads such a file"});
+  EXPECT_EQ(read("time\tA\n1\t2\n").hints, Fields{"separator = tab reads such a file"});
+  EXPECT_EQ(read("time,A\n", {';', {}}).hints, Fields{"separator = ',' reads such a file"});
   EXPECT_EQ(read("time;A;B\n1;2,5;3\n", {';', {}}).rows, (std::vector<Fields>{{"1", "2,5", "3"}}));
   EXPECT_EQ(read("time\tA\n\t\n1\t2\n", {'\t', {}}).rows,
             (std::vector<Fields>{{"", ""}, {"1", "2"}}));

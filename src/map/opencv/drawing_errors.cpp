@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-void throw_drawing_error(const std::string& memory_hint) {
+void throw_drawing_error(const Wording& memory_hint) {
   try {
     throw;
   } catch (const cv::Exception& error) {

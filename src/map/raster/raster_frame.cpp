@@ -72,7 +72,7 @@ PixelGrid grid_over(const std::vector<MultiPolygon>& areas, double resolution) {
     throw Error({"", 0,
                  "the raster would have " + fixed_text(columns, 0) + " x " + fixed_text(rows, 0) +
                      " pixels; the most are 400 million, and 100000 on a side",
-                 "a larger --resolution makes it smaller"});
+                 "a larger " + setting("resolution") + " makes it smaller"});
   }
   grid.north_west = {west, north};
   grid.columns = static_cast<int>(columns);

@@ -101,7 +101,7 @@ std::string encode_picture(const Picture& picture, PictureFormat format, Warning
   try {
     return drawn(picture, format, warnings);
   } catch (...) {
-    throw_drawing_error("choose a smaller --size");
+    throw_drawing_error("choose a smaller " + setting("size"));
   }
 }
 

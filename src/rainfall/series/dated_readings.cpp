@@ -27,7 +27,7 @@ IsoTime time_of_step(std::string_view text, TimePrecision least, const std::stri
     throw Error({file, line, time + " does not exist", wanted});
   if (parsed.time.precision < least) {
     throw Error({file, line, time + " does not say the " + name_of(least),
-                 "--every takes periods that are no shorter than the steps"});
+                 setting("every") + " takes periods that are no shorter than the steps"});
   }
   return parsed.time;
 }

@@ -154,7 +154,7 @@ TEST(Picture, characters_that_no_font_has_are_warned_of) {
   Warnings warnings;
   encode_picture(picture, PictureFormat::png, warnings);
   ASSERT_EQ(warnings.messages().size(), 1u);
-  EXPECT_NE(warnings.messages()[0].text.find("no installed font"), std::string::npos);
+  EXPECT_NE(warnings.messages()[0].text.plain().find("no installed font"), std::string::npos);
 }
 
 TEST(Picture, a_thousand_gauges_at_one_place_are_drawn) {

@@ -34,7 +34,7 @@ Outcome read(std::unique_ptr<Readings> all, const StepTimes& wanted) {
   } catch (const Error& error) {
     for (const Message& message : error.messages()) {
       outcome.sentences.push_back(message.sentence());
-      outcome.hints.push_back(message.hint);
+      outcome.hints.push_back(message.hint.plain());
     }
     outcome.unlisted = error.unlisted();
   }

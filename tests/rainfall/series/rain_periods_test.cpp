@@ -45,7 +45,7 @@ std::string fault_of(const Steps& steps, Totalling totalling) {
   try {
     periods_of(steps, totalling);
   } catch (const Error& error) {
-    return error.messages().at(0).sentence() + "; " + error.messages().at(0).hint;
+    return error.messages().at(0).sentence() + "; " + error.messages().at(0).hint.plain();
   }
   return "none";
 }
@@ -139,7 +139,7 @@ TEST(RainPeriods, refuse_one_that_comes_back) {
 
 TEST(RainPeriods, refuse_times_that_do_not_say_them) {
   EXPECT_EQ(fault_of({{"2013-08", {1}}}, days),
-            "r.csv: time '2013-08' does not say the day; --every takes periods that are no "
+            "r.csv: time '2013-08' does not say the day; 'every' takes periods that are no "
             "shorter than the steps");
   EXPECT_EQ(fault_of({{"storm", {1}}}, years),
             "r.csv: time 'storm' is not written as ISO 8601 wants it; wanted: 2013, 2013-08, "
