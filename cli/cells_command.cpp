@@ -2,8 +2,8 @@
 #include "cli/cell_features.h"
 #include "cli/commands.h"
 #include "cli/gauges.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
-#include "cli/session.h"
 
 namespace thiessen::cli {
 namespace {
@@ -35,11 +35,11 @@ class CellsCommand : public Command {
     const bool to_stream = output_.output == "-";
     if (!to_stream) require_cells_format(output_.output);
     OutputFile& file = outputs.add(output_.output);
-    Session session(study_, view_.margin, warnings);
-    const auto readings = shown_readings(session, study_, rainfall_, view_.time, warnings);
+    Inputs inputs(study_, view_.margin, warnings);
+    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
-    const auto cells = cells_of(session, shown, static_cast<unsigned>(common_.threads));
-    const CellsOutput output = cells_output(session, cells, shown, study_);
+    const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
+    const CellsOutput output = cells_output(inputs, cells, shown, study_);
     if (to_stream) {
       file.append(cells_geojson(output));
     } else {
@@ -48,7 +48,7 @@ class CellsCommand : public Command {
       for (std::size_t i = 1; i < encoded.size(); ++i)
         outputs.add(encoded[i].name).append(encoded[i].bytes);
     }
-    warn_of_own_coordinates(session, output_.output, warnings);
+    warn_of_own_coordinates(inputs, output_.output, warnings);
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

@@ -5,8 +5,8 @@
 #include "base/number.h"
 #include "basin/containment.h"
 #include "cli/commands.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
-#include "cli/session.h"
 
 namespace thiessen::cli {
 namespace {
@@ -28,10 +28,10 @@ class CheckCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    Session session(study_, 10, warnings);
-    std::string report = describe(session);
-    if (session.has_basins()) report += describe_basins(session, warnings);
-    if (rainfall_.given()) report += describe_readings(session, warnings);
+    Inputs inputs(study_, 10, warnings);
+    std::string report = describe(inputs);
+    if (inputs.has_basins()) report += describe_basins(inputs, warnings);
+    if (rainfall_.given()) report += describe_readings(inputs, warnings);
     OutputFile out = standard_output();
     out.append(report);
     out.finish();
@@ -43,30 +43,30 @@ class CheckCommand : public Command {
     return std::to_string(n) + " " + (n == 1 ? one : many);
   }
 
-  static std::string describe(const Session& session) {
-    const StudyFiles& study = session.study();
-    const Network& network = session.network();
+  static std::string describe(const Inputs& inputs) {
+    const StudyFiles& study = inputs.study();
+    const Network& network = inputs.network();
     std::string text = "stations: " + count(network.stations().size(), "station", "stations") +
                        " at " + count(network.places().size(), "place", "places") + "\n";
     const auto name = [](const std::optional<Crs>& crs) {
       return crs ? printable(crs->name()) : "unknown";
     };
     text += "CRS: stations " + name(study.stations_crs);
-    if (session.has_basins()) text += ", basins " + name(study.basins_crs);
+    if (inputs.has_basins()) text += ", basins " + name(study.basins_crs);
     text += std::string("\nmetric: ") + (study.metric == Metric::geodesic ? "geodesic" : "planar") +
             "\n";
     return text;
   }
 
-  std::string describe_basins(const Session& session, Warnings& warnings) const {
+  std::string describe_basins(const Inputs& inputs, Warnings& warnings) const {
     std::vector<Point> positions;
-    for (const Station& station : session.network().stations())
+    for (const Station& station : inputs.network().stations())
       positions.push_back(station.position);
-    const double period = session.study().metric == Metric::geodesic ? 360 : 0;
-    const auto inside = count_within(session.basins(), positions, period);
+    const double period = inputs.study().metric == Metric::geodesic ? 360 : 0;
+    const auto inside = count_within(inputs.basins(), positions, period);
     const auto weights =
-        session.weighing().weights(session.all_report(), static_cast<unsigned>(common_.threads));
-    std::vector<bool> weighs(session.network().stations().size(), false);
+        inputs.weighing().weights(inputs.all_report(), static_cast<unsigned>(common_.threads));
+    std::vector<bool> weighs(inputs.network().stations().size(), false);
     std::size_t without_gauge = 0;
     for (std::size_t b = 0; b < weights.size(); ++b) {
       double sum = 0;
@@ -77,7 +77,7 @@ class CheckCommand : public Command {
       if (inside[b] == 0) ++without_gauge;
       if (!(std::abs(sum - 1) < 1e-9)) {
         warnings.add({study_.basins, 0,
-                      "the weights of basin '" + session.basins()[b].id + "' add up to " +
+                      "the weights of basin '" + inputs.basins()[b].id + "' add up to " +
                           shortest_text(sum) + ", not to 1: a fault of the program itself",
                       "please report it with the input"});
       }
@@ -88,8 +88,8 @@ class CheckCommand : public Command {
            " without a gauge inside\ngauges that weigh in no basin: " + std::to_string(idle) + "\n";
   }
 
-  std::string describe_readings(Session& session, Warnings& warnings) const {
-    const auto readings = session.open_readings(study_, rainfall_, warnings);
+  std::string describe_readings(Inputs& inputs, Warnings& warnings) const {
+    const auto readings = inputs.open_readings(study_, rainfall_, warnings);
     std::size_t steps = 0;
     std::size_t missing = 0;
     TimeStep step;
@@ -99,7 +99,7 @@ class CheckCommand : public Command {
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
     }
     const double all =
-        static_cast<double>(steps) * static_cast<double>(session.network().stations().size());
+        static_cast<double>(steps) * static_cast<double>(inputs.network().stations().size());
     const std::string share =
         all > 0 ? fixed_text(100 * static_cast<double>(missing) / all, 1) : "0.0";
     return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n";

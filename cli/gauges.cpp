@@ -4,15 +4,15 @@
 
 namespace thiessen::cli {
 
-std::optional<GaugeReadings> shown_readings(Session& session, const StudyOptions& study,
+std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings) {
   if (!rainfall.given()) {
     if (!time.empty()) throw UsageError{"--time needs RAINFALL", ""};
     return {};
   }
-  const auto readings = session.open_readings(study, rainfall, warnings);
-  GaugeReadings shown = read_gauges(*readings, session.network().stations().size(), time);
+  const auto readings = inputs.open_readings(study, rainfall, warnings);
+  GaugeReadings shown = read_gauges(*readings, inputs.network().stations().size(), time);
   if (shown.readings.empty()) {
     throw Error({rainfall.rainfall, 0, "there is no time step '" + time + "'",
                  "a time is written just as in the file"});

@@ -2,14 +2,14 @@
 
 #include <optional>
 
-#include "cli/session.h"
+#include "cli/inputs.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 
 /// The readings that cells and pictures show: none without RAINFALL, else the step at `time`, or
 /// the means. Throws Error where RAINFALL has no such time or no time at all.
-std::optional<GaugeReadings> shown_readings(Session& session, const StudyOptions& study,
+std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings);
 

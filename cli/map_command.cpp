@@ -4,10 +4,10 @@
 #include "cli/cell_features.h"
 #include "cli/commands.h"
 #include "cli/gauges.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
 #include "cli/picture_of.h"
 #include "cli/raster_of.h"
-#include "cli/session.h"
 #include "gdal/raster_file.h"
 
 namespace thiessen::cli {
@@ -54,18 +54,18 @@ class MapCommand : public Command {
     }
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
-    Session session(study_, view_.margin, warnings);
-    const auto readings = shown_readings(session, study_, rainfall_, view_.time, warnings);
+    Inputs inputs(study_, view_.margin, warnings);
+    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const unsigned threads = static_cast<unsigned>(common_.threads);
     if (kind == Kind::tiff) {
-      const auto encoded = raster_of(session, shown, resolution_, output_.output, threads);
+      const auto encoded = raster_of(inputs, shown, resolution_, output_.output, threads);
       file.append(encoded.front().bytes);
       for (std::size_t i = 1; i < encoded.size(); ++i)
         outputs.add(encoded[i].name).append(encoded[i].bytes);
     } else {
-      const auto cells = cells_of(session, shown, threads);
-      file.append(encode_picture(picture_of(session, cells, shown, view_),
+      const auto cells = cells_of(inputs, shown, threads);
+      file.append(encode_picture(picture_of(inputs, cells, shown, view_),
                                  kind == Kind::png ? PictureFormat::png : PictureFormat::jpeg,
                                  warnings));
     }

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::size_t longest_id = 80;
 
-Message unknown(const std::string& id, const Session& session) {
-  const StudyFiles& study = session.study();
+Message unknown(const std::string& id, const Inputs& inputs) {
+  const StudyFiles& study = inputs.study();
   const std::string text = "--without names station " + quoted(id, longest_id);
   if (study.filtered_ids.contains(id))
     return {study.stations_file, 0, text + ", which --stations-where leaves out", ""};
   std::string hint;
-  for (const std::string& similar : similar_ids(id, session.network().stations()))
+  for (const std::string& similar : similar_ids(id, inputs.network().stations()))
     hint += (hint.empty() ? "did you mean " : " or ") + quoted(similar, longest_id);
   return {study.stations_file, 0, text + ", which is not there", hint + (hint.empty() ? "" : "?")};
 }
@@ -40,11 +40,11 @@ std::vector<bool> stations_that_weigh(const std::vector<BasinWeights>& weights, 
 
 }  // namespace
 
-void NetworkChanges::warn_of_no_effect(const Session& session,
+void NetworkChanges::warn_of_no_effect(const Inputs& inputs,
                                        const std::vector<BasinWeights>& before,
                                        const std::vector<BasinWeights>& after,
                                        Warnings& warnings) const {
-  const std::vector<Station>& stations = session.network().stations();
+  const std::vector<Station>& stations = inputs.network().stations();
   const std::vector<bool> weighed = stations_that_weigh(before, stations.size());
   const std::vector<bool> weighs = stations_that_weigh(after, stations.size());
   const std::set<std::string_view> closed(closed_.begin(), closed_.end());
@@ -72,18 +72,18 @@ void NetworkChanges::add_to(CLI::App& app) {
              "'with 1'; may be repeated, and beside --without");
 }
 
-std::vector<bool> NetworkChanges::before(const Session& session) const {
-  std::vector<bool> reports = session.all_report();
+std::vector<bool> NetworkChanges::before(const Inputs& inputs) const {
+  std::vector<bool> reports = inputs.all_report();
   std::fill(reports.end() - static_cast<std::ptrdiff_t>(opened_.size()), reports.end(), false);
   return reports;
 }
 
-std::vector<bool> NetworkChanges::after(const Session& session) const {
-  const std::vector<Station>& stations = session.network().stations();
+std::vector<bool> NetworkChanges::after(const Inputs& inputs) const {
+  const std::vector<Station>& stations = inputs.network().stations();
   std::unordered_map<std::string_view, std::size_t> by_id;
   for (std::size_t s = 0; s + opened_.size() < stations.size(); ++s)
     by_id.emplace(stations[s].id, s);
-  std::vector<bool> reports = session.all_report();
+  std::vector<bool> reports = inputs.all_report();
   std::set<std::string_view> seen;
   Complaints complaints;
   for (const std::string& id : closed_) {
@@ -91,22 +91,22 @@ std::vector<bool> NetworkChanges::after(const Session& session) const {
       throw UsageError{"--without names station " + quoted(id, longest_id) + " twice", ""};
     const auto station = by_id.find(id);
     if (station == by_id.end()) {
-      complaints.add(unknown(id, session));
+      complaints.add(unknown(id, inputs));
     } else {
       reports[station->second] = false;
     }
   }
   complaints.throw_if_any();
   if (std::find(reports.begin(), reports.end(), true) == reports.end()) {
-    throw Error({session.study().stations_file, 0, "--without closes every gauge",
+    throw Error({inputs.study().stations_file, 0, "--without closes every gauge",
                  "leave one open, or open one with --with X,Y"});
   }
   return reports;
 }
 
-void NetworkChanges::warn_of_shared_places(const Session& session, Warnings& warnings) const {
-  const Network& network = session.network();
-  const std::vector<bool> is_there = after(session);
+void NetworkChanges::warn_of_shared_places(const Inputs& inputs, Warnings& warnings) const {
+  const Network& network = inputs.network();
+  const std::vector<bool> is_there = after(inputs);
   std::set<PlaceIndex> warned;
   for (std::size_t i = network.stations().size() - opened_.size(); i < is_there.size(); ++i) {
     const PlaceIndex place = network.place_of(StationIndex{static_cast<std::uint32_t>(i)});

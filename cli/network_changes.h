@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/session.h"
+#include "cli/inputs.h"
 
 namespace thiessen::cli {
 
@@ -16,15 +16,15 @@ class NetworkChanges {
   /// In the coordinates of STATIONS.
   const std::vector<Point>& opened() const { return opened_; }
 
-  /// Which stations there are before the changes and after, of those of a session that was given
+  /// Which stations there are before the changes and after, of those of inputs that were given
   /// the opened ones. Throws Error for ids that STATIONS lacks, with those that are most like them,
   /// and where no gauge is left; UsageError for an id given twice.
-  std::vector<bool> before(const Session& session) const;
-  std::vector<bool> after(const Session& session) const;
+  std::vector<bool> before(const Inputs& inputs) const;
+  std::vector<bool> after(const Inputs& inputs) const;
   /// Of opened gauges at a place with others that are there after the changes.
-  void warn_of_shared_places(const Session& session, Warnings& warnings) const;
+  void warn_of_shared_places(const Inputs& inputs, Warnings& warnings) const;
   /// Of gauges that open or close and weigh in no basin.
-  void warn_of_no_effect(const Session& session, const std::vector<BasinWeights>& before,
+  void warn_of_no_effect(const Inputs& inputs, const std::vector<BasinWeights>& before,
                          const std::vector<BasinWeights>& after, Warnings& warnings) const;
 
  private:

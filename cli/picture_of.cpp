@@ -10,10 +10,10 @@ namespace thiessen::cli {
 namespace {
 
 // Within 5 degrees, at the study area's centre, where its CRS tells.
-bool is_north_up(const Session& session) {
-  const StudyFiles& study = session.study();
+bool is_north_up(const Inputs& inputs) {
+  const StudyFiles& study = inputs.study();
   if (!study.crs || study.crs->geographic()) return true;
-  const Point centre = session.weighing().frame().centre();
+  const Point centre = inputs.weighing().frame().centre();
   const auto there = Transformation(*study.crs, Crs::wgs84())(centre);
   if (!there) return true;
   const double step = there->y < 89 ? 0.01 : -0.01;
@@ -27,14 +27,14 @@ bool is_north_up(const Session& session) {
 
 }  // namespace
 
-Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
+Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view) {
-  const StudyFiles& study = session.study();
+  const StudyFiles& study = inputs.study();
   Picture picture;
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
   picture.metres_per_unit =
       study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
-  picture.north_is_up = picture.geographic || is_north_up(session);
+  picture.north_is_up = picture.geographic || is_north_up(inputs);
   picture.by_rainfall = readings != nullptr;
   picture.title = !view.title.empty()   ? view.title
                   : readings != nullptr ? "Rainfall by Thiessen cells"
@@ -43,7 +43,7 @@ Picture picture_of(const Session& session, const std::vector<std::vector<Station
   picture.units = view.units;
   picture.width = static_cast<int>(view.size.width);
   picture.height = static_cast<int>(view.size.height);
-  const std::vector<Station>& stations = session.network().stations();
+  const std::vector<Station>& stations = inputs.network().stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
     picture.gauges.push_back({stations[i].position, stations[i].id, reports});
@@ -54,8 +54,8 @@ Picture picture_of(const Session& session, const std::vector<std::vector<Station
                                                   : readings->readings[index(cell.station)];
       picture.cells.push_back({cell.shape, index(cell.station), rainfall});
     }
-    const std::string name = session.has_basins() ? session.basins()[b].id : "";
-    picture.basins.push_back({name, session.basins()[b].shape});
+    const std::string name = inputs.has_basins() ? inputs.basins()[b].id : "";
+    picture.basins.push_back({name, inputs.basins()[b].shape});
   }
   return picture;
 }

@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "cli/session.h"
+#include "cli/inputs.h"
 #include "map/sheet/picture.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 
 /// The picture of the cells: by rainfall where there are readings, else by station.
-Picture picture_of(const Session& session, const std::vector<std::vector<StationCell>>& cells,
+Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view);
 
 }  // namespace thiessen::cli

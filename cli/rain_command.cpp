@@ -6,12 +6,12 @@
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands.h"
+#include "cli/inputs.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/rain_methods.h"
 #include "cli/rain_table.h"
-#include "cli/session.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
 #include "results/weights_log.h"
@@ -61,7 +61,7 @@ class RainCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
-    Session session(study_, 0, warnings);
+    Inputs inputs(study_, 0, warnings);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
     format.errors = errors_;
@@ -71,15 +71,15 @@ class RainCommand : public Command {
     std::unique_ptr<const ArealRainfall> values;
     std::unique_ptr<const StepRainfall> rainfall;
     if (errors_) {
-      values = std::make_unique<const ArealRainfall>(session.weighing(), settings, threads);
-      rainfall = fit_errors(session, *values, warnings);
+      values = std::make_unique<const ArealRainfall>(inputs.weighing(), settings, threads);
+      rainfall = fit_errors(inputs, *values, warnings);
     } else {
-      rainfall = rainfall_by(method_, session.weighing(), settings, threads, warnings);
+      rainfall = rainfall_by(method_, inputs.weighing(), settings, threads, warnings);
     }
-    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
-    RainTable series(file, session.basins(), format, periods_.totalling(), rainfall_.name());
+    const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    RainTable series(file, inputs.basins(), format, periods_.totalling(), rainfall_.name());
     std::optional<WeightsLog> log;
-    if (log_file != nullptr) log.emplace(*log_file, session.weighing());
+    if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
     GaugePatterns patterns;
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
@@ -126,11 +126,11 @@ class RainCommand : public Command {
   }
 
   /// Reads RAINFALL for the first time; what is odd in it is told of the second time.
-  std::unique_ptr<const RainfallError> fit_errors(Session& session, const ArealRainfall& values,
+  std::unique_ptr<const RainfallError> fit_errors(Inputs& inputs, const ArealRainfall& values,
                                                   Warnings& warnings) const {
     Warnings told_later;
-    const auto readings = session.open_readings(study_, rainfall_, told_later, std::nullopt);
-    const std::size_t stations = session.network().stations().size();
+    const auto readings = inputs.open_readings(study_, rainfall_, told_later, std::nullopt);
+    const std::size_t stations = inputs.network().stations().size();
     StepSample sample(stations, steps_for_errors(stations));
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
@@ -138,7 +138,7 @@ class RainCommand : public Command {
       throw_if_interrupted();
       sample.add(step.readings);
     }
-    auto error = std::make_unique<const RainfallError>(values, session.weighing(), sample,
+    auto error = std::make_unique<const RainfallError>(values, inputs.weighing(), sample,
                                                        static_cast<unsigned>(common_.threads));
     if (!error->shortfall().empty()) {
       warnings.add({rainfall_.name(), 0, "no standard errors: " + error->shortfall(), ""});

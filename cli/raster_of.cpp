@@ -18,9 +18,9 @@ PointMapping mapping(const std::optional<Crs>& from, const std::optional<Crs>& t
 }
 
 /// The study area in the raster's coordinates.
-std::vector<MultiPolygon> areas_of(const Session& session) {
-  const StudyFiles& study = session.study();
-  if (session.has_basins()) return study.native_basins;
+std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
+  const StudyFiles& study = inputs.study();
+  if (inputs.has_basins()) return study.native_basins;
   const auto& to = study.output_crs();
   const bool same = !study.crs || !to || study.crs->same_as(*to);
   std::vector<MultiPolygon> areas;
@@ -31,21 +31,20 @@ std::vector<MultiPolygon> areas_of(const Session& session) {
 
 }  // namespace
 
-std::vector<EncodedFile> raster_of(const Session& session, const GaugeReadings* readings,
+std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
                                    double resolution, const std::string& path, unsigned threads) {
-  const StudyFiles& study = session.study();
-  const std::vector<MultiPolygon> areas = areas_of(session);
+  const StudyFiles& study = inputs.study();
+  const std::vector<MultiPolygon> areas = areas_of(inputs);
   const PixelGrid grid = grid_over(areas, resolution);
-  const std::vector<bool> reports =
-      readings == nullptr ? session.all_report() : readings->reports();
+  const std::vector<bool> reports = readings == nullptr ? inputs.all_report() : readings->reports();
   Owners owners(
-      grid, areas, session.network(), study.metric, reports,
+      grid, areas, inputs.network(), study.metric, reports,
       [&] { return mapping(study.output_crs(), study.crs); }, threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings != nullptr)
     return rainfall_geotiff(grid, rows, readings->readings, study.output_crs(), path, threads);
   std::vector<std::string> ids;
-  for (const Station& station : session.network().stations()) ids.push_back(station.id);
+  for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
   return owners_geotiff(grid, rows, ids, study.output_crs(), path, threads);
 }
 

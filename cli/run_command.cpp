@@ -4,11 +4,11 @@
 #include "base/outputs.h"
 #include "cli/cell_features.h"
 #include "cli/commands.h"
+#include "cli/inputs.h"
 #include "cli/options.h"
 #include "cli/picture_of.h"
 #include "cli/progress.h"
 #include "cli/rain_table.h"
-#include "cli/session.h"
 #include "cli/summary.h"
 #include "rainfall/errors/mean_error.h"
 #include "rainfall/series/gauge_readings.h"
@@ -51,18 +51,18 @@ class RunCommand : public Command {
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
 
-    Session session(study_, 0, warnings);
-    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
+    Inputs inputs(study_, 0, warnings);
+    const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
-    const ArealRainfall rainfall(session.weighing(), settings, threads);
-    write_weights(weights_file, session.weighing(), rainfall.full_weights(), session.area_unit());
+    const ArealRainfall rainfall(inputs.weighing(), settings, threads);
+    write_weights(weights_file, inputs.weighing(), rainfall.full_weights(), inputs.area_unit());
 
-    RainTable series(rain_file, session.basins(), format_.format(), periods_.totalling(),
+    RainTable series(rain_file, inputs.basins(), format_.format(), periods_.totalling(),
                      rainfall_.name());
-    MeanReadings means(session.network().stations().size());
-    MeanError error(rainfall, session.weighing());
-    Summary summary(session, rainfall.full_weights());
+    MeanReadings means(inputs.network().stations().size());
+    MeanError error(rainfall, inputs.weighing());
+    Summary summary(inputs, rainfall.full_weights());
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
@@ -84,11 +84,11 @@ class RunCommand : public Command {
       std::vector<double> errors = error.result(threads);
       summary.set_errors_of_mean(std::move(errors), error.shortfall());
     }
-    const auto cells = cells_of(session, &mean, threads);
-    cells_file.append(cells_geojson(cells_output(session, cells, &mean, study_)));
-    warn_of_own_coordinates(session, cells_file.name(), warnings);
+    const auto cells = cells_of(inputs, &mean, threads);
+    cells_file.append(cells_geojson(cells_output(inputs, cells, &mean, study_)));
+    warn_of_own_coordinates(inputs, cells_file.name(), warnings);
     map_file.append(
-        encode_picture(picture_of(session, cells, &mean, view_), PictureFormat::png, warnings));
+        encode_picture(picture_of(inputs, cells, &mean, view_), PictureFormat::png, warnings));
     if (!common_.quiet) outputs.add("-").append(summary.text(view_.units));
     outputs.commit();
   }

@@ -18,16 +18,16 @@ constexpr std::size_t sampled_handovers = 40'000;
 
 }  // namespace
 
-Summary::Summary(const Session& session, const std::vector<BasinWeights>& weights)
-    : session_(session),
+Summary::Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights)
+    : inputs_(inputs),
       weights_(weights),
       lines_(weights.size()),
-      sample_(session.network().stations().size(),
-              steps_within(sample_bytes, session.network().stations().size(), sampled_steps)) {
+      sample_(inputs.network().stations().size(),
+              steps_within(sample_bytes, inputs.network().stations().size(), sampled_steps)) {
   std::vector<Point> positions;
-  for (const Station& station : session.network().stations()) positions.push_back(station.position);
-  const double period = session.study().metric == Metric::geodesic ? 360 : 0;
-  const auto inside = count_within(session.basins(), positions, period);
+  for (const Station& station : inputs.network().stations()) positions.push_back(station.position);
+  const double period = inputs.study().metric == Metric::geodesic ? 360 : 0;
+  const auto inside = count_within(inputs.basins(), positions, period);
   for (std::size_t b = 0; b < lines_.size(); ++b) lines_[b].inside = inside[b];
 }
 
@@ -55,13 +55,13 @@ void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned thre
 std::string Summary::most_influential(std::size_t basin, const std::string& unit) const {
   if (basin >= influence_.gauges.size() || !(influence_.gauges[basin].rms_change > 0)) return "-";
   const MostInfluential& gauge = influence_.gauges[basin];
-  return printable(session_.network().stations()[index(gauge.station)].id) + " (" +
+  return printable(inputs_.network().stations()[index(gauge.station)].id) + " (" +
          fixed_text(gauge.rms_change, 2) + unit + ")";
 }
 
 std::string Summary::text(const std::string& units) const {
   const std::string unit = units.empty() ? "" : " " + printable(units);
-  const bool known = session_.area_unit().km2 != 1;
+  const bool known = inputs_.area_unit().km2 != 1;
   std::vector<std::vector<std::string>> rows;
   rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
                   "largest weight", "mean" + unit, "standard error" + unit, "largest" + unit,
@@ -73,8 +73,8 @@ std::string Summary::text(const std::string& units) const {
       largest_weight = std::max(largest_weight, s.weight);
     const bool has_values = line.values > 0;
     const bool has_error = has_values && b < errors_.size() && !std::isnan(errors_[b]);
-    rows.push_back({printable(session_.basins()[b].id),
-                    fixed_text(weights_[b].area * session_.area_unit().km2, 2),
+    rows.push_back({printable(inputs_.basins()[b].id),
+                    fixed_text(weights_[b].area * inputs_.area_unit().km2, 2),
                     std::to_string(line.inside), std::to_string(weights_[b].stations.size()),
                     fixed_text(largest_weight, 3),
                     has_values ? fixed_text(line.sum / static_cast<double>(line.values), 2) : "-",

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/session.h"
 #include "rainfall/areal_rainfall.h"
+#include "cli/inputs.h"
 #include "rainfall/influence/most_influential.h"
 #include "rainfall/series/rain_series.h"
 
@@ -16,7 +16,7 @@ namespace thiessen::cli {
 /// the gauge whose leaving changes the rainfall most, of a sample of the steps.
 class Summary {
  public:
-  Summary(const Session& session, const std::vector<BasinWeights>& weights);
+  Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
   void add(const RainStep& step);
   /// Of the mean over all steps, by basin; NaN where it cannot be had. `shortfall`: why none can.
   void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
@@ -38,7 +38,7 @@ class Summary {
     std::size_t values = 0;
     std::size_t empty = 0;
   };
-  const Session& session_;
+  const Inputs& inputs_;
   const std::vector<BasinWeights>& weights_;
   std::vector<Line> lines_;
   std::vector<double> errors_;

@@ -4,10 +4,10 @@
 
 #include "base/outputs.h"
 #include "cli/commands.h"
+#include "cli/inputs.h"
 #include "cli/network_changes.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "cli/session.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
 #include "results/influence_file.h"
@@ -48,23 +48,22 @@ class WeightsCommand : public Command {
   void run(Warnings& warnings) override {
     check_options();
     const std::optional<StepTimes> times = range_.times();
-    Outputs outputs(output_.rules(inputs()));
+    Outputs outputs(output_.rules(input_files()));
     OutputFile& file = outputs.add(output_.output);
     study_.opened = changes_.opened();
-    Session session(study_, 0, warnings);
+    Inputs inputs(study_, 0, warnings);
     if (rainfall_.given()) {
-      write_influence(file, session.weighing(), influence(session, times, warnings));
+      write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
     } else if (changes_.given()) {
-      const std::vector<bool> reports = changes_.after(session);
-      changes_.warn_of_shared_places(session, warnings);
-      const auto before = session.weighing().weights(changes_.before(session), threads());
-      const auto after = session.weighing().weights(reports, threads());
-      changes_.warn_of_no_effect(session, before, after, warnings);
-      write_changed_weights(file, session.weighing(), before, after, session.area_unit());
+      const std::vector<bool> reports = changes_.after(inputs);
+      changes_.warn_of_shared_places(inputs, warnings);
+      const auto before = inputs.weighing().weights(changes_.before(inputs), threads());
+      const auto after = inputs.weighing().weights(reports, threads());
+      changes_.warn_of_no_effect(inputs, before, after, warnings);
+      write_changed_weights(file, inputs.weighing(), before, after, inputs.area_unit());
     } else {
-      write_weights(file, session.weighing(),
-                    session.weighing().weights(session.all_report(), threads()),
-                    session.area_unit());
+      write_weights(file, inputs.weighing(),
+                    inputs.weighing().weights(inputs.all_report(), threads()), inputs.area_unit());
     }
     outputs.commit();
   }
@@ -73,7 +72,7 @@ class WeightsCommand : public Command {
  private:
   unsigned threads() const { return static_cast<unsigned>(common_.threads); }
 
-  std::vector<std::string> inputs() const {
+  std::vector<std::string> input_files() const {
     std::vector<std::string> files{study_.stations, study_.basins};
     if (rainfall_.given()) files.push_back(rainfall_.rainfall);
     return files;
@@ -95,11 +94,11 @@ class WeightsCommand : public Command {
     }
   }
 
-  std::vector<std::vector<GaugeInfluence>> influence(Session& session,
+  std::vector<std::vector<GaugeInfluence>> influence(Inputs& inputs,
                                                      const std::optional<StepTimes>& times,
                                                      Warnings& warnings) const {
-    const auto readings = session.open_readings(study_, rainfall_, warnings, times);
-    const Handovers handovers(session.weighing(), threads());
+    const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    const Handovers handovers(inputs.weighing(), threads());
     Influence influence(handovers, gaps_.settings().remembered_bytes, threads());
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });

@@ -1,4 +1,4 @@
-#include "cli/session.h"
+#include "cli/inputs.h"
 
 #include <utility>
 
@@ -7,15 +7,15 @@
 
 namespace thiessen::cli {
 
-Session::Session(const StudyOptions& options, double margin, Warnings& warnings)
+Inputs::Inputs(const StudyOptions& options, double margin, Warnings& warnings)
     : files_(std::make_shared<StudyFiles>(read_study(options.request(), warnings))),
       filtered_ids_(files_->filtered_ids.begin(), files_->filtered_ids.end()),
       study_(files_, {margin, options.tolerance()}, warnings) {}
 
-std::unique_ptr<WatchedReadings> Session::open_readings(const StudyOptions& study,
-                                                        const RainfallOptions& rainfall,
-                                                        Warnings& warnings,
-                                                        const std::optional<StepTimes>& wanted) {
+std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
+                                                       const RainfallOptions& rainfall,
+                                                       Warnings& warnings,
+                                                       const std::optional<StepTimes>& wanted) {
   auto readings = open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
                                 filtered_ids_, rainfall.readings(study.decimal_comma()), warnings);
   if (wanted) {

@@ -15,11 +15,11 @@
 namespace thiessen::cli {
 
 /// The inputs of a command, read and checked: what every command begins with.
-class Session {
+class Inputs {
  public:
   /// Reads stations and basins. Without basins the stations' extent, grown by `margin` percent, is
   /// the study area. Throws Error.
-  Session(const StudyOptions& options, double margin, Warnings& warnings);
+  Inputs(const StudyOptions& options, double margin, Warnings& warnings);
 
   const StudyFiles& study() const { return *files_; }
   const Network& network() const { return study_.network(); }
@@ -30,7 +30,7 @@ class Session {
   std::vector<bool> all_report() const { return study_.all_report(); }
 
   /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
-  /// thread may ask it for the share that is read. The session must outlive it.
+  /// thread may ask it for the share that is read. The inputs must outlive it.
   std::unique_ptr<WatchedReadings> open_readings(
       const StudyOptions& study, const RainfallOptions& rainfall, Warnings& warnings,
       const std::optional<StepTimes>& wanted = std::nullopt);
