@@ -40,12 +40,12 @@ Direction on_ellipsoid(Point position) {
   return {normal * level * outward, normal * level * east, normal * (1 - e2) * north};
 }
 
-GroundPoint below(Direction at) {
-  GroundPoint ground{};
-  GeographicLib::Geocentric::WGS84().Reverse(at.x, at.y, at.z, ground.position.y, ground.position.x,
-                                             ground.height);
-  ground.height = std::abs(ground.height);
-  return ground;
+FootPoint below(Direction at) {
+  FootPoint foot{};
+  GeographicLib::Geocentric::WGS84().Reverse(at.x, at.y, at.z, foot.position.y, foot.position.x,
+                                             foot.height);
+  foot.height = std::abs(foot.height);
+  return foot;
 }
 
 double shortest_over_chord(double chord) {

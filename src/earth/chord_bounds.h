@@ -10,11 +10,11 @@ Direction on_ellipsoid(Point position);
 
 /// The point of the ellipsoid below a point of space near it, longitude and latitude in degrees,
 /// and how far it is from there, in metres.
-struct GroundPoint {
+struct FootPoint {
   Point position;
   double height;
 };
-GroundPoint below(Direction at);
+FootPoint below(Direction at);
 
 /// How long the geodesic between two points of the ellipsoid may be whose chord, straight through
 /// the Earth, has that length; metres. Its curvature is nowhere less than that of a circle of the

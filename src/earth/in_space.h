@@ -1,7 +1,7 @@
 #pragma once
 
 #include "earth/conformal_sphere.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

@@ -46,7 +46,7 @@ NearestPlaces::Margin NearestOnEarth::margin(double farthest) const {
 void NearestOnEarth::refine(const Ball& ball, std::vector<PlaceIndex>& rivals) const {
   constexpr double too_wide = 1e6;
   if (ball.radius > too_wide) return;
-  const GroundPoint centre = below(ball.centre);
+  const FootPoint centre = below(ball.centre);
   const double reach = longest_over_chord(ball.radius + centre.height) + noise;
   std::vector<Arrival> arrivals;
   arrivals.reserve(rivals.size());

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "earth/ground.h"
 #include "earth/place_tree.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

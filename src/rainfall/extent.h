@@ -4,7 +4,7 @@
 #include <span>
 
 #include "basin/basin.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "geometry/point.h"
 #include "tessellation/place.h"
 

@@ -6,7 +6,7 @@
 namespace thiessen {
 
 NetworkCells::NetworkCells(const Network& network, const std::vector<bool>& reports,
-                           const Ground& ground, const Box& frame, unsigned threads) {
+                           const Yardstick& yardstick, const Box& frame, unsigned threads) {
   std::vector<Point> positions;
   std::vector<StationIndex> stations;  // that report, by place
   std::vector<PlaceIndex> place_of_station;
@@ -21,7 +21,7 @@ NetworkCells::NetworkCells(const Network& network, const std::vector<bool>& repo
     positions.push_back(network.places()[p]);
   }
   if (positions.empty()) return;
-  diagram_ = ground.diagram(positions, frame, threads);
+  diagram_ = yardstick.diagram(positions, frame, threads);
   share_cells(place_of_station, stations);
 }
 

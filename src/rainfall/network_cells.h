@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "rainfall/network.h"
 
 namespace thiessen {
@@ -13,8 +13,8 @@ namespace thiessen {
 /// that does, or to several that rounding cannot tell apart.
 class NetworkCells {
  public:
-  /// `reports` has one entry a station. The network must outlive it. Cost: Ground::diagram's.
-  NetworkCells(const Network& network, const std::vector<bool>& reports, const Ground& ground,
+  /// `reports` has one entry a station. The network must outlive it. Cost: Yardstick::diagram's.
+  NetworkCells(const Network& network, const std::vector<bool>& reports, const Yardstick& yardstick,
                const Box& frame, unsigned threads);
 
   bool any() const { return !first_.empty(); }

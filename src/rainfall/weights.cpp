@@ -28,11 +28,12 @@ void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, dou
     basin.stations.push_back({s, share, std::min(share / basin.area, 1.0)});
 }
 
-Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, const Ground& ground)
+Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
+                   const Yardstick& yardstick)
     : network_(network),
       basins_(basins),
-      ground_(ground),
-      surface_(ground.surface()),
+      yardstick_(yardstick),
+      surface_(yardstick.surface()),
       frame_(box_of_all(basins)) {
   areas_.reserve(basins.size());
   for (const Basin& basin : basins) areas_.push_back(area_of(basin, *surface_));
@@ -42,7 +43,7 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins, con
 template <typename Take>
 void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads,
                               const Take& take) const {
-  const NetworkCells reporting(network_, reports, ground_, frame_, threads);
+  const NetworkCells reporting(network_, reports, yardstick_, frame_, threads);
   if (!reporting.any()) return;
   std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {

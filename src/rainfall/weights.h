@@ -7,7 +7,7 @@
 
 #include "basin/basin.h"
 #include "basin/cell_clipper.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "rainfall/network.h"
 
 namespace thiessen {
@@ -47,11 +47,11 @@ struct StationCell {
 /// The network and the basins must outlive it. Safe for several threads at once.
 class Weighing {
  public:
-  Weighing(const Network& network, const std::vector<Basin>& basins, const Ground& ground);
+  Weighing(const Network& network, const std::vector<Basin>& basins, const Yardstick& yardstick);
 
   const Network& network() const { return network_; }
   const std::vector<Basin>& basins() const { return basins_; }
-  const Ground& ground() const { return ground_; }
+  const Yardstick& yardstick() const { return yardstick_; }
   const Box& frame() const { return frame_; }
   const Surface& surface() const { return *surface_; }
   double basin_area(std::size_t basin) const { return areas_[basin]; }
@@ -72,7 +72,7 @@ class Weighing {
 
   const Network& network_;
   const std::vector<Basin>& basins_;
-  Ground ground_;
+  Yardstick yardstick_;
   std::unique_ptr<Surface> surface_;
   Box frame_;
   std::vector<double> areas_;

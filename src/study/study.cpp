@@ -19,7 +19,7 @@ std::string place_text(const StudyParts& parts, const Station& station) {
          (has_line ? "" : " (feature " + std::to_string(station.line) + ")");
 }
 
-Ground ground_of(const StudyParts& parts, double tolerance) {
+Yardstick yardstick_of(const StudyParts& parts, double tolerance) {
   const double unit = parts.metres_per_unit.value_or(1);
   return {parts.metric, unit * unit, tolerance};
 }
@@ -70,7 +70,7 @@ Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, W
     : parts_(std::move(parts)),
       network_(in_exact_range(*parts_), parts_->metric),
       weighing_(network_, basins_or_extent(*parts_, network_, settings.margin),
-                ground_of(*parts_, settings.tolerance)) {
+                yardstick_of(*parts_, settings.tolerance)) {
   warn_of_shared_places(warnings);
   warn_of_line(warnings);
 }

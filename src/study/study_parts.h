@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "basin/basin.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "rainfall/network.h"
 
 namespace thiessen {

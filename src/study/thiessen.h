@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "basin/basin.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/network.h"
 #include "rainfall/weights.h"

@@ -49,7 +49,7 @@ void weights_ours(benchmark::State& state, Metric metric) {
   const std::vector<bool> all(study.stations.size(), true);
   for (auto _ : state) {
     const Network network(study.stations, metric);
-    const Weighing weighing(network, study.basins, Ground{metric, 1, 0.1});
+    const Weighing weighing(network, study.basins, Yardstick{metric, 1, 0.1});
     benchmark::DoNotOptimize(weighing.weights(all, static_cast<unsigned>(state.range(0))));
   }
 }
@@ -59,7 +59,7 @@ void cells_ours(benchmark::State& state, Metric metric) {
   const std::vector<bool> all(study.stations.size(), true);
   for (auto _ : state) {
     const Network network(study.stations, metric);
-    const Weighing weighing(network, study.basins, Ground{metric, 1, 0.1});
+    const Weighing weighing(network, study.basins, Yardstick{metric, 1, 0.1});
     benchmark::DoNotOptimize(weighing.cells(all, static_cast<unsigned>(state.range(0))));
   }
 }
@@ -131,7 +131,7 @@ void weights_geos(benchmark::State& state) {
 void rainfall_step(benchmark::State& state, std::size_t remembered_bytes) {
   const Study study = random_study(400, 60, 50, true);
   const Network network(study.stations, Metric::geodesic);
-  const Weighing weighing(network, study.basins, Ground{Metric::geodesic, 1, 0.1});
+  const Weighing weighing(network, study.basins, Yardstick{Metric::geodesic, 1, 0.1});
   const ArealRainfall rainfall(weighing, {Gaps::retessellate, 1, true, remembered_bytes}, 1);
   std::vector<double> readings(400, 1.5);
   for (std::size_t i = 0; i < readings.size(); i += 3) readings[i] = std::nan("");

@@ -32,9 +32,9 @@ TEST(ChordBounds, below_a_point_is_where_it_came_from) {
   for (std::uint64_t round = 0; round < seeded.rounds(2000); ++round) {
     const Point p = random_point(seeded);
     const Direction there = on_ellipsoid(p);
-    const GroundPoint ground = below(there);
-    ASSERT_NEAR(geodesic_distance(ground.position, p), 0, 1e-8);
-    ASSERT_LT(ground.height, 1e-8);
+    const FootPoint foot = below(there);
+    ASSERT_NEAR(geodesic_distance(foot.position, p), 0, 1e-8);
+    ASSERT_LT(foot.height, 1e-8);
     ASSERT_NEAR(below((1 - 1000 / length(there)) * there).height, 1000, 0.02);
   }
 }

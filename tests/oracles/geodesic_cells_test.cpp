@@ -17,8 +17,8 @@
 #include "earth/ellipsoid_area.h"
 #include "earth/geodesic_diagram.h"
 #include "earth/geodesic_vertices.h"
-#include "earth/ground.h"
 #include "earth/sphere_tessellation.h"
+#include "earth/yardstick.h"
 #include "geometry/seeded.h"
 #include "oracles/earth_oracle.h"
 #include "oracles/geos.h"
@@ -96,8 +96,8 @@ Basin basin_of(const Setting& s, Seeded& seeded) {
 class GeodesicCells : public testing::TestWithParam<std::tuple<Setting, double>> {
  protected:
   void SetUp() override {
-    const Ground ground{Metric::geodesic, 1, tolerance_};
-    const Diagram diagram = ground.diagram(places_, frame_, 2);
+    const Yardstick yardstick{Metric::geodesic, 1, tolerance_};
+    const Diagram diagram = yardstick.diagram(places_, frame_, 2);
     cells_ = CellClipper(diagram, surface_).cells(basin_);
   }
 

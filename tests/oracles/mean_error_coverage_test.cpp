@@ -12,7 +12,7 @@
 namespace thiessen {
 namespace {
 
-constexpr Ground plane{Metric::planar, 1, 0.1};
+constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 // Whether errors cancel from step to step or last, and with gaps, the mean's bars hold the truth in
 // 93 to 97 % of cases, of which 2,000 tell to half a percent.

@@ -12,7 +12,7 @@
 
 #include "basin/cell_clipper.h"
 #include "earth/geodesic.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 #include "geometry/seeded.h"
 #include "rainfall/methods/natural_weights.h"
 
@@ -66,15 +66,15 @@ TEST(NaturalWeights, are_those_of_cgal) {
 /// The shares of the cell that a point would have on the ellipsoid, by the cells that they are
 /// taken from; none where the cell leaves the frame.
 std::vector<double> geodesic_weights(const std::vector<Point>& gauges, Point p, const Box& frame) {
-  const Ground ground{Metric::geodesic, 1, 0.1};
+  const Yardstick yardstick{Metric::geodesic, 1, 0.1};
   std::vector<Point> with = gauges;
   with.push_back(p);
-  const Diagram diagram = ground.diagram(with, frame, 1);
+  const Diagram diagram = yardstick.diagram(with, frame, 1);
   const EllipsoidSurface surface;
   CellClipper clipper(diagram, surface);
   const Ring ring{frame.low, {frame.high.x, frame.low.y}, frame.high, {frame.low.x, frame.high.y}};
   const auto cells = clipper.cells({"frame", {{ring, {}}}, {}});
-  const Diagram before = ground.diagram(gauges, frame, 1);
+  const Diagram before = yardstick.diagram(gauges, frame, 1);
   CellClipper taken(before, surface);
   for (const ClippedCell& cell : cells) {
     if (index(cell.place) != gauges.size()) continue;

@@ -17,7 +17,7 @@ namespace thiessen {
 namespace {
 
 constexpr double silent = std::numeric_limits<double>::quiet_NaN();
-constexpr Ground plane{Metric::planar, 1, 0.1};
+constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 class TextbookRainfall : public testing::Test {
  protected:

@@ -26,8 +26,8 @@ std::map<std::string, double> weights_by_id(const Network& network, const BasinW
   return by_id;
 }
 
-constexpr Ground plane{Metric::planar, 1, 0.1};
-constexpr Ground ellipsoid{Metric::geodesic, 1, 0.1};
+constexpr Yardstick plane{Metric::planar, 1, 0.1};
+constexpr Yardstick ellipsoid{Metric::geodesic, 1, 0.1};
 
 TEST(Weights, of_the_textbook_case_are_its_fractions) {
   const Network network(textbook::stations(), Metric::planar);
@@ -120,9 +120,9 @@ Study random_study(Seeded& seeded) {
 TEST(Weights, do_not_depend_on_the_number_of_threads_by_a_bit) {
   Seeded seeded;
   const Study study = random_study(seeded);
-  for (const Ground& ground : {plane, ellipsoid}) {
-    const Network network(study.stations, ground.metric);
-    const Weighing weighing(network, study.basins, ground);
+  for (const Yardstick& yardstick : {plane, ellipsoid}) {
+    const Network network(study.stations, yardstick.metric);
+    const Weighing weighing(network, study.basins, yardstick);
     const auto one = weighing.weights(all_of(network), 1);
     for (const unsigned threads : {2u, 5u, 64u}) {
       const auto many = weighing.weights(all_of(network), threads);
@@ -136,12 +136,12 @@ TEST(Weights, do_not_depend_on_the_order_of_the_stations_by_a_bit) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(5); ++round) {
     Study study = random_study(seeded);
-    for (const Ground& ground : {plane, ellipsoid}) {
-      const Network network(study.stations, ground.metric);
-      const auto expected = Weighing(network, study.basins, ground).weights(all_of(network), 1);
+    for (const Yardstick& yardstick : {plane, ellipsoid}) {
+      const Network network(study.stations, yardstick.metric);
+      const auto expected = Weighing(network, study.basins, yardstick).weights(all_of(network), 1);
       std::shuffle(study.stations.begin(), study.stations.end(), seeded.generator());
-      const Network shuffled(study.stations, ground.metric);
-      const auto found = Weighing(shuffled, study.basins, ground).weights(all_of(shuffled), 1);
+      const Network shuffled(study.stations, yardstick.metric);
+      const auto found = Weighing(shuffled, study.basins, yardstick).weights(all_of(shuffled), 1);
       for (std::size_t b = 0; b < expected.size(); ++b)
         ASSERT_EQ(weights_by_id(shuffled, found[b]), weights_by_id(network, expected[b]));
     }
@@ -152,12 +152,12 @@ TEST(Weights, do_not_depend_on_the_order_of_the_stations_by_a_bit) {
 TEST(Weights, of_a_basin_do_not_depend_on_the_others) {
   Seeded seeded;
   const Study study = random_study(seeded);
-  for (const Ground& ground : {plane, ellipsoid}) {
-    const Network network(study.stations, ground.metric);
-    const auto together = Weighing(network, study.basins, ground).weights(all_of(network), 1);
+  for (const Yardstick& yardstick : {plane, ellipsoid}) {
+    const Network network(study.stations, yardstick.metric);
+    const auto together = Weighing(network, study.basins, yardstick).weights(all_of(network), 1);
     for (std::size_t b = 0; b < study.basins.size(); ++b) {
       const std::vector<Basin> alone{study.basins[b]};
-      const auto found = Weighing(network, alone, ground).weights(all_of(network), 1);
+      const auto found = Weighing(network, alone, yardstick).weights(all_of(network), 1);
       const auto expected = weights_by_id(network, together[b]);
       const auto weights = weights_by_id(network, found[0]);
       ASSERT_EQ(weights.size(), expected.size());
@@ -181,9 +181,9 @@ TEST(Weights, of_adjoining_basins_add_up) {
       shapes::basin({{west, {}}}), shapes::basin({{east, {}}}),
       shapes::basin(
           {{{{-105, 38}, {-104, 38}, {-103, 38}, {-103, 40}, {-104, 40}, {-105, 40}}, {}}})};
-  for (const Ground& ground : {plane, ellipsoid}) {
-    const Network network(study.stations, ground.metric);
-    const auto weights = Weighing(network, basins, ground).weights(all_of(network), 1);
+  for (const Yardstick& yardstick : {plane, ellipsoid}) {
+    const Network network(study.stations, yardstick.metric);
+    const auto weights = Weighing(network, basins, yardstick).weights(all_of(network), 1);
     std::map<std::size_t, double> left;
     for (const StationWeight& s : weights[0].stations) left[index(s.station)] += s.area;
     for (const StationWeight& s : weights[1].stations) left[index(s.station)] += s.area;

@@ -153,7 +153,7 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const Picture& picture,
   for (int y = 0; y < panel.height; ++y) {
     for (int x = 0; x < panel.width; ++x) {
       const std::int32_t owner = cells.at(x, y);
-      Colour colour = ink::ground;
+      Colour colour = ink::background;
       if (owner >= 0) colour = colours[static_cast<std::size_t>(owner)];
       const bool unread =
           owner == basin_without_cell ||

@@ -19,7 +19,7 @@ constexpr std::size_t weighed_steps = 100;
 MeanError::MeanError(const ArealRainfall& rainfall, const Weighing& weighing)
     : rainfall_(rainfall),
       weighing_(weighing),
-      sites_(weighing.network().places(), weighing.ground().metric),
+      sites_(weighing.network().places(), weighing.yardstick().metric),
       sample_(weighing.network().stations().size(),
               steps_for_errors(weighing.network().stations().size())) {
   add_pairs();

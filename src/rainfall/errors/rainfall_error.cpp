@@ -24,7 +24,7 @@ constexpr std::size_t sampled_bytes = std::size_t{16} << 20;
 
 /// Longer than any distance between two gauges, or a gauge and a basin.
 double longest_distance(const Weighing& weighing) {
-  if (weighing.ground().metric == Metric::geodesic) return 2.1 * mean_radius;
+  if (weighing.yardstick().metric == Metric::geodesic) return 2.1 * mean_radius;
   Box box = weighing.frame();
   for (const Point p : weighing.network().places()) box.take_in(p);
   return std::hypot(box.width(), box.height());
@@ -76,7 +76,7 @@ std::size_t steps_for_errors(std::size_t stations) {
 
 RainfallError::RainfallError(const ArealRainfall& rainfall, const Weighing& weighing,
                              const StepSample& sample, unsigned threads)
-    : rainfall_(rainfall), sites_(weighing.network().places(), weighing.ground().metric) {
+    : rainfall_(rainfall), sites_(weighing.network().places(), weighing.yardstick().metric) {
   DistanceClasses found = distance_classes(by_site(sample), sites_, threads);
   shortfall_ = std::move(found.shortfall);
   if (!shortfall_.empty()) return;
@@ -100,16 +100,16 @@ std::vector<double> RainfallError::by_site(const std::vector<double>& of_cell) c
 }
 
 void RainfallError::weigh(const Weighing& weighing, unsigned threads) {
-  const Ground& ground = weighing.ground();
-  const double unit = ground.metric == Metric::planar ? std::sqrt(ground.unit_area) : 1;
+  const Yardstick& yardstick = weighing.yardstick();
+  const double unit = yardstick.metric == Metric::planar ? std::sqrt(yardstick.unit_area) : 1;
   basins_.resize(weighing.basins().size());
   const WeightsOfBasins all(rainfall_.full_cells(), basins_.size(), sites_);
   in_parallel(basins_.size(), threads, [&](std::size_t, std::size_t b) {
     const auto full = all.of(b);
     const std::size_t count = std::clamp(points_a_weight * full.size(), least_points, most_points);
     std::vector<Direction> points;
-    for (const Point p : basin_points(weighing.basins()[b], ground, count))
-      points.push_back(in_space(p, ground.metric));
+    for (const Point p : basin_points(weighing.basins()[b], yardstick, count))
+      points.push_back(in_space(p, yardstick.metric));
     const double side =
         std::sqrt(weighing.basin_area(b) / static_cast<double>(points.size())) / unit;
     basins_[b] = std::make_unique<const BasinError>(std::vector(full.begin(), full.end()),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "earth/conformal_sphere.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

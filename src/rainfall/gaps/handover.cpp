@@ -50,7 +50,7 @@ std::vector<Point> bends_of(const Diagram& diagram) {
 Handovers::Handovers(const Weighing& weighing, unsigned threads)
     : weighing_(weighing),
       cells_(weighing.network(), std::vector<bool>(weighing.network().stations().size(), true),
-             weighing.ground(), weighing.frame(), threads),
+             weighing.yardstick(), weighing.frame(), threads),
       adjacency_(cells_.diagram()),
       regions_(cells_.diagram().places.size()) {
   if (!cells_.any()) return;
@@ -65,13 +65,13 @@ Handovers::Handovers(const Weighing& weighing, unsigned threads)
 }
 
 void Handovers::add_regions(std::vector<std::vector<ClippedCell>> clipped) {
-  const bool on_earth = weighing_.ground().metric == Metric::geodesic;
+  const bool on_earth = weighing_.yardstick().metric == Metric::geodesic;
   const std::vector<Point> bends = on_earth ? bends_of(cells_.diagram()) : std::vector<Point>{};
   for (std::uint32_t b = 0; b < clipped.size(); ++b) {
     for (ClippedCell& cell : clipped[b]) {
       full_.push_back({b, cell.place, cell.area / weighing_.basin_area(b)});
       Region region{b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}};
-      if (on_earth) region.shape.emplace(region.ground, bends, weighing_.ground().tolerance);
+      if (on_earth) region.shape.emplace(region.ground, bends, weighing_.yardstick().tolerance);
       regions_[index(cell.place)].push_back(std::move(region));
     }
   }
@@ -129,7 +129,7 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
 // is known.
 bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
                                const Take& take) const {
-  if (weighing_.ground().metric == Metric::planar) return false;
+  if (weighing_.yardstick().metric == Metric::planar) return false;
   Box frame;
   Direction sum;
   for_each_region(component, [&](const Region& region) {
@@ -146,7 +146,7 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   if (reach > SphereShape::farthest_reach) return false;
   const auto diagram =
       chart_diagram(heirs, {chart, 1.1 * reach, frame},
-                    {weighing_.ground().accuracy_for_areas(), weighing_.ground().tolerance});
+                    {weighing_.yardstick().accuracy_for_areas(), weighing_.yardstick().tolerance});
   if (!diagram) return false;
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);
@@ -174,7 +174,7 @@ void Handovers::share(std::span<const PlaceIndex> component, std::span<const Poi
       for (const Point p : part.outer) frame.take_in(p);
     }
   });
-  const Diagram diagram = weighing_.ground().diagram_for_areas(heirs, frame);
+  const Diagram diagram = weighing_.yardstick().diagram_for_areas(heirs, frame);
   CellClipper clipper(diagram, weighing_.surface());
   for_each_region(component, [&](const Region& region) {
     throw_if_interrupted();

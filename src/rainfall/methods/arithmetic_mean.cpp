@@ -6,7 +6,7 @@ namespace thiessen {
 
 ArithmeticMean::ArithmeticMean(const Weighing& weighing)
     : inside_(points_within(weighing.basins(), weighing.network().places(),
-                            weighing.ground().metric == Metric::geodesic ? 360 : 0)) {}
+                            weighing.yardstick().metric == Metric::geodesic ? 360 : 0)) {}
 
 AreaMethod::Weights ArithmeticMean::weights(const std::vector<bool>& reports) const {
   Weights weights(inside_.size());

@@ -67,17 +67,17 @@ double halving_latitude(double south, double north) {
 /// Some strips of equal height that cover a part.
 class Rows {
  public:
-  Rows(const Box& box, std::size_t count, const Ground& ground, const Surface& surface)
+  Rows(const Box& box, std::size_t count, const Yardstick& yardstick, const Surface& surface)
       : south_(box.low.y),
         height_(box.height()),
         count_(count),
-        ground_(ground),
+        yardstick_(yardstick),
         surface_(surface) {}
 
   std::size_t count() const { return count_; }
   /// Where the row of a strip runs.
   double at(std::size_t row) const {
-    return ground_.metric == Metric::geodesic
+    return yardstick_.metric == Metric::geodesic
                ? halving_latitude(south_of(row), south_of(row + 1))
                : south_ +
                      height_ * ((static_cast<double>(row) + 0.5) / static_cast<double>(count_));
@@ -96,7 +96,7 @@ class Rows {
   double south_;
   double height_;
   std::size_t count_;
-  const Ground& ground_;
+  const Yardstick& yardstick_;
   const Surface& surface_;
 };
 
@@ -150,8 +150,8 @@ class Pacing {
 
 class BasinPoints {
  public:
-  BasinPoints(const Basin& basin, const Ground& ground, std::size_t count)
-      : ground_(ground), surface_(ground.surface()) {
+  BasinPoints(const Basin& basin, const Yardstick& yardstick, std::size_t count)
+      : yardstick_(yardstick), surface_(yardstick.surface()) {
     LongSum sum;
     for (const Polygon& part : basin.shape) {
       areas_.push_back(area_of(part, *surface_));
@@ -175,7 +175,7 @@ class BasinPoints {
     constexpr double metres_a_degree = mean_radius * degree;
     const double side =
         std::sqrt(share_) /
-        (ground_.metric == Metric::geodesic ? metres_a_degree : std::sqrt(ground_.unit_area));
+        (yardstick_.metric == Metric::geodesic ? metres_a_degree : std::sqrt(yardstick_.unit_area));
     const double filled = area / surface_->under({box.low.x, box.high.y}, box.high, box.low.y);
     const double wanted = std::max(std::round(box.height() / side), std::ceil(2 / filled));
     const double most = 4 * std::ceil(area / share_) + 4;
@@ -185,7 +185,7 @@ class BasinPoints {
   void go_over(const Polygon& part, double area, Pacing& pacing) const {
     const std::vector<Edge> edges = edges_of(part);
     const Box box = box_of(part.outer);
-    const Rows rows(box, rows_for(box, area), ground_, *surface_);
+    const Rows rows(box, rows_for(box, area), yardstick_, *surface_);
     LongSum crossed;
     for_each_row(edges, rows, [&](std::size_t row, const auto& crossings) {
       LongSum length;
@@ -214,7 +214,7 @@ class BasinPoints {
     });
   }
 
-  const Ground& ground_;
+  const Yardstick& yardstick_;
   std::unique_ptr<Surface> surface_;
   std::vector<double> areas_;  // by part
   double share_ = 0;           // of a point
@@ -222,8 +222,8 @@ class BasinPoints {
 
 }  // namespace
 
-std::vector<Point> basin_points(const Basin& basin, const Ground& ground, std::size_t count) {
-  return BasinPoints(basin, ground, count).points(basin);
+std::vector<Point> basin_points(const Basin& basin, const Yardstick& yardstick, std::size_t count) {
+  return BasinPoints(basin, yardstick, count).points(basin);
 }
 
 }  // namespace thiessen

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "basin/basin.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 
@@ -24,6 +24,6 @@ namespace thiessen {
 /// 1e-2 of many islands or a thin ring; 100 points to 2e-2, 100,000 to 2e-4. Requires a basin of
 /// positive area and at least one point. Cost: n log n in the vertices, and what rows cross: some
 /// sqrt(count) rows, up to 4 x count for slivers.
-std::vector<Point> basin_points(const Basin& basin, const Ground& ground, std::size_t count);
+std::vector<Point> basin_points(const Basin& basin, const Yardstick& yardstick, std::size_t count);
 
 }  // namespace thiessen

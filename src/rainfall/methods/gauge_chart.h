@@ -4,7 +4,7 @@
 #include <span>
 
 #include "earth/conformal_sphere.h"
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

@@ -43,15 +43,15 @@ class Shares {
 
 InverseDistance::InverseDistance(const Weighing& weighing, std::size_t points, unsigned threads)
     : weighing_(weighing),
-      nearest_(weighing.network().places(), weighing.ground().metric),
+      nearest_(weighing.network().places(), weighing.yardstick().metric),
       kept_(std::min(kept, weighing.network().places().size())),
       points_(weighing.basins().size()) {
   const std::vector<Point>& places = weighing.network().places();
-  if (weighing.ground().metric == Metric::geodesic) {
+  if (weighing.yardstick().metric == Metric::geodesic) {
     for (const Point p : places) on_earth_.emplace_back(p);
   }
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
-    points_[b].at = basin_points(weighing.basins()[b], weighing.ground(), points);
+    points_[b].at = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     keep_neighbours(points_[b]);
     WeightSums sums(places.size());
     points_[b].full = weights_of(points_[b], std::vector<bool>(places.size(), true), sums);
@@ -71,7 +71,7 @@ void InverseDistance::keep_neighbours(Points& points) const {
 void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
                             std::span<Neighbour> weighed) const {
   constexpr double accuracy = 1;  // metres, of geodesics longer than 1,000 km
-  const bool planar = weighing_.ground().metric == Metric::planar;
+  const bool planar = weighing_.yardstick().metric == Metric::planar;
   const EarthPoint here = planar ? EarthPoint(Point{}, Direction{}) : EarthPoint(at);
   double least = 0;
   for (std::size_t k = 0; k < near.size(); ++k) {

@@ -76,8 +76,8 @@ class NaturalNeighbours::Workplace {
 
 NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads)
     : weighing_(weighing),
-      chart_(weighing.network().places(), weighing.ground().metric),
-      nearest_(weighing.network().places(), weighing.ground().metric),
+      chart_(weighing.network().places(), weighing.yardstick().metric),
+      nearest_(weighing.network().places(), weighing.yardstick().metric),
       points_(weighing.basins().size()),
       shares_outside_(points_.size()) {
   const std::vector<Point>& places = weighing.network().places();
@@ -88,7 +88,7 @@ NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t point
     places_of_[number].push_back(PlaceIndex{p});
   }
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
-    points_[b].positions = basin_points(weighing.basins()[b], weighing.ground(), points);
+    points_[b].positions = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     points_[b].at = charted(points_[b].positions, chart_);
     auto workplace = borrow();
     shares_outside_[b] =

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "earth/ground.h"
 #include "earth/place_tree.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 

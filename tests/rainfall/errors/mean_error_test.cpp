@@ -12,7 +12,7 @@
 namespace thiessen {
 namespace {
 
-constexpr Ground plane{Metric::planar, 1, 0.1};
+constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 // Law: where fields come in pairs of opposites about one that lasts, the mean is off as that one
 // is.

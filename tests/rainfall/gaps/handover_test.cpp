@@ -34,7 +34,7 @@ class NineGauges : public testing::Test {
   const Network network_{stations(), Metric::planar};
   const std::vector<Basin> basins_{shapes::basin({{shapes::rectangle({0.5, 0.5}, {1.5, 1.5}), {}}}),
                                    shapes::basin({{shapes::rectangle({0, 0}, {2, 2}), {}}})};
-  const Weighing weighing_{network_, basins_, Ground{Metric::planar, 1, 0.1}};
+  const Weighing weighing_{network_, basins_, Yardstick{Metric::planar, 1, 0.1}};
   const Handovers handovers_{weighing_, 1};
 };
 

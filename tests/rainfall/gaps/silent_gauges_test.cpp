@@ -17,7 +17,7 @@ namespace thiessen {
 namespace {
 
 constexpr double silent = std::numeric_limits<double>::quiet_NaN();
-constexpr Ground plane{Metric::planar, 1, 0.1};
+constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 struct GappyStep {
   std::vector<double> readings;
@@ -61,7 +61,7 @@ double worst_on_earth(Seeded& seeded, Point centre, double degrees, bool lattice
                                         {centre.x + 1.2 * degrees, centre.y + degrees}),
                       {}}})};
   // A tolerance at which chords make no difference.
-  const Weighing weighing(network, basins, Ground{Metric::geodesic, 1, 1e-3 * degrees});
+  const Weighing weighing(network, basins, Yardstick{Metric::geodesic, 1, 1e-3 * degrees});
   const ArealRainfall rainfall(weighing, {}, 1);
   double worst = 0;
   for (int round = 0; round < 5; ++round) {
@@ -128,8 +128,8 @@ TEST(SilentGaugesOnTheEarth, hand_over_along_edges_within_the_tolerance) {
       basins.push_back(shapes::basin({{shapes::rectangle(p, {p.x + side, p.y + side}), {}}}));
     }
     ASSERT_GE(basins.size(), 5u);
-    const Weighing weighing(network, basins, Ground{Metric::geodesic, 1, tolerance});
-    const Weighing fine(network, basins, Ground{Metric::geodesic, 1, 1e-3});
+    const Weighing weighing(network, basins, Yardstick{Metric::geodesic, 1, tolerance});
+    const Weighing fine(network, basins, Yardstick{Metric::geodesic, 1, 1e-3});
     std::vector<bool> reports;
     for (const double reading : readings) reports.push_back(!std::isnan(reading));
     const auto expected = fine.weights(reports, 1);

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 namespace thiessen {
 namespace {

@@ -13,8 +13,8 @@
 namespace thiessen {
 namespace {
 
-const Ground plane{Metric::planar, 1, 0.1};
-const Ground earth{Metric::geodesic, 1, 0.1};
+const Yardstick plane{Metric::planar, 1, 0.1};
+const Yardstick earth{Metric::geodesic, 1, 0.1};
 
 /// Even-odd over all rings at once, in long double; an edge counts as inside to rounding.
 bool is_inside(const Basin& basin, Point p) {
@@ -153,14 +153,14 @@ TEST(BasinPoints, neither_starts_nor_directions_of_rings_show) {
     const Point centre{seeded.uniform(-100, 100), seeded.uniform(-50, 50)};
     Ring outer = shapes::star(seeded, centre, 20, 30);
     Ring hole = shapes::reversed(shapes::scaled(outer, centre, 0.3));
-    for (const Ground& ground : {plane, earth}) {
-      const auto before = basin_points(shapes::basin({{outer, {hole}}}), ground, 500);
+    for (const Yardstick& yardstick : {plane, earth}) {
+      const auto before = basin_points(shapes::basin({{outer, {hole}}}), yardstick, 500);
       Ring turned = outer;
       std::rotate(turned.begin(), turned.begin() + seeded.whole(1, 29), turned.end());
       std::rotate(hole.begin(), hole.begin() + seeded.whole(1, 29), hole.end());
       if (round % 2 == 0) turned = shapes::reversed(turned);
       if (round % 3 == 0) hole = shapes::reversed(hole);
-      EXPECT_EQ(basin_points(shapes::basin({{turned, {hole}}}), ground, 500), before);
+      EXPECT_EQ(basin_points(shapes::basin({{turned, {hole}}}), yardstick, 500), before);
     }
   }
 }

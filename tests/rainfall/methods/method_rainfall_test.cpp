@@ -24,14 +24,14 @@ namespace thiessen {
 namespace {
 
 constexpr double silent = std::numeric_limits<double>::quiet_NaN();
-const Ground plane{Metric::planar, 1, 0.1};
-const Ground earth{Metric::geodesic, 1, 0.1};
+const Yardstick plane{Metric::planar, 1, 0.1};
+const Yardstick earth{Metric::geodesic, 1, 0.1};
 
 struct Study {
-  Study(std::vector<Station> stations, std::vector<Basin> areas, const Ground& ground)
-      : network(std::move(stations), ground.metric),
+  Study(std::vector<Station> stations, std::vector<Basin> areas, const Yardstick& yardstick)
+      : network(std::move(stations), yardstick.metric),
         basins(std::move(areas)),
-        weighing(network, basins, ground) {}
+        weighing(network, basins, yardstick) {}
 
   Network network;
   std::vector<Basin> basins;
@@ -144,18 +144,18 @@ std::vector<Station> scattered(Seeded& seeded, std::size_t count, Point middle, 
 TEST(InverseDistance, is_the_mean_over_the_points_whatever_is_silent) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < Seeded::rounds(20); ++round) {
-    const Ground& ground = round % 2 == 0 ? plane : earth;
+    const Yardstick& yardstick = round % 2 == 0 ? plane : earth;
     const Point middle{seeded.uniform(-170, 170), seeded.uniform(-60, 60)};
     const auto stations = scattered(seeded, 1 + seeded.below(60), middle, 3);
     const Basin basin = shapes::basin({{shapes::star(seeded, middle, 2, 12), {}}});
-    const Study study(stations, {basin}, ground);
+    const Study study(stations, {basin}, yardstick);
     const double share = seeded.uniform(0, 1);
     std::vector<double> readings;
     for (std::size_t i = 0; i < stations.size(); ++i)
       readings.push_back(i > 0 && seeded.uniform(0, 1) < share ? silent : seeded.uniform(0, 100));
     double mean = 0;
-    for (const Point p : basin_points(basin, ground, 300))
-      mean += idw_at(p, stations, readings, ground.metric) / 300;
+    for (const Point p : basin_points(basin, yardstick, 300))
+      mean += idw_at(p, stations, readings, yardstick.metric) / 300;
     EXPECT_NEAR(rainfall_of(study, idw, readings, Gaps::retessellate)[0].rainfall, mean, 1e-5);
   }
 }
@@ -199,7 +199,7 @@ TEST(NaturalNeighbours, give_a_plane_its_mean) {
 TEST(NaturalNeighbours, silent_gauges_are_as_if_they_had_never_been) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < Seeded::rounds(30); ++round) {
-    const Ground& ground = round % 2 == 0 ? plane : earth;
+    const Yardstick& yardstick = round % 2 == 0 ? plane : earth;
     const Point middle{seeded.uniform(-170, 170), seeded.uniform(-60, 60)};
     const auto stations = scattered(seeded, 4 + seeded.below(40), middle, 3);
     std::vector<Basin> basins;
@@ -207,7 +207,7 @@ TEST(NaturalNeighbours, silent_gauges_are_as_if_they_had_never_been) {
       const Point centre{middle.x + seeded.uniform(-2, 2), middle.y + seeded.uniform(-2, 2)};
       basins.push_back(shapes::basin({{shapes::star(seeded, centre, 1, 12), {}}}));
     }
-    const Study study(stations, basins, ground);
+    const Study study(stations, basins, yardstick);
     const double share = seeded.uniform(0, 1);
     std::vector<double> readings;
     std::vector<Station> rest;
@@ -219,11 +219,11 @@ TEST(NaturalNeighbours, silent_gauges_are_as_if_they_had_never_been) {
       rest.push_back(stations[i]);
       rest_readings.push_back(readings.back());
     }
-    const Study others(rest, basins, ground);
+    const Study others(rest, basins, yardstick);
     const auto values = rainfall_of(study, natural, readings, Gaps::retessellate);
     const auto expected = rainfall_of(others, natural, rest_readings, Gaps::retessellate);
     // On the Earth the hull of the others is seen from the middle of another gap.
-    const double accuracy = ground.metric == Metric::planar ? 1e-9 : 2;
+    const double accuracy = yardstick.metric == Metric::planar ? 1e-9 : 2;
     for (std::size_t b = 0; b < basins.size(); ++b)
       EXPECT_NEAR(values[b].rainfall, expected[b].rainfall, accuracy);
   }
@@ -242,12 +242,12 @@ TEST(NaturalNeighbours, outside_the_hull_the_nearest) {
 
 TEST(NaturalNeighbours, one_gauge_two_and_a_line) {
   const Basin square = shapes::basin({{shapes::rectangle({0, 0}, {4, 4}), {}}});
-  for (const Ground& ground : {plane, earth}) {
-    const Study one({{"a", {1, 1}}}, {square}, ground);
+  for (const Yardstick& yardstick : {plane, earth}) {
+    const Study one({{"a", {1, 1}}}, {square}, yardstick);
     EXPECT_EQ(rainfall_of(one, natural, {7}, Gaps::retessellate)[0].rainfall, 7);
-    const Study two({{"a", {1, 2}}, {"b", {3, 2}}}, {square}, ground);
+    const Study two({{"a", {1, 2}}, {"b", {3, 2}}}, {square}, yardstick);
     EXPECT_NEAR(rainfall_of(two, natural, {0, 10}, Gaps::retessellate)[0].rainfall, 5, 1e-9);
-    const Study line({{"a", {1, 2}}, {"b", {2, 2}}, {"c", {3, 2}}}, {square}, ground);
+    const Study line({{"a", {1, 2}}, {"b", {2, 2}}, {"c", {3, 2}}}, {square}, yardstick);
     EXPECT_NEAR(rainfall_of(line, natural, {0, 10, 20}, Gaps::retessellate)[0].rainfall, 10, 0.1);
   }
 }

@@ -1,4 +1,4 @@
-#include "earth/ground.h"
+#include "earth/yardstick.h"
 
 #include <algorithm>
 
@@ -15,21 +15,22 @@ constexpr double finest_accuracy = 1e-6;  // metres
 
 }  // namespace
 
-Diagram Ground::diagram(std::span<const Point> places, const Box& frame, unsigned threads) const {
+Diagram Yardstick::diagram(std::span<const Point> places, const Box& frame,
+                           unsigned threads) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
   return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads);
 }
 
-Diagram Ground::diagram_for_areas(std::span<const Point> places, const Box& frame) const {
+Diagram Yardstick::diagram_for_areas(std::span<const Point> places, const Box& frame) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
   return geodesic_diagram(places, frame, share_for_chords * tolerance, accuracy_for_areas(), 1);
 }
 
-double Ground::accuracy_for_areas() const {
+double Yardstick::accuracy_for_areas() const {
   return std::max(finest_accuracy, share_for_points * tolerance);
 }
 
-std::unique_ptr<Surface> Ground::surface() const {
+std::unique_ptr<Surface> Yardstick::surface() const {
   if (metric == Metric::planar) return std::make_unique<PlaneSurface>(unit_area);
   return std::make_unique<EllipsoidSurface>();
 }

@@ -11,8 +11,8 @@ namespace thiessen {
 /// What "near" means: the shortest path on the ellipsoid, or straight distance in the coordinates.
 enum class Metric { geodesic, planar };
 
-/// What a study stands on: how near is measured, and how areas are.
-struct Ground {
+/// What a study measures with: how near, and how large.
+struct Yardstick {
   Metric metric = Metric::planar;
   double unit_area = 1;  ///< planar: square metres in a square unit of the coordinates
   double tolerance =
