@@ -6,7 +6,7 @@
 #include "gdal/raster_file.h"
 #include "gdal/transformation.h"
 #include "map/raster/owners.h"
-#include "map/raster/raster_frame.h"
+#include "map/raster/raster_grid.h"
 
 namespace thiessen::cli {
 namespace {

@@ -70,11 +70,11 @@ double least_certain_excess(double chord) {
 
 // Let X be the way through space from a point to a place, S the arc over it of a circle of the mean
 // radius of curvature R, s the geodesic, and D what its curvature, and its torsion, may differ from
-// the circle's. Along the geodesic (its frame T, V, N turns by curvature and torsion) X.N differs
-// from that of the circle by D s^2 / 2 at most, and X.V by D s^3 / 6R. So the gradients of s and S
-// by the place differ by no more than D s^2 / R times 0.32 / (1 - (X / 2R)^2), as long as s is a
-// quarter of a turn or less; and on the way from one place to another s - S changes by no more than
-// that times its length.
+// the circle's. Along the geodesic (its trihedron T, V, N turns by curvature and torsion) X.N
+// differs from that of the circle by D s^2 / 2 at most, and X.V by D s^3 / 6R. So the gradients of
+// s and S by the place differ by no more than D s^2 / R times 0.32 / (1 - (X / 2R)^2), as long as s
+// is a quarter of a turn or less; and on the way from one place to another s - S changes by no more
+// than that times its length.
 double least_certain_excess_apiece(double chord) {
   static const double most = 1 / earth().smallest_radius;
   static const double least = 1 / earth().largest_radius;

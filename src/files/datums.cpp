@@ -14,7 +14,8 @@
 namespace thiessen {
 namespace {
 
-// NAD 83, GDA 94 and other frames that are taken for WGS 84 have 1 to 4 m in EPSG's tables.
+// NAD 83, GDA 94 and other reference frames that are taken for WGS 84 have 1 to 4 m in EPSG's
+// tables.
 constexpr double well_enough = 5;
 constexpr double not_stated = 999;  // so EPSG writes it
 

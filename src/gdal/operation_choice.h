@@ -22,7 +22,8 @@ struct OperationChoice {
 /// its east may lie beyond 180), else the one made for most of it. Where no authority knows an
 /// operation between the datums, see unknown_datum.h: longitudes and latitudes stay as they are, or
 /// Error is thrown. Throws Error as well where every operation needs a grid that is not there,
-/// naming it. Choices are remembered. Cost: some 10 ms, or 100 for frames that PROJ knows well.
+/// naming it. Choices are remembered. Cost: some 10 ms, or 100 for reference frames that PROJ knows
+/// well.
 OperationChoice choose_operation(const Crs& from, const Crs& to, const std::optional<Box>& area);
 
 /// To WGS 84 longitude and latitude, to a kilometre or so, whatever the datum; nothing where a grid

@@ -7,8 +7,8 @@
 namespace thiessen {
 
 // What becomes of coordinates where no authority knows how one datum lies in another. On an
-// ellipsoid such as Bessel's they may be hundreds of metres off, and are refused. Frames on the
-// ellipsoids of WGS 84 and GRS 1980 lie within two metres or so of each other. A sphere is a
+// ellipsoid such as Bessel's they may be hundreds of metres off, and are refused. Reference frames
+// on the ellipsoids of WGS 84 and GRS 1980 lie within two metres or so of each other. A sphere is a
 // model's Earth (WRF, MODIS, EASE-Grid): what its longitudes and latitudes come from are those of
 // WGS 84, unchanged.
 

@@ -53,7 +53,7 @@ void Canvas::fill(const PixelBox& box, Colour colour) {
   }
 }
 
-void Canvas::frame(const PixelBox& box, Colour colour, int thickness) {
+void Canvas::border(const PixelBox& box, Colour colour, int thickness) {
   fill({box.x, box.y, box.width, thickness}, colour);
   fill({box.x, box.bottom() - thickness, box.width, thickness}, colour);
   fill({box.x, box.y, thickness, box.height}, colour);

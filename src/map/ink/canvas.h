@@ -61,8 +61,8 @@ class Canvas {
   /// Mixes `colour` in, weighted by the coverage, whose upper left comes to (x, y), and `alpha`.
   void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha = 255);
   void fill(const PixelBox& box, Colour colour);
-  /// A frame of `thickness` pixels, inside the box.
-  void frame(const PixelBox& box, Colour colour, int thickness);
+  /// A border of `thickness` pixels, inside the box.
+  void border(const PixelBox& box, Colour colour, int thickness);
   /// A disc with a smooth edge; its centre and radius in pixels, pixel centres at .5. Only the
   /// pixels of `clip` change.
   void disc(Point centre, double radius, Colour colour, const PixelBox& clip);

@@ -6,7 +6,7 @@ namespace thiessen::ink {
 
 inline constexpr Colour text{38, 42, 46};
 inline constexpr Colour quiet_text{96, 101, 106};
-inline constexpr Colour frame{120, 125, 130};
+inline constexpr Colour border{120, 125, 130};
 inline constexpr Colour background{250, 250, 249};
 inline constexpr Colour cell_edge{72, 80, 88};
 inline constexpr Colour basin_edge{24, 28, 32};

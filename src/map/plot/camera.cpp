@@ -18,10 +18,10 @@ Camera::Camera(const SceneVector& eye, const SceneVector& direction, const Scene
   right_ = unit(cross(ahead_, is_along_z ? SceneVector{0, 1, 0} : SceneVector{0, 0, 1}));
   up_ = cross(right_, ahead_);
   near_ = near;
-  frame_box(half, panel, middle);
+  fit_box(half, panel, middle);
 }
 
-void Camera::frame_box(const SceneVector& half, const PixelBox& panel, Middle middle) {
+void Camera::fit_box(const SceneVector& half, const PixelBox& panel, Middle middle) {
   constexpr double filled = 0.84;        // of the panel
   constexpr double longest_focus = 1e9;  // pixels; what this does not enlarge is too far off
   outside_ = !is_in_box<3>(eye_, half);

@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// Central projection of the places of a UnitFrame to pixels.
+/// Central projection of places in SceneCoordinates to pixels.
 class Camera {
  public:
   /// What comes to the middle of the panel: what lies straight ahead, or the box, where all of it
@@ -40,7 +40,7 @@ class Camera {
   bool is_outside() const { return outside_; }
 
  private:
-  void frame_box(const SceneVector& half, const PixelBox& panel, Middle middle);
+  void fit_box(const SceneVector& half, const PixelBox& panel, Middle middle);
 
   SceneVector eye_;
   SceneVector right_;

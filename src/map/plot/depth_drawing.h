@@ -36,7 +36,7 @@ class DepthDrawing {
   /// Adds what of the line lies ahead and in the panel, in pieces: its dashes, or parts so short
   /// that each has one depth. Cost: the pieces, which the panel's size bounds.
   void add_line(const SceneVector& from, const SceneVector& to, const Pen& pen);
-  /// `radius` in units of the frame; in pixels it is kept between the other two.
+  /// `radius` in units of the scene; in pixels it is kept between the other two.
   void add_ball(const SceneVector& centre, double radius, double least, double largest,
                 Colour colour);
 

@@ -62,7 +62,7 @@ class PlaneDrawing {
     draw_dots();
     write_numbers(number_of);
     draw_axes();
-    sheet_.draw_frame();
+    sheet_.draw_border();
     sheet_.write_legend(tessellation_.count());
     write_notes();
   }
@@ -82,7 +82,7 @@ class PlaneDrawing {
 
   void draw_edges() {
     const PixelBox& panel = sheet_.panel();
-    const auto edges = edges_in_box(tessellation_, plot_.frame(), plot_.half());
+    const auto edges = edges_in_box(tessellation_, plot_.scene(), plot_.half());
     Coverage blue(panel.width, panel.height);
     for (const EdgeIn<2>& edge : edges.delaunay) draw_dashed(blue, edge);
     sheet_.canvas().blend(panel.x, panel.y, blue, ink::delaunay);
@@ -110,7 +110,7 @@ class PlaneDrawing {
   void draw_dots() {
     const auto all_discs = [this](double radius, Colour colour) {
       tessellation_.for_each_point([&](PointId p) {
-        sheet_.canvas().disc(plot_.pixel(plot_.frame()(tessellation_.position(p)), sheet_.panel()),
+        sheet_.canvas().disc(plot_.pixel(plot_.scene()(tessellation_.position(p)), sheet_.panel()),
                              radius, colour, sheet_.panel());
       });
     };
@@ -132,7 +132,7 @@ class PlaneDrawing {
     NumberLabels labels(sheet_.canvas(), sheet_.panel(), sheet_.type(), strokes_.numerals);
     std::vector<Numbered> points;
     tessellation_.for_each_point([&](PointId p) {
-      const Point dot = plot_.pixel(plot_.frame()(tessellation_.position(p)), sheet_.panel());
+      const Point dot = plot_.pixel(plot_.scene()(tessellation_.position(p)), sheet_.panel());
       points.push_back({number_of(p), dot});
       labels.keep_clear(dot, strokes_.dot);
     });
@@ -151,16 +151,16 @@ class PlaneDrawing {
 
   AxisTicks ticks_along(std::size_t axis, int pixels, double ems_apart) const {
     const double half = plot_.half()[axis];
-    const UnitFrame<2>& frame = plot_.frame();
-    return axis_ticks(frame.origin(axis), frame.unplaced(axis, -half), frame.unplaced(axis, half),
+    const SceneCoordinates<2>& scene = plot_.scene();
+    return axis_ticks(scene.origin(axis), scene.unplaced(axis, -half), scene.unplaced(axis, half),
                       std::max(2, static_cast<int>(pixels / (ems_apart * sheet_.style().em))));
   }
 
   /// A tick's place in pixels of the page.
   Point tick_pixel(std::size_t axis, const AxisTicks::Tick& tick) const {
     CoordinatesIn<2> place{};
-    const UnitFrame<2>& frame = plot_.frame();
-    place[axis] = (tick.at - frame.unplaced(axis, 0)) * frame.scale(axis);
+    const SceneCoordinates<2>& scene = plot_.scene();
+    place[axis] = (tick.at - scene.unplaced(axis, 0)) * scene.scale(axis);
     return plot_.pixel(place, sheet_.panel());
   }
 
@@ -172,7 +172,7 @@ class PlaneDrawing {
     const AxisTicks x = ticks_along(0, panel.width, 6);
     for (const AxisTicks::Tick& tick : x.ticks) {
       const int at = static_cast<int>(std::floor(tick_pixel(0, tick).x));
-      sheet_.canvas().fill({at, panel.bottom(), style.hairline, tick_length}, ink::frame);
+      sheet_.canvas().fill({at, panel.bottom(), style.hairline, tick_length}, ink::border);
       const SetText text = sheet_.type().set(tick.text, size);
       const int middle = std::min(at, PlotSheet::width - text.width() / 2 - style.hairline);
       sheet_.write(text, middle, panel.bottom() + style.ems(1.1), PlotSheet::Align::centre,
@@ -183,7 +183,7 @@ class PlaneDrawing {
     const AxisTicks y = ticks_along(1, panel.height, 3.5);
     for (const AxisTicks::Tick& tick : y.ticks) {
       const int at = static_cast<int>(std::floor(tick_pixel(1, tick).y));
-      sheet_.canvas().fill({panel.x - tick_length, at, tick_length, style.hairline}, ink::frame);
+      sheet_.canvas().fill({panel.x - tick_length, at, tick_length, style.hairline}, ink::border);
       const SetText text =
           sheet_.type().fit(tick.text, size, style.ems(0.5), panel.x - style.ems(0.8));
       sheet_.write(text, panel.x - style.ems(0.5), at + text.baseline - text.height() / 2,
@@ -217,11 +217,11 @@ class PlaneDrawing {
 }  // namespace
 
 PlanePlot::PlanePlot(const CoordinateRange<2>& range)
-    : stretch_(stretch_of(range)), frame_(range, stretch_) {
+    : stretch_(stretch_of(range)), scene_(range, stretch_) {
   constexpr double margin = 0.14;
   constexpr double least_aspect = 1;
   constexpr double largest_aspect = 2.4;
-  half_ = {frame_.half()[0] + margin, frame_.half()[1] + margin};
+  half_ = {scene_.half()[0] + margin, scene_.half()[1] + margin};
   if (range.longest_side() == 0) half_ = {1, 1 / 1.5};
   half_[0] = std::max(half_[0], least_aspect * half_[1]);
   half_[1] = std::max(half_[1], half_[0] / largest_aspect);
@@ -236,7 +236,7 @@ Point PlanePlot::pixel(const CoordinatesIn<2>& place, const PixelBox& panel) con
 Canvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of) {
   if (tessellation.empty()) {
     PlotSheet sheet(1.5, PlotSheet::Margins::plain);
-    sheet.draw_frame();
+    sheet.draw_border();
     sheet.write_legend(0);
     sheet.write_sentence("There are no points, and so there is nothing to tessellate.");
     return std::move(sheet.canvas());

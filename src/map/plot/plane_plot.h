@@ -3,8 +3,8 @@
 #include <cstddef>
 
 #include "map/ink/canvas.h"
+#include "map/plot/scene_coordinates.h"
 #include "map/plot/tessellation_picture.h"
-#include "map/plot/unit_frame.h"
 
 namespace thiessen {
 
@@ -17,19 +17,19 @@ class PlanePlot {
 
   static constexpr double longest_shown = 30;
 
-  const UnitFrame<2>& frame() const { return frame_; }
+  const SceneCoordinates<2>& scene() const { return scene_; }
   /// How much longer than the other axis this one is drawn; 1 where it is not.
   double stretch(std::size_t axis) const { return stretch_[axis]; }
   /// The panel's width by its height.
   double aspect() const { return half_[0] / half_[1]; }
-  /// Half the panel's sides, in units of the frame.
+  /// Half the panel's sides, in units of the scene.
   const CoordinatesIn<2>& half() const { return half_; }
-  /// Pixels of the page, of a place in the frame.
+  /// Pixels of the page, of a place in the scene.
   Point pixel(const CoordinatesIn<2>& place, const PixelBox& panel) const;
 
  private:
   CoordinatesIn<2> stretch_;
-  UnitFrame<2> frame_;
+  SceneCoordinates<2> scene_;
   CoordinatesIn<2> half_;
 };
 

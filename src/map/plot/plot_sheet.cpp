@@ -80,8 +80,8 @@ void PlotSheet::write_sentence(std::string_view sentence) {
         ink::quiet_text);
 }
 
-void PlotSheet::draw_frame() {
-  canvas_.frame(panel_, ink::frame, style_.hairline);
+void PlotSheet::draw_border() {
+  canvas_.border(panel_, ink::border, style_.hairline);
 }
 
 }  // namespace thiessen

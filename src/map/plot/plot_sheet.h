@@ -10,7 +10,7 @@
 
 namespace thiessen {
 
-/// A page with a framed panel, a legend above it and notes below.
+/// A page with a bordered panel, a legend above it and notes below.
 class PlotSheet {
  public:
   static constexpr int width = 1600;
@@ -35,7 +35,7 @@ class PlotSheet {
   void write_note(const std::string& note);
   /// In the middle of the panel.
   void write_sentence(std::string_view sentence);
-  void draw_frame();
+  void draw_border();
 
  private:
   PageStyle style_;

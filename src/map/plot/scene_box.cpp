@@ -98,14 +98,14 @@ void SceneBox::write_along(PlotSheet& sheet, const Edge& edge) const {
     outward = {-outward.x, -outward.y};
   }
   const double half = half_[edge.axis];
-  const AxisTicks axis = axis_ticks(frame_.origin(edge.axis), frame_.unplaced(edge.axis, -half),
-                                    frame_.unplaced(edge.axis, half),
+  const AxisTicks axis = axis_ticks(scene_.origin(edge.axis), scene_.unplaced(edge.axis, -half),
+                                    scene_.unplaced(edge.axis, half),
                                     std::clamp(static_cast<int>(length / style.ems(4)), 2, 8));
   Coverage marks(PlotSheet::width, sheet.canvas().height());
   double widest = 0;
   for (const AxisTicks::Tick& tick : axis.ticks) {
     SceneVector place = edge.from;
-    place[edge.axis] = (tick.at - frame_.unplaced(edge.axis, 0)) * frame_.scale(edge.axis);
+    place[edge.axis] = (tick.at - scene_.unplaced(edge.axis, 0)) * scene_.scale(edge.axis);
     const Point at = camera_.pixel(camera_.seen(place));
     if (!is_inside(sheet.panel(), at.x, at.y)) continue;
     const double mark = style.ems(0.3);

@@ -3,17 +3,17 @@
 #include "map/plot/camera.h"
 #include "map/plot/depth_drawing.h"
 #include "map/plot/plot_sheet.h"
-#include "map/plot/unit_frame.h"
+#include "map/plot/scene_coordinates.h"
 
 namespace thiessen {
 
 /// The box that a scene is seen in: its twelve edges, and coordinates along three of them.
 class SceneBox {
  public:
-  /// `half`: half its sides, in units of the frame.
-  SceneBox(const UnitFrame<3>& frame, const SceneVector& half, const Camera& camera,
+  /// `half`: half its sides, in units of the scene.
+  SceneBox(const SceneCoordinates<3>& scene, const SceneVector& half, const Camera& camera,
            const SceneVector& eye)
-      : frame_(frame), half_(half), camera_(camera), eye_(eye) {}
+      : scene_(scene), half_(half), camera_(camera), eye_(eye) {}
 
   void add_edges(DepthDrawing& drawing, const Pen& pen) const;
   /// Coordinates along one edge of the outline for each axis, none for an axis that is seen end on.
@@ -32,7 +32,7 @@ class SceneBox {
   bool is_on_outline(const Edge& edge) const;
   void write_along(PlotSheet& sheet, const Edge& edge) const;
 
-  const UnitFrame<3>& frame_;
+  const SceneCoordinates<3>& scene_;
   SceneVector half_;
   const Camera& camera_;
   SceneVector eye_;

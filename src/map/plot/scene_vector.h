@@ -6,7 +6,7 @@
 
 namespace thiessen {
 
-/// A place or a step in the UnitFrame of a scene in space.
+/// A place or a step in the SceneCoordinates of a scene in space.
 using SceneVector = CoordinatesIn<3>;
 
 inline SceneVector operator+(const SceneVector& a, const SceneVector& b) {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr double aspect = 1.35;
 
-/// From where and which way one looks, in units of the frame.
+/// From where and which way one looks, in units of the scene.
 struct Sight {
   SceneVector eye;
   SceneVector direction;
@@ -53,15 +53,15 @@ void check(const View& view) {
 }
 
 /// However close together view and site are against the points' range, it is one direction to look.
-Sight sight_of(const View& view, const UnitFrame<3>& frame) {
-  constexpr double beside = 10;         // in units of the frame
+Sight sight_of(const View& view, const SceneCoordinates<3>& scene) {
+  constexpr double beside = 10;         // in units of the scene
   constexpr double far_enough = 20000;  // from here on, farther looks the same
   SceneVector step{view.site.x - view.view.x, view.site.y - view.view.y, view.site.z - view.view.z};
   const double largest = std::max({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])});
   for (double& c : step) c /= largest;
   const SceneVector direction = unit(step);
-  const SceneVector site = frame(view.site);
-  SceneVector eye = frame(view.view);
+  const SceneVector site = scene(view.site);
+  SceneVector eye = scene(view.view);
   if (!std::isfinite(largest) || !std::isfinite(length(eye))) {
     throw Error(Message{{}, 0, "the view is too far from the points to be drawn", {}});
   }
@@ -75,9 +75,9 @@ class SpaceDrawing {
  public:
   SpaceDrawing(const Tessellation<3>& tessellation, const std::optional<View>& view)
       : tessellation_(tessellation),
-        frame_(CoordinateRange<3>(tessellation), {1, 1, 1}),
+        scene_(CoordinateRange<3>(tessellation), {1, 1, 1}),
         half_(half_of_box()),
-        sight_(view ? sight_of(*view, frame_) : default_sight(half_)),
+        sight_(view ? sight_of(*view, scene_) : default_sight(half_)),
         sheet_(aspect, PlotSheet::Margins::plain),
         camera_(sight_.eye, sight_.direction, half_, sheet_.panel(),
                 view ? Camera::Middle::straight_ahead : Camera::Middle::box),
@@ -85,8 +85,8 @@ class SpaceDrawing {
 
   void draw(const NumberOf& number_of, const std::optional<View>& view) {
     sheet_.write_legend(tessellation_.count());
-    const SceneBox box(frame_, half_, camera_, sight_.eye);
-    box.add_edges(drawing_, {ink::frame, hairline(), 0, 0, 0});
+    const SceneBox box(scene_, half_, camera_, sight_.eye);
+    box.add_edges(drawing_, {ink::border, hairline(), 0, 0, 0});
     add_edges();
     add_balls();
     drawing_.draw(sheet_.canvas());
@@ -96,7 +96,7 @@ class SpaceDrawing {
     } else {
       sheet_.write_sentence("None of the points lies ahead.");
     }
-    sheet_.draw_frame();
+    sheet_.draw_border();
     write_notes(view);
   }
   Canvas take_canvas() { return std::move(sheet_.canvas()); }
@@ -104,7 +104,7 @@ class SpaceDrawing {
  private:
   SceneVector half_of_box() const {
     constexpr double margin = 0.26;
-    SceneVector half = frame_.half();
+    SceneVector half = scene_.half();
     const bool is_point = length(half) == 0;
     for (double& side : half) side += is_point ? 0.5 : margin;
     return half;
@@ -112,13 +112,13 @@ class SpaceDrawing {
 
   double hairline() const { return sheet_.style().hairline; }
   int em() const { return sheet_.style().em; }
-  /// From point to point, in units of the frame, about.
+  /// From point to point, in units of the scene, about.
   double apart() const { return std::cbrt(1 / static_cast<double>(tessellation_.count())); }
   /// 1 for few points, less for many, whose lines are thinner.
   double fineness() const { return std::clamp(apart() / 0.3, 0.3, 1.0); }
 
   void add_edges() {
-    const auto edges = edges_in_box(tessellation_, frame_, half_);
+    const auto edges = edges_in_box(tessellation_, scene_, half_);
     const double em = this->em();
     const double fine = fineness();
     const double casing = fine * 0.12 * em;
@@ -144,7 +144,7 @@ class SpaceDrawing {
 
   void add_balls() {
     tessellation_.for_each_point([&](PointId p) {
-      drawing_.add_ball(frame_(tessellation_.position(p)), ball_radius(), 0.9, 1.2 * em(),
+      drawing_.add_ball(scene_(tessellation_.position(p)), ball_radius(), 0.9, 1.2 * em(),
                         ink::text);
     });
   }
@@ -166,7 +166,7 @@ class SpaceDrawing {
                         sheet_.style().ems(few ? 0.8 : 0.6));
     std::vector<Numbered> points;
     tessellation_.for_each_point([&](PointId p) {
-      const SceneVector seen = camera_.seen(frame_(tessellation_.position(p)));
+      const SceneVector seen = camera_.seen(scene_(tessellation_.position(p)));
       if (seen[2] < camera_.near_plane()) return;
       const Point dot = camera_.pixel(seen);
       const PixelBox& panel = sheet_.panel();
@@ -197,12 +197,12 @@ class SpaceDrawing {
     return std::clamp(ball_radius() * camera_.pixels_per_unit(ahead), 0.9, 1.2 * em());
   }
 
-  /// A place of the frame in the points' own coordinates, to a hundredth of their range or so.
+  /// A place of the scene in the points' own coordinates, to a hundredth of their range or so.
   std::string text_of(const SceneVector& place) const {
     std::string text = "(";
     for (std::size_t i = 0; i < 3; ++i) {
-      const int exponent = static_cast<int>(std::floor(std::log10(1 / frame_.scale(i)))) - 2;
-      const double value = frame_.unplaced(i, place[i]) + frame_.origin(i);
+      const int exponent = static_cast<int>(std::floor(std::log10(1 / scene_.scale(i)))) - 2;
+      const double value = scene_.unplaced(i, place[i]) + scene_.origin(i);
       const double steps = value / RoundValue{1, exponent}.value();
       constexpr double whole = 9e15;
       if (i > 0) text += ", ";
@@ -233,7 +233,7 @@ class SpaceDrawing {
   }
 
   const Tessellation<3>& tessellation_;
-  UnitFrame<3> frame_;
+  SceneCoordinates<3> scene_;
   SceneVector half_;
   Sight sight_;
   PlotSheet sheet_;
@@ -249,7 +249,7 @@ Canvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of
   if (view) check(*view);
   if (tessellation.empty()) {
     PlotSheet sheet(aspect, PlotSheet::Margins::plain);
-    sheet.draw_frame();
+    sheet.draw_border();
     sheet.write_legend(0);
     sheet.write_sentence("There are no points, and so there is nothing to tessellate.");
     return std::move(sheet.canvas());

@@ -25,9 +25,9 @@ class EdgeFinder {
   using Coordinates = CoordinatesIn<Dimension>;
   using Position = PositionIn<Dimension>;
 
-  EdgeFinder(const Tessellation<Dimension>& tessellation, const UnitFrame<Dimension>& frame,
+  EdgeFinder(const Tessellation<Dimension>& tessellation, const SceneCoordinates<Dimension>& scene,
              const Coordinates& half)
-      : tessellation_(tessellation), frame_(frame), half_(half) {}
+      : tessellation_(tessellation), scene_(scene), half_(half) {}
 
   void find_delaunay_edges() {
     Star<Dimension> star;
@@ -43,8 +43,8 @@ class EdgeFinder {
  protected:
   const Topology<Dimension>& topology() const { return tessellation_.topology(); }
   const Position& position(PointId p) const { return tessellation_.position(p); }
-  Position shifted(PointId p) const { return frame_.shifted(position(p)); }
-  Coordinates place(PointId p) const { return frame_(position(p)); }
+  Position shifted(PointId p) const { return scene_.shifted(position(p)); }
+  Coordinates place(PointId p) const { return scene_(position(p)); }
 
   /// Places every finite vertex. Requires a span of d dimensions.
   template <int d, typename Centre>
@@ -112,7 +112,7 @@ class EdgeFinder {
   }
 
   const Tessellation<Dimension>& tessellation_;
-  const UnitFrame<Dimension>& frame_;
+  const SceneCoordinates<Dimension>& scene_;
   const Coordinates half_;
   std::vector<Coordinates> vertices_;
 
@@ -147,9 +147,9 @@ class PlaneEdgeFinder : public EdgeFinder<2> {
   Line<2> bisector(PointId a, PointId b) const {
     const Point p = shifted(a);
     const Point q = shifted(b);
-    const CoordinatesIn<2> across{(p.y - q.y) * frame_.scale(0), (q.x - p.x) * frame_.scale(1)};
+    const CoordinatesIn<2> across{(p.y - q.y) * scene_.scale(0), (q.x - p.x) * scene_.scale(1)};
     const double length = std::hypot(across[0], across[1]);
-    return {frame_.placed({p.x / 2 + q.x / 2, p.y / 2 + q.y / 2}),
+    return {scene_.placed({p.x / 2 + q.x / 2, p.y / 2 + q.y / 2}),
             {across[0] / length, across[1] / length}};
   }
 
@@ -162,7 +162,7 @@ class PlaneEdgeFinder : public EdgeFinder<2> {
 
   void find_edges_between_vertices() {
     place_vertices<2>([this](const auto& f) {
-      return frame_.placed(circumcentre(shifted(f[0]), shifted(f[1]), shifted(f[2])));
+      return scene_.placed(circumcentre(shifted(f[0]), shifted(f[1]), shifted(f[2])));
     });
     for_each_facet<2>([this](const Points<2>& facet, VertexId v, VertexId w) {
       if (!topology().is_infinite(w) && are_one(v, w)) return;
@@ -180,9 +180,9 @@ class PlaneEdgeFinder : public EdgeFinder<2> {
 
 class SpaceEdgeFinder : public EdgeFinder<3> {
  public:
-  SpaceEdgeFinder(const Tessellation<3>& tessellation, const UnitFrame<3>& frame,
+  SpaceEdgeFinder(const Tessellation<3>& tessellation, const SceneCoordinates<3>& scene,
                   const SceneVector& half)
-      : EdgeFinder(tessellation, frame, half), far_(4 * length(half)) {}
+      : EdgeFinder(tessellation, scene, half), far_(4 * length(half)) {}
 
   void find() {
     if (tessellation_.span() == Span::line) find_parallel_walls();
@@ -191,11 +191,11 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
   }
 
  private:
-  /// From one point to another, in units of the frame, with their full accuracy.
+  /// From one point to another, in units of the scene, with their full accuracy.
   SceneVector step(PointId from, PointId to) const {
     const SpacePoint& p = position(from);
     const SpacePoint& q = position(to);
-    return frame_.scale(0) * SceneVector{q.x - p.x, q.y - p.y, q.z - p.z};
+    return scene_.scale(0) * SceneVector{q.x - p.x, q.y - p.y, q.z - p.z};
   }
 
   /// The cross product of a→b and a→c, as accurate however thin the triangle is.
@@ -204,7 +204,7 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
       const double doubled =
           doubled_area(projected(dropped, position(a)), projected(dropped, position(b)),
                        projected(dropped, position(c)));
-      return doubled * frame_.scale(0) * frame_.scale(0);
+      return doubled * scene_.scale(0) * scene_.scale(0);
     };
     return {area(Axis::x), area(Axis::y), area(Axis::z)};
   }
@@ -221,7 +221,7 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
 
   void find_edges_between_vertices() {
     place_vertices<3>([this](const auto& f) {
-      return frame_.placed(
+      return scene_.placed(
           circumcentre(shifted(f[0]), shifted(f[1]), shifted(f[2]), shifted(f[3])));
     });
     for_each_facet<3>([this](const Points<3>& facet, VertexId v, VertexId w) {
@@ -303,17 +303,17 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
 
 }  // namespace
 
-TessellationEdges<2> edges_in_box(const Tessellation<2>& tessellation, const UnitFrame<2>& frame,
-                                  const CoordinatesIn<2>& half) {
-  PlaneEdgeFinder finder(tessellation, frame, half);
+TessellationEdges<2> edges_in_box(const Tessellation<2>& tessellation,
+                                  const SceneCoordinates<2>& scene, const CoordinatesIn<2>& half) {
+  PlaneEdgeFinder finder(tessellation, scene, half);
   finder.find_delaunay_edges();
   finder.find();
   return std::move(finder.edges);
 }
 
-TessellationEdges<3> edges_in_box(const Tessellation<3>& tessellation, const UnitFrame<3>& frame,
-                                  const CoordinatesIn<3>& half) {
-  SpaceEdgeFinder finder(tessellation, frame, half);
+TessellationEdges<3> edges_in_box(const Tessellation<3>& tessellation,
+                                  const SceneCoordinates<3>& scene, const CoordinatesIn<3>& half) {
+  SpaceEdgeFinder finder(tessellation, scene, half);
   finder.find_delaunay_edges();
   finder.find();
   return std::move(finder.edges);

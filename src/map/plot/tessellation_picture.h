@@ -17,7 +17,7 @@ struct View {
 
 /// A PNG file: Voronoi edges solid red, Delaunay edges dashed blue, points with their numbers as
 /// far as these find room, axes. The points and a margin are in sight, on equal scales; a needle's
-/// short side is stretched, and the picture says so. Unbounded edges run off the frame. Of
+/// short side is stretched, and the picture says so. Unbounded edges run off the panel. Of
 /// cocircular points the Delaunay edges that a tie decides are drawn, Voronoi edges of no length
 /// are not.
 ///

@@ -29,7 +29,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   const PixelBox outline{left, top, full, height};
   canvas.fill(outline, ink::white);
   canvas.fill({left, top, half, height}, ink::text);
-  canvas.frame(outline, ink::text, page.style.hairline);
+  canvas.border(outline, ink::text, page.style.hairline);
 
   constexpr double wide_area = 0.15;  // radians: the scale differs by a hundredth within
   std::string end = bar.length.text();

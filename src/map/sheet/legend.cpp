@@ -119,13 +119,13 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
     const Colour colour = sequential_colour(count - 1 - static_cast<std::size_t>(i), count);
     canvas.fill({box.x, top + i * step, bar_width, step}, colour);
   }
-  canvas.frame({box.x, top, bar_width, n * step}, ink::frame, std::max(1, em_ / 16));
+  canvas.border({box.x, top, bar_width, n * step}, ink::border, std::max(1, em_ / 16));
   const int every = std::max(1, (em_ + step - 1) / step);
   for (int i = 0; i < static_cast<int>(ticks_.size()); i += every) {
     const SetText& text = ticks_[static_cast<std::size_t>(i)];
     const int y = ticks_.size() == 1 ? top + step / 2 : top + (n - i) * step;
     if (ticks_.size() > 1) {
-      canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::frame);
+      canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
     }
     canvas.blend(box.x + em_ * 2, y - text.height() / 2, text.ink, ink::text);
   }
@@ -142,7 +142,7 @@ void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
     for (int y = sign.y; y < sign.bottom(); ++y) {
       for (int x = sign.x; x < sign.right(); ++x) canvas.set(x, y, hatching(x, y, em_));
     }
-    canvas.frame(sign, ink::frame, std::max(1, em_ / 16));
+    canvas.border(sign, ink::border, std::max(1, em_ / 16));
     return;
   }
   Coverage line(sign.width, sign.height);

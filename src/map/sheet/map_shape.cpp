@@ -122,8 +122,8 @@ MapPart shifted(const MapPart& part, double dx) {
   return result;
 }
 
-/// Adds the part, and its copies a whole turn away where they reach into the frame.
-void add_copies(MapPart part, const MapProjection& projection, const LongitudeFrame& frame,
+/// Adds the part, and its copies a whole turn away where they reach into the window.
+void add_copies(MapPart part, const MapProjection& projection, const LongitudeWindow& window,
                 MapShape& shape) {
   const double period = projection.period();
   if (period > 0) {
@@ -131,8 +131,8 @@ void add_copies(MapPart part, const MapProjection& projection, const LongitudeFr
     for (const Ring& ring : part.rings) {
       for (const Point p : ring) extent.add(p);
     }
-    const double west = projection({frame.west, 0}).x;
-    const double east = projection({frame.east(), 0}).x;
+    const double west = projection({window.west, 0}).x;
+    const double east = projection({window.east(), 0}).x;
     if (extent.east > east) shape.push_back(shifted(part, -period));
     if (extent.west < west) shape.push_back(shifted(part, period));
   }
@@ -153,7 +153,7 @@ void Extent::add(Point p) {
 }
 
 MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
-                   const LongitudeFrame& frame, double tolerance) {
+                   const LongitudeWindow& window, double tolerance) {
   const bool geographic = projection.kind() != MapProjection::Kind::plane;
   const bool cut = geographic && cut_by_antimeridian(shape);
   const Drawer drawer(projection, tolerance);
@@ -161,12 +161,12 @@ MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
   for (const Polygon& polygon : shape) {
     MapPart part;
     const auto add = [&](const Ring& ring) {
-      DrawnRing drawn{geographic ? unwrapped(ring, frame) : ring, ring.size(), geographic, cut};
+      DrawnRing drawn{geographic ? unwrapped(ring, window) : ring, ring.size(), geographic, cut};
       add_ring(drawn, drawer, part);
     };
     add(polygon.outer);
     for (const Ring& hole : polygon.holes) add(hole);
-    add_copies(std::move(part), projection, frame, result);
+    add_copies(std::move(part), projection, window, result);
   }
   return result;
 }

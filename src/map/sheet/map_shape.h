@@ -33,8 +33,8 @@ struct Extent {
 /// The shape on the map's plane. Edges are straight in the study's coordinates; where the
 /// projection bends them they are subdivided until they depart from their curve by less than
 /// `tolerance` (map units), the same way in both directions. Where the map repeats, the shape is
-/// repeated as far as `frame` needs. Cost: the vertices.
+/// repeated as far as `window` needs. Cost: the vertices.
 MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
-                   const LongitudeFrame& frame, double tolerance);
+                   const LongitudeWindow& window, double tolerance);
 
 }  // namespace thiessen

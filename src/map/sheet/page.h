@@ -15,7 +15,7 @@ namespace thiessen {
 /// Lengths that all parts of a picture share, from its size.
 struct PageStyle {
   int em = 16;        ///< the ordinary text size, in pixels
-  int hairline = 1;   ///< frames and ticks
+  int hairline = 1;   ///< borders and ticks
   bool bare = false;  ///< too small for any text: the map alone
 
   int ems(double count) const { return static_cast<int>(std::lround(em * count)); }

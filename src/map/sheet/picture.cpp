@@ -40,7 +40,7 @@ void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyVie
     annotation.draw_labels(pixels_of_gauges(picture, cells));
     if (!names_first) annotation.draw_basin_names(basins);
   }
-  canvas.frame(page.panel, ink::frame, page.style.hairline);
+  canvas.border(page.panel, ink::border, page.style.hairline);
   draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, annotation.note(), type);
 }
 

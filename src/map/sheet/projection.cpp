@@ -53,10 +53,10 @@ MapProjection MapProjection::stereographic(Point centre) {
   return p;
 }
 
-MapProjection MapProjection::plate_carree(const LongitudeFrame& frame, double latitude) {
+MapProjection MapProjection::plate_carree(const LongitudeWindow& window, double latitude) {
   MapProjection p;
   p.kind_ = Kind::plate_carree;
-  p.centre_ = {frame.middle(), latitude};
+  p.centre_ = {window.middle(), latitude};
   p.squeeze_ = std::cos(latitude * radian);
   p.metres_per_unit_ = equatorial_radius;
   return p;

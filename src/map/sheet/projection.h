@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geometry/polygon.h"
-#include "map/sheet/longitude_frame.h"
+#include "map/sheet/longitude_window.h"
 
 namespace thiessen {
 
@@ -23,8 +23,8 @@ class MapProjection {
   static MapProjection plane(Point origin, double metres_per_unit);
   /// `centre`: longitude and latitude in degrees.
   static MapProjection stereographic(Point centre);
-  /// True to scale east-west along `latitude`, in degrees; `frame` runs across the map.
-  static MapProjection plate_carree(const LongitudeFrame& frame, double latitude);
+  /// True to scale east-west along `latitude`, in degrees; `window` runs across the map.
+  static MapProjection plate_carree(const LongitudeWindow& window, double latitude);
 
   Point operator()(Point study) const;
   Kind kind() const { return kind_; }

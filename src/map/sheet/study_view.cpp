@@ -31,15 +31,15 @@ void for_each_ring(const Picture& picture, const Visit& visit) {
 }
 
 /// The box of all shapes in the study's coordinates, or of the gauges where there are no shapes.
-Extent study_box(const Picture& picture, const LongitudeFrame& frame) {
+Extent study_box(const Picture& picture, const LongitudeWindow& window) {
   Extent box;
   for_each_ring(picture, [&](const Ring& ring) {
-    for (const Point p : ring) box.add({picture.geographic ? frame.place(p.x) : p.x, p.y});
+    for (const Point p : ring) box.add({picture.geographic ? window.place(p.x) : p.x, p.y});
   });
   if (!box.empty()) return box;
   for (const PictureGauge& gauge : picture.gauges) {
     const Point p = gauge.position;
-    box.add({picture.geographic ? frame.place(p.x) : p.x, p.y});
+    box.add({picture.geographic ? window.place(p.x) : p.x, p.y});
   }
   return box.empty() ? Extent{0, 0, 0, 0} : box;
 }
@@ -52,7 +52,7 @@ void require_finite(const Picture& picture) {
   for (const PictureGauge& gauge : picture.gauges) check(gauge.position);
 }
 
-LongitudeFrame longitude_frame(const Picture& picture) {
+LongitudeWindow longitude_window(const Picture& picture) {
   LongitudeCensus census;
   bool any = false;
   for_each_ring(picture, [&](const Ring& ring) {
@@ -62,7 +62,7 @@ LongitudeFrame longitude_frame(const Picture& picture) {
   if (!any) {
     for (const PictureGauge& gauge : picture.gauges) census.add(gauge.position.x);
   }
-  return census.frame();
+  return census.window();
 }
 
 /// The largest distance of a vertex from `centre`, in degrees.
@@ -75,17 +75,17 @@ double reach(const Picture& picture, Point centre) {
 }
 
 /// Where the map's centre goes: a pole for a study that winds round it.
-Point centre_of(const Extent& box, const LongitudeFrame& frame) {
+Point centre_of(const Extent& box, const LongitudeWindow& window) {
   const double half_turn = 180;
-  if (frame.span > half_turn && box.south > 0) return {0, 90};
-  if (frame.span > half_turn && box.north < 0) return {0, -90};
-  return {frame.middle(), (box.south + box.north) / 2};
+  if (window.span > half_turn && box.south > 0) return {0, 90};
+  if (window.span > half_turn && box.north < 0) return {0, -90};
+  return {window.middle(), (box.south + box.north) / 2};
 }
 
 void project_geographic(const Picture& picture, StudyView& view) {
-  view.frame = longitude_frame(picture);
-  const Extent box = study_box(picture, view.frame);
-  const Point centre = centre_of(box, view.frame);
+  view.window = longitude_window(picture);
+  const Extent box = study_box(picture, view.window);
+  const Point centre = centre_of(box, view.window);
   const double degrees = reach(picture, centre);
   view.radius = degrees * radian;
   if (degrees <= stereographic_reach) {
@@ -93,11 +93,11 @@ void project_geographic(const Picture& picture, StudyView& view) {
     return;
   }
   const double middle = (box.south + box.north) / 2;
-  view.projection = MapProjection::plate_carree(view.frame, middle);
+  view.projection = MapProjection::plate_carree(view.window, middle);
 }
 
 void project_plane(const Picture& picture, StudyView& view) {
-  const Extent box = study_box(picture, view.frame);
+  const Extent box = study_box(picture, view.window);
   const double farthest = 1e150;
   for (const double side : {box.west, box.south, box.east, box.north}) {
     if (std::abs(side) > farthest) reject("the study area reaches too far to be drawn");
@@ -130,7 +130,7 @@ void add_owners(const Picture& picture, const std::vector<Point>& gauges, Extent
   }
 }
 
-/// What to show: the whole frame where the map repeats, else all shapes and their gauges.
+/// What to show: the whole window where the map repeats, else all shapes and their gauges.
 Extent sight(const Picture& picture, const StudyView& view) {
   Extent extent;
   add(view.cells, extent);
@@ -142,8 +142,8 @@ Extent sight(const Picture& picture, const StudyView& view) {
   }
   if (extent.empty()) extent.add({0, 0});
   if (view.projection.period() > 0) {
-    extent.west = view.projection({view.frame.west, 0}).x;
-    extent.east = view.projection({view.frame.east(), 0}).x;
+    extent.west = view.projection({view.window.west, 0}).x;
+    extent.east = view.projection({view.window.east(), 0}).x;
   }
   if (extent.width() > 0 || extent.height() > 0) return extent;
   const double side = view.projection.kind() == MapProjection::Kind::plane ? 0.5 : 1e-4;
@@ -159,13 +159,13 @@ StudyView view_study(const Picture& picture) {
   constexpr double finest = 5e-5;  // of the study's radius: half a pixel in 20,000
   const double tolerance = finest * std::max(view.radius, 1e-12);
   const auto shape = [&](const MultiPolygon& polygons) {
-    return map_shape(polygons, view.projection, view.frame, tolerance);
+    return map_shape(polygons, view.projection, view.window, tolerance);
   };
   for (const PictureCell& cell : picture.cells) view.cells.push_back(shape(cell.shape));
   for (const PictureBasin& basin : picture.basins) view.basins.push_back(shape(basin.shape));
   for (const PictureGauge& gauge : picture.gauges) {
     const Point p = gauge.position;
-    const double x = picture.geographic ? view.frame.place(p.x) : p.x;
+    const double x = picture.geographic ? view.window.place(p.x) : p.x;
     view.gauges.push_back(view.projection({x, p.y}));
   }
   view.extent = sight(picture, view);

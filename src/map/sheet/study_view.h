@@ -11,7 +11,7 @@ namespace thiessen {
 /// The study on the map's plane: how it is projected, and what of it is in sight.
 struct StudyView {
   MapProjection projection = MapProjection::plane({}, 1);
-  LongitudeFrame frame;
+  LongitudeWindow window;
   Extent extent;  ///< never empty, both sides positive
   std::vector<MapShape> cells;
   std::vector<MapShape> basins;

@@ -22,7 +22,7 @@ Tessellation<Dimension> tessellation_of(const std::vector<PositionIn<Dimension>>
 }
 
 template <int Dimension>
-UnitFrame<Dimension> frame_of(const Tessellation<Dimension>& tessellation) {
+SceneCoordinates<Dimension> scene_of(const Tessellation<Dimension>& tessellation) {
   CoordinatesIn<Dimension> equal;
   equal.fill(1);
   return {CoordinateRange<Dimension>(tessellation), equal};
@@ -34,7 +34,7 @@ TessellationEdges<Dimension> edges_of(const std::vector<PositionIn<Dimension>>& 
   const auto tessellation = tessellation_of<Dimension>(points);
   CoordinatesIn<Dimension> box;
   box.fill(half);
-  return edges_in_box(tessellation, frame_of(tessellation), box);
+  return edges_in_box(tessellation, scene_of(tessellation), box);
 }
 
 /// The edges, each from its lesser end, in order.
@@ -70,11 +70,11 @@ double distance(const CoordinatesIn<Dimension>& a, const CoordinatesIn<Dimension
 /// How many points are as near to the place as the nearest one, by looking at each.
 template <int Dimension>
 std::size_t count_nearest(const Tessellation<Dimension>& tessellation,
-                          const UnitFrame<Dimension>& frame,
+                          const SceneCoordinates<Dimension>& scene,
                           const CoordinatesIn<Dimension>& place) {
   std::vector<double> distances;
   tessellation.for_each_point([&](PointId p) {
-    distances.push_back(distance<Dimension>(frame(tessellation.position(p)), place));
+    distances.push_back(distance<Dimension>(scene(tessellation.position(p)), place));
   });
   const double least = *std::min_element(distances.begin(), distances.end());
   return static_cast<std::size_t>(std::count_if(distances.begin(), distances.end(),
@@ -99,7 +99,7 @@ std::vector<SpacePoint> random_space_points(std::size_t count, unsigned seed) {
 
 TEST(TessellationEdges, of_two_points_are_their_bisector_and_what_joins_them) {
   const auto edges =
-      edges_of<2>({{1, 1}, {5, 1}}, 0.75);  // 4 units of the plane are 1 of the frame
+      edges_of<2>({{1, 1}, {5, 1}}, 0.75);  // 4 units of the plane are 1 of the scene
   ASSERT_EQ(edges.voronoi.size(), 1u);
   EXPECT_EQ(sorted(edges.voronoi)[0], (std::array<CoordinatesIn<2>, 2>{{{0, -0.75}, {0, 0.75}}}));
   ASSERT_EQ(edges.delaunay.size(), 1u);
@@ -141,15 +141,15 @@ TEST(TessellationEdges, of_points_on_a_line_are_parallel_and_the_line_itself) {
 TEST(TessellationEdges, have_two_nearest_points_all_along) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const auto tessellation = tessellation_of<2>(random_points(60, seed));
-    const auto frame = frame_of(tessellation);
-    const auto edges = edges_in_box(tessellation, frame, {0.7, 0.6});
+    const auto scene = scene_of(tessellation);
+    const auto edges = edges_in_box(tessellation, scene, {0.7, 0.6});
     for (const auto& e : edges.voronoi) {
       EXPECT_TRUE(std::abs(e.from[0]) <= 0.7 && std::abs(e.from[1]) <= 0.6) << seed;
       EXPECT_TRUE(std::abs(e.to[0]) <= 0.7 && std::abs(e.to[1]) <= 0.6) << seed;
       for (const double t : {0.0, 0.3, 1.0}) {
         const CoordinatesIn<2> place{e.from[0] + t * (e.to[0] - e.from[0]),
                                      e.from[1] + t * (e.to[1] - e.from[1])};
-        EXPECT_GE(count_nearest(tessellation, frame, place), 2u) << "seed " << seed;
+        EXPECT_GE(count_nearest(tessellation, scene, place), 2u) << "seed " << seed;
       }
     }
   }
@@ -170,7 +170,7 @@ TEST(TessellationEdges, do_not_depend_on_the_order_of_the_points) {
   Tessellation<2> tessellation;
   for (const Point p : points) tessellation.add(p);
   tessellation.remove(tessellation.add({0.123, 0.456}));
-  const auto after = edges_in_box(tessellation, frame_of(tessellation), {0.6, 0.6});
+  const auto after = edges_in_box(tessellation, scene_of(tessellation), {0.6, 0.6});
   EXPECT_EQ(sorted(after.voronoi), sorted(before.voronoi));
   EXPECT_EQ(sorted(after.delaunay), sorted(before.delaunay));
 }
@@ -195,8 +195,8 @@ TEST(TessellationEdges, of_nearly_collinear_points_are_not_turned_by_far_vertice
   for (int i = 0; i < 30; ++i) points.push_back({i / 10.0, i / 10.0 * 3});
   const auto tessellation = tessellation_of<2>(points);
   ASSERT_EQ(tessellation.span(), Span::plane);
-  const auto frame = frame_of(tessellation);
-  const auto edges = edges_in_box(tessellation, frame, {1, 1});
+  const auto scene = scene_of(tessellation);
+  const auto edges = edges_in_box(tessellation, scene, {1, 1});
   EXPECT_GE(edges.voronoi.size(), 29u);
   for (const auto& e : edges.voronoi) {
     const double slope = (e.to[1] - e.from[1]) / (e.to[0] - e.from[0]);
@@ -235,12 +235,12 @@ TEST(TessellationEdges, of_a_cube_and_its_centre_are_an_octahedron_and_six_rays)
 TEST(TessellationEdges, in_space_have_three_nearest_points_all_along) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const auto tessellation = tessellation_of<3>(random_space_points(40, seed));
-    const auto frame = frame_of(tessellation);
-    const auto edges = edges_in_box(tessellation, frame, {0.7, 0.6, 0.65});
+    const auto scene = scene_of(tessellation);
+    const auto edges = edges_in_box(tessellation, scene, {0.7, 0.6, 0.65});
     EXPECT_GT(edges.voronoi.size(), 100u);
     for (const auto& e : edges.voronoi) {
-      EXPECT_GE(count_nearest(tessellation, frame, e.from), 3u) << "seed " << seed;
-      EXPECT_GE(count_nearest(tessellation, frame, e.to), 3u) << "seed " << seed;
+      EXPECT_GE(count_nearest(tessellation, scene, e.from), 3u) << "seed " << seed;
+      EXPECT_GE(count_nearest(tessellation, scene, e.to), 3u) << "seed " << seed;
     }
     EXPECT_TRUE(edges.rims.empty());
   }

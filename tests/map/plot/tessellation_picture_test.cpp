@@ -101,7 +101,7 @@ TEST(PlanePicture, of_two_points_has_a_solid_red_line_across_a_dashed_blue_one) 
   EXPECT_LT(blue_columns, panel.width * 3 / 4);
 }
 
-TEST(PlanePicture, keeps_its_lines_in_the_frame) {
+TEST(PlanePicture, keeps_its_lines_in_the_panel) {
   std::vector<Point> points = random_points(300, 2);
   points.push_back({1.5, -0.001});  // its neighbours' vertices lie far off
   const auto tessellation = tessellation_of<2>(points);
@@ -136,7 +136,7 @@ TEST(PlanePicture, shows_every_point) {
     const PlanePlot plot{CoordinateRange<2>(tessellation)};
     const PixelBox panel = panel_of(tessellation);
     for (const Point p : points) {
-      const Point pixel = plot.pixel(plot.frame()(p), panel);
+      const Point pixel = plot.pixel(plot.scene()(p), panel);
       EXPECT_TRUE(pixel.x > panel.x + 20 && pixel.x < panel.right() - 20);
       EXPECT_TRUE(pixel.y > panel.y + 20 && pixel.y < panel.bottom() - 20);
     }
@@ -211,7 +211,7 @@ TEST(SpacePicture, of_any_span_and_any_size_is_drawn) {
   }
 }
 
-TEST(SpacePicture, has_red_and_blue_inside_its_frame_alone) {
+TEST(SpacePicture, has_red_and_blue_inside_its_border_alone) {
   const auto tessellation = tessellation_of<3>(random_space_points(40, 1));
   const PixelBox panel = PlotSheet(1.35, PlotSheet::Margins::plain).panel();
   for (const auto& view : std::vector<std::optional<View>>{

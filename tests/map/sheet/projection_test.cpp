@@ -7,7 +7,7 @@
 #include <iterator>
 #include <numbers>
 
-#include "map/sheet/longitude_frame.h"
+#include "map/sheet/longitude_window.h"
 #include "map/sheet/map_shape.h"
 
 namespace thiessen {
@@ -72,52 +72,52 @@ TEST(Projection, plate_carree_is_true_along_its_latitude) {
   EXPECT_NEAR(project.period(), std::numbers::pi, 1e-15);
 }
 
-TEST(LongitudeFrame, goes_the_shorter_way_round) {
+TEST(LongitudeWindow, goes_the_shorter_way_round) {
   LongitudeCensus census;
   census.add(170);
   census.add(-175);
-  const LongitudeFrame frame = census.frame();
-  EXPECT_NEAR(frame.west, 170, 1e-9);
-  EXPECT_NEAR(frame.span, 15, 1e-9);
-  EXPECT_NEAR(frame.place(-175), 185, 1e-9);
-  EXPECT_NEAR(frame.place(170), 170, 1e-9);
+  const LongitudeWindow window = census.window();
+  EXPECT_NEAR(window.west, 170, 1e-9);
+  EXPECT_NEAR(window.span, 15, 1e-9);
+  EXPECT_NEAR(window.place(-175), 185, 1e-9);
+  EXPECT_NEAR(window.place(170), 170, 1e-9);
 }
 
-TEST(LongitudeFrame, edges_count_and_not_vertices_alone) {
+TEST(LongitudeWindow, edges_count_and_not_vertices_alone) {
   LongitudeCensus census;
   census.add(Ring{{-100, 0}, {40, 0}, {40, 10}, {-100, 10}});
-  const LongitudeFrame frame = census.frame();
-  EXPECT_NEAR(frame.west, -100, 1e-9);
-  EXPECT_NEAR(frame.span, 140, 1e-9);
+  const LongitudeWindow window = census.window();
+  EXPECT_NEAR(window.west, -100, 1e-9);
+  EXPECT_NEAR(window.span, 140, 1e-9);
 }
 
-TEST(LongitudeFrame, an_edge_over_the_antimeridian_goes_the_short_way) {
+TEST(LongitudeWindow, an_edge_over_the_antimeridian_goes_the_short_way) {
   LongitudeCensus census;
   census.add(Ring{{170, 0}, {-160, 0}, {-160, 10}, {170, 10}});
-  EXPECT_NEAR(census.frame().west, 170, 1e-9);
-  EXPECT_NEAR(census.frame().span, 30, 1e-9);
+  EXPECT_NEAR(census.window().west, 170, 1e-9);
+  EXPECT_NEAR(census.window().span, 30, 1e-9);
 }
 
-TEST(LongitudeFrame, the_whole_earth_has_no_gap) {
+TEST(LongitudeWindow, the_whole_earth_has_no_gap) {
   LongitudeCensus census;
   census.add(Ring{{-180, -90}, {180, -90}, {180, 90}, {-180, 90}});
-  EXPECT_EQ(census.frame().west, -180);
-  EXPECT_EQ(census.frame().span, 360);
+  EXPECT_EQ(census.window().west, -180);
+  EXPECT_EQ(census.window().span, 360);
   LongitudeCensus around;
   Ring ring;
   for (int lon = -180; lon < 180; lon += 15) ring.push_back({1.0 * lon, 70});
   around.add(ring);
-  EXPECT_EQ(around.frame().span, 360);
+  EXPECT_EQ(around.window().span, 360);
 }
 
-TEST(LongitudeFrame, one_place_has_no_width) {
+TEST(LongitudeWindow, one_place_has_no_width) {
   LongitudeCensus census;
   census.add(12.5);
-  EXPECT_NEAR(census.frame().west, 12.5, 1e-9);
-  EXPECT_NEAR(census.frame().span, 0, 1e-9);
+  EXPECT_NEAR(census.window().west, 12.5, 1e-9);
+  EXPECT_NEAR(census.window().span, 0, 1e-9);
 }
 
-TEST(LongitudeFrame, a_ring_round_the_earth_is_closed_over_its_pole) {
+TEST(LongitudeWindow, a_ring_round_the_earth_is_closed_over_its_pole) {
   Ring ring;
   for (int lon = -180; lon < 180; lon += 30) ring.push_back({1.0 * lon, -70});
   const Ring closed = unwrapped(ring, {});
@@ -129,12 +129,12 @@ TEST(LongitudeFrame, a_ring_round_the_earth_is_closed_over_its_pole) {
 
 TEST(MapShape, edges_follow_their_curve_alike_in_both_directions) {
   const MapProjection project = MapProjection::stereographic({0, 50});
-  const LongitudeFrame frame{-30, 60};
+  const LongitudeWindow window{-30, 60};
   const double tolerance = 1e-4;
   const MultiPolygon forth{{{{-30, 60}, {30, 60}, {0, 40}}, {}}};
   const MultiPolygon back{{{{30, 60}, {-30, 60}, {0, 80}}, {}}};
-  const MapShape a = map_shape(forth, project, frame, tolerance);
-  const MapShape b = map_shape(back, project, frame, tolerance);
+  const MapShape a = map_shape(forth, project, window, tolerance);
+  const MapShape b = map_shape(back, project, window, tolerance);
   const auto along_sixty = [](const MapShape& shape) {
     std::vector<Point> points;
     for (const Point p : shape[0].rings[0]) points.push_back(p);

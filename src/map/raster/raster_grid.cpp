@@ -1,4 +1,4 @@
-#include "map/raster/raster_frame.h"
+#include "map/raster/raster_grid.h"
 
 #include <algorithm>
 #include <cmath>

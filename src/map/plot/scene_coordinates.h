@@ -45,13 +45,13 @@ struct CoordinateRange {
 /// last bit (the range lies between it and its double, else there is no shift): centres that are
 /// computed from shifted positions keep their digits however far from 0 the points are.
 template <int Dimension>
-class UnitFrame {
+class SceneCoordinates {
  public:
   using Coordinates = CoordinatesIn<Dimension>;
   using Position = PositionIn<Dimension>;
 
   /// Requires a range of at least one point. `stretch`: how much longer each axis is drawn.
-  UnitFrame(const CoordinateRange<Dimension>& range, const Coordinates& stretch) {
+  SceneCoordinates(const CoordinateRange<Dimension>& range, const Coordinates& stretch) {
     double size = range.longest_side();
     double largest = 0;
     for (std::size_t i = 0; i < origin_.size(); ++i) {
@@ -75,7 +75,7 @@ class UnitFrame {
       return {p.x - origin_[0], p.y - origin_[1], p.z - origin_[2]};
     }
   }
-  /// Of a shifted position, the coordinates in the frame.
+  /// Of a shifted position, the coordinates in the scene.
   Coordinates placed(const Position& shifted) const {
     Coordinates c = coordinates(shifted);
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = (c[i] - middle_[i]) * scale_[i];
@@ -83,14 +83,14 @@ class UnitFrame {
   }
   Coordinates operator()(const Position& p) const { return placed(shifted(p)); }
 
-  /// Units of the frame to one of the points' coordinates.
+  /// Units of the scene to one of the points' coordinates.
   double scale(std::size_t axis) const { return scale_[axis]; }
   double origin(std::size_t axis) const { return origin_[axis]; }
-  /// What the coordinate in the frame is in the points' own, less the origin.
+  /// What the coordinate in the scene is in the points' own, less the origin.
   double unplaced(std::size_t axis, double coordinate) const {
     return coordinate / scale_[axis] + middle_[axis];
   }
-  /// Half the range's sides, in the frame.
+  /// Half the range's sides, in the scene.
   const Coordinates& half() const { return half_; }
 
  private:

@@ -9,7 +9,7 @@ namespace thiessen {
 
 /// A stretch of longitudes, eastward from `west`, in degrees: the shortest that holds what was
 /// looked at.
-struct LongitudeFrame {
+struct LongitudeWindow {
   double west = -180;
   double span = 360;
 
@@ -19,7 +19,7 @@ struct LongitudeFrame {
   double place(double longitude) const;
 };
 
-/// Gathers the longitudes that rings and points take up, and finds the frame that leaves out the
+/// Gathers the longitudes that rings and points take up, and finds the window that leaves out the
 /// widest gap between them. Cost: the vertices, and memory that does not grow.
 class LongitudeCensus {
  public:
@@ -27,7 +27,7 @@ class LongitudeCensus {
   void add(const Ring& ring);
   void add(double longitude);
   /// Of what was added; the whole turn, from -180, where no gap is left.
-  LongitudeFrame frame() const;
+  LongitudeWindow window() const;
 
  private:
   void add_stretch(double from, double to);
@@ -45,8 +45,8 @@ class LongitudeCensus {
 };
 
 /// The ring with whole turns added so that no edge but one along a pole spans more than half a
-/// turn, its first point placed in the frame. A ring that winds round the Earth is closed over the
+/// turn, its first point placed in the window. A ring that winds round the Earth is closed over the
 /// pole nearer to it.
-Ring unwrapped(const Ring& ring, const LongitudeFrame& frame);
+Ring unwrapped(const Ring& ring, const LongitudeWindow& window);
 
 }  // namespace thiessen

@@ -1,4 +1,4 @@
-#include "map/sheet/longitude_frame.h"
+#include "map/sheet/longitude_window.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double from_west(double longitude) {
 
 }  // namespace
 
-double LongitudeFrame::place(double longitude) const {
+double LongitudeWindow::place(double longitude) const {
   const double turned = longitude - 360 * std::floor((longitude - west) / 360);
   return turned >= west + 360 ? turned - 360 : turned;
 }
@@ -64,7 +64,7 @@ void LongitudeCensus::add_stretch(double from, double to) {
   if (last < first || whole_turn) ++always_;
 }
 
-LongitudeFrame LongitudeCensus::frame() const {
+LongitudeWindow LongitudeCensus::window() const {
   double widest = 0;
   double gap_end = 0;
   double previous = -1;  // the last longitude taken up so far
@@ -93,11 +93,11 @@ LongitudeFrame LongitudeCensus::frame() const {
   return {gap_end - 180, 360 - widest};
 }
 
-Ring unwrapped(const Ring& ring, const LongitudeFrame& frame) {
+Ring unwrapped(const Ring& ring, const LongitudeWindow& window) {
   Ring result;
   if (ring.empty()) return result;
   result.reserve(ring.size() + 3);
-  result.push_back({frame.place(ring.front().x), ring.front().y});
+  result.push_back({window.place(ring.front().x), ring.front().y});
   double latitudes = ring.front().y;
   for (std::size_t i = 1; i < ring.size(); ++i) {
     result.push_back({result.back().x + eastward(ring[i - 1], ring[i]), ring[i].y});

@@ -1,4 +1,4 @@
-#include "map/raster/raster_frame.h"
+#include "map/raster/raster_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ MultiPolygon rectangle(double west, double south, double east, double north) {
   return {{{{west, south}, {east, south}, {east, north}, {west, north}}, {}}};
 }
 
-TEST(RasterFrame, snaps_outward_to_multiples_of_the_resolution) {
+TEST(RasterGrid, snaps_outward_to_multiples_of_the_resolution) {
   const std::vector<MultiPolygon> areas{rectangle(-12.5, 7, 3, 20), rectangle(0, 1, 41, 5)};
   const PixelGrid grid = grid_over(areas, 10);
   EXPECT_EQ(grid.pixel, 10);
@@ -25,7 +25,7 @@ TEST(RasterFrame, snaps_outward_to_multiples_of_the_resolution) {
   EXPECT_EQ(grid.rows, 2);
 }
 
-TEST(RasterFrame, multiples_stay_whatever_rounding_does) {
+TEST(RasterGrid, multiples_stay_whatever_rounding_does) {
   // 0.3 / 0.1 and 4.35 / 0.01 are not whole numbers in doubles.
   const PixelGrid tenths = grid_over({rectangle(0.1, -0.3, 0.7, 0.3)}, 0.1);
   EXPECT_EQ(tenths.columns, 6);
@@ -36,21 +36,21 @@ TEST(RasterFrame, multiples_stay_whatever_rounding_does) {
   EXPECT_EQ(hundredths.rows, 100);
 }
 
-TEST(RasterFrame, without_a_resolution_the_longer_side_has_2000_pixels) {
+TEST(RasterGrid, without_a_resolution_the_longer_side_has_2000_pixels) {
   const PixelGrid grid = grid_over({rectangle(0, 0, 500, 1000)}, 0);
   EXPECT_EQ(grid.pixel, 0.5);
   EXPECT_EQ(grid.columns, 1000);
   EXPECT_EQ(grid.rows, 2000);
 }
 
-TEST(RasterFrame, covers_the_areas_in_one_pixel_at_least) {
+TEST(RasterGrid, covers_the_areas_in_one_pixel_at_least) {
   const PixelGrid grid = grid_over({rectangle(3, 3, 4, 4)}, 1e6);
   EXPECT_EQ(grid.columns, 1);
   EXPECT_EQ(grid.rows, 1);
   EXPECT_EQ(grid.north_west, (Point{0, 1e6}));
 }
 
-TEST(RasterFrame, refuses_too_many_pixels_and_no_extent) {
+TEST(RasterGrid, refuses_too_many_pixels_and_no_extent) {
   const std::vector<MultiPolygon> square{rectangle(0, 0, 1, 1)};
   EXPECT_NO_THROW(grid_over(square, 1.0 / 20'000));
   EXPECT_THROW(grid_over(square, 1.0 / 20'001), Error);
@@ -59,7 +59,7 @@ TEST(RasterFrame, refuses_too_many_pixels_and_no_extent) {
   EXPECT_THROW(grid_over({}, 1), Error);
 }
 
-TEST(RasterFrame, an_extent_s_edges_are_curves_in_the_raster) {
+TEST(RasterGrid, an_extent_s_edges_are_curves_in_the_raster) {
   // Polar coordinates: the extent is a ring of a quarter circle.
   const auto polar = [](std::vector<Point>& points) {
     for (Point& p : points) p = {p.y * std::cos(p.x), p.y * std::sin(p.x)};
@@ -80,7 +80,7 @@ TEST(RasterFrame, an_extent_s_edges_are_curves_in_the_raster) {
   }
 }
 
-TEST(RasterFrame, an_extent_loses_what_has_no_place_in_the_raster) {
+TEST(RasterGrid, an_extent_loses_what_has_no_place_in_the_raster) {
   const auto southern = [](std::vector<Point>& points) {
     for (Point& p : points) p.y = p.y > 5 ? std::numeric_limits<double>::quiet_NaN() : p.y;
   };
