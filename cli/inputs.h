@@ -7,6 +7,7 @@
 
 #include "cli/options.h"
 #include "files/study_files.h"
+#include "rainfall/reporting.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/watched_readings.h"
 #include "results/weights_file.h"
@@ -27,7 +28,7 @@ class Inputs {
   const std::vector<Basin>& basins() const { return study_.basins(); }
   bool has_basins() const { return files_->has_basins; }
   AreaUnit area_unit() const { return {study_.km2_per_area()}; }
-  std::vector<bool> all_report() const { return study_.all_report(); }
+  ReportingStations all_report() const { return study_.all_report(); }
 
   /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
   /// thread may ask it for the share that is read. The inputs must outlive it.

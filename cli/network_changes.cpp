@@ -72,18 +72,19 @@ void NetworkChanges::add_to(CLI::App& app) {
              "'with 1'; may be repeated, and beside --without");
 }
 
-std::vector<bool> NetworkChanges::before(const Inputs& inputs) const {
-  std::vector<bool> reports = inputs.all_report();
-  std::fill(reports.end() - static_cast<std::ptrdiff_t>(opened_.size()), reports.end(), false);
+ReportingStations NetworkChanges::before(const Inputs& inputs) const {
+  ReportingStations reports = inputs.all_report();
+  for (std::size_t s = reports.size() - opened_.size(); s < reports.size(); ++s)
+    reports.set(StationIndex{static_cast<std::uint32_t>(s)}, false);
   return reports;
 }
 
-std::vector<bool> NetworkChanges::after(const Inputs& inputs) const {
+ReportingStations NetworkChanges::after(const Inputs& inputs) const {
   const std::vector<Station>& stations = inputs.network().stations();
   std::unordered_map<std::string_view, std::size_t> by_id;
   for (std::size_t s = 0; s + opened_.size() < stations.size(); ++s)
     by_id.emplace(stations[s].id, s);
-  std::vector<bool> reports = inputs.all_report();
+  ReportingStations reports = inputs.all_report();
   std::set<std::string_view> seen;
   Complaints complaints;
   for (const std::string& id : closed_) {
@@ -93,11 +94,11 @@ std::vector<bool> NetworkChanges::after(const Inputs& inputs) const {
     if (station == by_id.end()) {
       complaints.add(unknown(id, inputs));
     } else {
-      reports[station->second] = false;
+      reports.set(StationIndex{static_cast<std::uint32_t>(station->second)}, false);
     }
   }
   complaints.throw_if_any();
-  if (std::find(reports.begin(), reports.end(), true) == reports.end()) {
+  if (!reports.any()) {
     throw Error({inputs.study().stations_file, 0, "--without closes every gauge",
                  "leave one open, or open one with --with X,Y"});
   }
@@ -106,7 +107,7 @@ std::vector<bool> NetworkChanges::after(const Inputs& inputs) const {
 
 void NetworkChanges::warn_of_shared_places(const Inputs& inputs, Warnings& warnings) const {
   const Network& network = inputs.network();
-  const std::vector<bool> is_there = after(inputs);
+  const ReportingStations is_there = after(inputs);
   std::set<PlaceIndex> warned;
   for (std::size_t i = network.stations().size() - opened_.size(); i < is_there.size(); ++i) {
     const PlaceIndex place = network.place_of(StationIndex{static_cast<std::uint32_t>(i)});
@@ -114,7 +115,7 @@ void NetworkChanges::warn_of_shared_places(const Inputs& inputs, Warnings& warni
     std::string ids;
     std::size_t count = 0;
     for (const StationIndex s : network.stations_at(place)) {
-      if (!is_there[index(s)]) continue;
+      if (!is_there[s]) continue;
       ids += (count++ == 0 ? "" : ", ") + quoted(network.stations()[index(s)].id, longest_id);
     }
     if (count > 1)

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/inputs.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen::cli {
 
@@ -19,8 +20,8 @@ class NetworkChanges {
   /// Which stations there are before the changes and after, of those of inputs that were given
   /// the opened ones. Throws Error for ids that STATIONS lacks, with those that are most like them,
   /// and where no gauge is left; UsageError for an id given twice.
-  std::vector<bool> before(const Inputs& inputs) const;
-  std::vector<bool> after(const Inputs& inputs) const;
+  ReportingStations before(const Inputs& inputs) const;
+  ReportingStations after(const Inputs& inputs) const;
   /// Of opened gauges at a place with others that are there after the changes.
   void warn_of_shared_places(const Inputs& inputs, Warnings& warnings) const;
   /// Of gauges that open or close and weigh in no basin.

@@ -36,7 +36,7 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
   const StudyFiles& study = inputs.study();
   const std::vector<MultiPolygon> areas = areas_of(inputs);
   const PixelGrid grid = grid_over(areas, resolution);
-  const std::vector<bool> reports = readings == nullptr ? inputs.all_report() : readings->reports();
+  const ReportingStations reports = readings == nullptr ? inputs.all_report() : readings->reports();
   Owners owners(
       grid, areas, inputs.network(), study.metric, reports,
       [&] { return mapping(study.output_crs(), study.crs); }, threads);

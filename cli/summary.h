@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "rainfall/areal_rainfall.h"
 #include "cli/inputs.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
 #include "rainfall/series/rain_series.h"
 

@@ -55,7 +55,7 @@ class WeightsCommand : public Command {
     if (rainfall_.given()) {
       write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
     } else if (changes_.given()) {
-      const std::vector<bool> reports = changes_.after(inputs);
+      const ReportingStations reports = changes_.after(inputs);
       changes_.warn_of_shared_places(inputs, warnings);
       const auto before = inputs.weighing().weights(changes_.before(inputs), threads());
       const auto after = inputs.weighing().weights(reports, threads());

@@ -5,7 +5,7 @@
 
 namespace thiessen {
 
-NetworkCells::NetworkCells(const Network& network, const std::vector<bool>& reports,
+NetworkCells::NetworkCells(const Network& network, const ReportingStations& reports,
                            const Yardstick& yardstick, const Box& frame, unsigned threads) {
   std::vector<Point> positions;
   std::vector<StationIndex> stations;  // that report, by place
@@ -13,7 +13,7 @@ NetworkCells::NetworkCells(const Network& network, const std::vector<bool>& repo
   for (std::uint32_t p = 0; p < network.places().size(); ++p) {
     const std::size_t before = stations.size();
     for (const StationIndex s : network.stations_at(PlaceIndex{p})) {
-      if (reports[index(s)]) stations.push_back(s);
+      if (reports[s]) stations.push_back(s);
     }
     if (stations.size() == before) continue;
     place_of_station.resize(stations.size(),

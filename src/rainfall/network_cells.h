@@ -6,6 +6,7 @@
 
 #include "earth/yardstick.h"
 #include "rainfall/network.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -14,7 +15,7 @@ namespace thiessen {
 class NetworkCells {
  public:
   /// `reports` has one entry a station. The network must outlive it. Cost: Yardstick::diagram's.
-  NetworkCells(const Network& network, const std::vector<bool>& reports, const Yardstick& yardstick,
+  NetworkCells(const Network& network, const ReportingStations& reports, const Yardstick& yardstick,
                const Box& frame, unsigned threads);
 
   bool any() const { return !first_.empty(); }

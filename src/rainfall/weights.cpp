@@ -41,7 +41,7 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
 
 // Calls take(b, clipper, reporting) for every basin, with one clipper a worker.
 template <typename Take>
-void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads,
+void Weighing::for_each_basin(const ReportingStations& reports, unsigned threads,
                               const Take& take) const {
   const NetworkCells reporting(network_, reports, yardstick_, frame_, threads);
   if (!reporting.any()) return;
@@ -53,7 +53,7 @@ void Weighing::for_each_basin(const std::vector<bool>& reports, unsigned threads
   });
 }
 
-std::vector<BasinWeights> Weighing::weights(const std::vector<bool>& reports,
+std::vector<BasinWeights> Weighing::weights(const ReportingStations& reports,
                                             unsigned threads) const {
   std::vector<BasinWeights> all(basins_.size());
   for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
@@ -66,7 +66,7 @@ std::vector<BasinWeights> Weighing::weights(const std::vector<bool>& reports,
   return all;
 }
 
-std::vector<std::vector<StationCell>> Weighing::cells(const std::vector<bool>& reports,
+std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& reports,
                                                       unsigned threads) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
   for_each_basin(reports, threads,

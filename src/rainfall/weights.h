@@ -9,6 +9,7 @@
 #include "basin/cell_clipper.h"
 #include "earth/yardstick.h"
 #include "rainfall/network.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -59,16 +60,16 @@ class Weighing {
   /// The weights in every basin, by basin. `reports` has one entry a station; a place whose
   /// stations report in part belongs to those that do. Empty weights where none reports. Cost: the
   /// tessellation's n log n, and what CellClipper takes for each basin.
-  std::vector<BasinWeights> weights(const std::vector<bool>& reports, unsigned threads) const;
+  std::vector<BasinWeights> weights(const ReportingStations& reports, unsigned threads) const;
 
   /// The same with the shapes of the cells, by basin, in the order of the stations; stations at one
   /// place have each the whole shape and their share of its area.
-  std::vector<std::vector<StationCell>> cells(const std::vector<bool>& reports,
+  std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
                                               unsigned threads) const;
 
  private:
   template <typename Take>
-  void for_each_basin(const std::vector<bool>& reports, unsigned threads, const Take& take) const;
+  void for_each_basin(const ReportingStations& reports, unsigned threads, const Take& take) const;
 
   const Network& network_;
   const std::vector<Basin>& basins_;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "rainfall/network.h"
+#include "rainfall/reporting.h"
 #include "rainfall/weights.h"
 #include "study/study_parts.h"
 
@@ -35,8 +36,8 @@ class Study {
     const bool known = parts_->metric == Metric::geodesic || parts_->metres_per_unit.has_value();
     return known ? 1e-6 : 1.0;
   }
-  std::vector<bool> all_report() const {
-    return std::vector<bool>(network_.stations().size(), true);
+  ReportingStations all_report() const {
+    return ReportingStations(network_.stations().size(), true);
   }
 
  private:

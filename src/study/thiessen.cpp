@@ -168,7 +168,7 @@ const std::vector<BasinWeights>& Thiessen::weights() const {
 
 std::vector<BasinWeights> Thiessen::weights(const std::vector<bool>& reports) const {
   held_->require_one_each(reports.size(), "entries of which report");
-  return held_->study.weighing().weights(reports, held_->threads);
+  return held_->study.weighing().weights(ReportingStations(reports), held_->threads);
 }
 
 std::vector<std::vector<StationCell>> Thiessen::cells() const {

@@ -46,7 +46,7 @@ Study random_study(std::size_t stations, std::size_t basins, std::size_t vertice
 
 void weights_ours(benchmark::State& state, Metric metric) {
   const Study study = random_study(10000, 1000, 50, metric == Metric::geodesic);
-  const std::vector<bool> all(study.stations.size(), true);
+  const ReportingStations all(study.stations.size(), true);
   for (auto _ : state) {
     const Network network(study.stations, metric);
     const Weighing weighing(network, study.basins, Yardstick{metric, 1, 0.1});
@@ -56,7 +56,7 @@ void weights_ours(benchmark::State& state, Metric metric) {
 
 void cells_ours(benchmark::State& state, Metric metric) {
   const Study study = random_study(10000, 1000, 50, metric == Metric::geodesic);
-  const std::vector<bool> all(study.stations.size(), true);
+  const ReportingStations all(study.stations.size(), true);
   for (auto _ : state) {
     const Network network(study.stations, metric);
     const Weighing weighing(network, study.basins, Yardstick{metric, 1, 0.1});

@@ -67,7 +67,7 @@ void make_all(Owners& owners, const PixelGrid& grid) {
 void owners_ours(benchmark::State& state, Metric metric, const Square& square) {
   const std::vector<Point> stations = stations_in(square);
   const PixelGrid grid = grid_of(square, state.range(0));
-  const std::vector<bool> all(stations.size(), true);
+  const ReportingStations all(stations.size(), true);
   const auto same = [] { return [](std::vector<Point>&) {}; };
   for (auto _ : state) {
     Owners owners(grid, area_of(square), network_of(stations, metric), metric, all, same,
@@ -91,7 +91,7 @@ std::vector<Point> stations_in_zone() {
 void owners_in_zone(benchmark::State& state) {
   const Network network = network_of(stations_in_zone(), Metric::geodesic);
   const PixelGrid grid = grid_of(zone, state.range(0));
-  const std::vector<bool> all(station_count, true);
+  const ReportingStations all(station_count, true);
   for (auto _ : state) {
     Owners owners(grid, area_of(zone), network, Metric::geodesic, all, from_zone,
                   static_cast<unsigned>(state.range(1)));
@@ -102,7 +102,7 @@ void owners_in_zone(benchmark::State& state) {
 void geotiff_in_zone(benchmark::State& state) {
   const Network network = network_of(stations_in_zone(), Metric::geodesic);
   const PixelGrid grid = grid_of(zone, state.range(0));
-  const std::vector<bool> all(station_count, true);
+  const ReportingStations all(station_count, true);
   const std::vector<std::string> ids(station_count, "id");
   const auto threads = static_cast<unsigned>(state.range(1));
   for (auto _ : state) {

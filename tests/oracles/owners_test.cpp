@@ -39,7 +39,7 @@ std::vector<std::int32_t> owners_of(const Study& study, Metric metric) {
   const PixelGrid& grid = study.grid;
   const Point far = grid.at(grid.columns, grid.rows);
   const Ring all{grid.north_west, {grid.north_west.x, far.y}, far, {far.x, grid.north_west.y}};
-  const std::vector<bool> report(stations.size(), true);
+  const ReportingStations report(stations.size(), true);
   const auto to_study = [&] {
     return [&](std::vector<Point>& points) {
       for (Point& p : points) p = study.to_study(p);

@@ -103,7 +103,7 @@ std::string random_stations(Seeded& seeded) {
 void expect_cells_make_up_the_basin(const StudyFiles& study) {
   const Network network(study.stations, study.metric);
   const Weighing weighing(network, study.basins, {study.metric, 1, 1000});
-  const std::vector<bool> all(network.stations().size(), true);
+  const ReportingStations all(network.stations().size(), true);
   double sum = 0;
   const auto weights = weighing.weights(all, 1);
   for (const StationWeight& weight : weights.at(0).stations) sum += weight.area;

@@ -15,8 +15,8 @@
 namespace thiessen {
 namespace {
 
-std::vector<bool> all_of(const Network& network) {
-  return std::vector<bool>(network.stations().size(), true);
+ReportingStations all_of(const Network& network) {
+  return ReportingStations(network.stations().size(), true);
 }
 
 std::map<std::string, double> weights_by_id(const Network& network, const BasinWeights& weights) {
@@ -78,7 +78,7 @@ TEST(Weights, at_a_shared_place_are_equal_shares) {
 TEST(Weights, of_no_reporting_gauge_are_none) {
   const Network network(textbook::stations(), Metric::planar);
   const std::vector<Basin> basins{textbook::basin()};
-  const auto weights = Weighing(network, basins, plane).weights(std::vector<bool>(9, false), 1);
+  const auto weights = Weighing(network, basins, plane).weights(ReportingStations(9, false), 1);
   ASSERT_EQ(weights.size(), 1u);
   EXPECT_EQ(weights[0].area, 125);
   EXPECT_TRUE(weights[0].stations.empty());

@@ -25,7 +25,7 @@ std::vector<PixelBlock> squares_of(int columns, int row, int rows) {
 }  // namespace
 
 Owners::Owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
-               const Network& network, Metric metric, const std::vector<bool>& reports,
+               const Network& network, Metric metric, const ReportingStations& reports,
                std::function<PointMapping()> to_study, unsigned threads)
     : grid_(grid),
       areas_(grid, areas),
@@ -33,12 +33,12 @@ Owners::Owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
       workers_(std::max(1u, threads)) {
   // A place at which several report is the first one's.
   std::vector<Point> positions;
-  std::vector<bool> is_there(network.places().size(), false);
+  ReportingPlaces is_there(network.places().size(), false);
   for (std::uint32_t s = 0; s < reports.size(); ++s) {
-    const std::size_t place = index(network.place_of(StationIndex{s}));
-    if (!reports[s] || is_there[place]) continue;
-    is_there[place] = true;
-    positions.push_back(network.places()[place]);
+    const PlaceIndex place = network.place_of(StationIndex{s});
+    if (!reports[StationIndex{s}] || is_there[place]) continue;
+    is_there.set(place, true);
+    positions.push_back(network.places()[index(place)]);
     numbers_.push_back(static_cast<std::int32_t>(s) + 1);
   }
   if (!positions.empty()) places_ = nearest_places(positions, metric);

@@ -13,6 +13,7 @@
 #include "map/raster/area_rows.h"
 #include "map/raster/block_owners.h"
 #include "rainfall/network.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -25,7 +26,7 @@ class Owners {
   /// `areas`: in the raster's coordinates. `reports`: stations that take part; without any all is
   /// 0. `to_study` makes a mapping from the raster's coordinates to the study's, for one thread.
   Owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas, const Network& network,
-         Metric metric, const std::vector<bool>& reports, std::function<PointMapping()> to_study,
+         Metric metric, const ReportingStations& reports, std::function<PointMapping()> to_study,
          unsigned threads);
 
   /// Those of so many rows from `row` on, row by row from the north; they stay until the next call.

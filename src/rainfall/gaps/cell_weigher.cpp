@@ -5,7 +5,7 @@
 namespace thiessen {
 
 std::vector<BasinWeights> CellWeigher::full_weights() const {
-  return weighing_.weights(std::vector<bool>(network().stations().size(), true), threads_);
+  return weighing_.weights(ReportingStations(network().stations().size(), true), threads_);
 }
 
 const Handovers& CellWeigher::handovers() const {

@@ -49,7 +49,7 @@ std::vector<Point> bends_of(const Diagram& diagram) {
 
 Handovers::Handovers(const Weighing& weighing, unsigned threads)
     : weighing_(weighing),
-      cells_(weighing.network(), std::vector<bool>(weighing.network().stations().size(), true),
+      cells_(weighing.network(), ReportingStations(weighing.network().stations().size(), true),
              weighing.yardstick(), weighing.frame(), threads),
       adjacency_(cells_.diagram()),
       regions_(cells_.diagram().places.size()) {

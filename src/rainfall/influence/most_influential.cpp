@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rainfall/influence/influence.h"
+#include "rainfall/reporting.h"
 #include "rainfall/series/gauge_patterns.h"
 
 namespace thiessen {
@@ -17,20 +18,18 @@ constexpr std::size_t remembered_bytes = std::size_t{64} << 20;
 /// How many reporting cells with ground have silent neighbours.
 std::size_t cells_beside_gaps(const Handovers& handovers, std::span<const double> readings) {
   const CellAdjacency& adjacency = handovers.adjacency();
-  std::vector<std::uint8_t> reports(adjacency.cells(), 0);
-  for (std::uint32_t c = 0; c < reports.size(); ++c) {
+  ReportingPlaces report(adjacency.cells(), false);
+  for (std::uint32_t c = 0; c < report.size(); ++c) {
     for (const StationIndex s : handovers.cells().stations_of(PlaceIndex{c})) {
-      if (!std::isnan(readings[index(s)])) reports[c] = 1;
+      if (!std::isnan(readings[index(s)])) report.set(PlaceIndex{c}, true);
     }
   }
   std::size_t count = 0;
-  for (std::uint32_t c = 0; c < reports.size(); ++c) {
-    if (reports[c] == 0 || !handovers.has_ground(PlaceIndex{c})) continue;
+  for (std::uint32_t c = 0; c < report.size(); ++c) {
+    if (!report[PlaceIndex{c}] || !handovers.has_ground(PlaceIndex{c})) continue;
     const auto next = adjacency.neighbours(PlaceIndex{c});
     count +=
-        std::all_of(next.begin(), next.end(), [&](PlaceIndex q) { return reports[index(q)] != 0; })
-            ? 0u
-            : 1u;
+        std::all_of(next.begin(), next.end(), [&](PlaceIndex q) { return report[q]; }) ? 0u : 1u;
   }
   return count;
 }

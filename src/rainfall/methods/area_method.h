@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "rainfall/reporting.h"
 #include "tessellation/place.h"
 
 namespace thiessen {
@@ -25,7 +26,7 @@ class AreaMethod {
   virtual ~AreaMethod() = default;
   /// The weights where these places report and no others; one entry a place. A function of
   /// `reports` alone. Safe for several threads at once.
-  virtual Weights weights(const std::vector<bool>& reports) const = 0;
+  virtual Weights weights(const ReportingPlaces& reports) const = 0;
 };
 
 }  // namespace thiessen

@@ -8,11 +8,12 @@ ArithmeticMean::ArithmeticMean(const Weighing& weighing)
     : inside_(points_within(weighing.basins(), weighing.network().places(),
                             weighing.yardstick().metric == Metric::geodesic ? 360 : 0)) {}
 
-AreaMethod::Weights ArithmeticMean::weights(const std::vector<bool>& reports) const {
+AreaMethod::Weights ArithmeticMean::weights(const ReportingPlaces& reports) const {
   Weights weights(inside_.size());
   for (std::size_t b = 0; b < inside_.size(); ++b) {
     for (const std::size_t p : inside_[b]) {
-      if (reports[p]) weights[b].push_back({PlaceIndex{static_cast<std::uint32_t>(p)}, 0});
+      const PlaceIndex place{static_cast<std::uint32_t>(p)};
+      if (reports[place]) weights[b].push_back({place, 0});
     }
     for (PlaceWeight& w : weights[b]) w.weight = 1 / static_cast<double>(weights[b].size());
   }

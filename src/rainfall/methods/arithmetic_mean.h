@@ -12,7 +12,7 @@ class ArithmeticMean : public AreaMethod {
 
   /// Cost: as Containment for each place in a basin's box.
   explicit ArithmeticMean(const Weighing& weighing);
-  Weights weights(const std::vector<bool>& reports) const override;
+  Weights weights(const ReportingPlaces& reports) const override;
 
  private:
   std::vector<std::vector<std::size_t>> inside_;  // by basin, places in their order

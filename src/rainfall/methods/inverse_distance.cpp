@@ -54,7 +54,7 @@ InverseDistance::InverseDistance(const Weighing& weighing, std::size_t points, u
     points_[b].at = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     keep_neighbours(points_[b]);
     WeightSums sums(places.size());
-    points_[b].full = weights_of(points_[b], std::vector<bool>(places.size(), true), sums);
+    points_[b].full = weights_of(points_[b], ReportingPlaces(places.size(), true), sums);
   });
 }
 
@@ -86,7 +86,7 @@ void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
 }
 
 std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
-                                                     const std::vector<bool>& reports,
+                                                     const ReportingPlaces& reports,
                                                      WeightSums& sums) const {
   std::vector<NearestGauges::Near> near;
   std::array<Neighbour, neighbours> others{};
@@ -94,7 +94,7 @@ std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
   for (std::size_t i = 0; i < points.at.size(); ++i) {
     Shares<Neighbour> shares;
     for (const Neighbour& neighbour : kept_at(points, i)) {
-      if (!reports[index(neighbour.place)]) continue;
+      if (!reports[neighbour.place]) continue;
       shares.add(neighbour);
       if (shares.is_full()) break;
     }
@@ -109,14 +109,14 @@ std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
   return sums.take();
 }
 
-AreaMethod::Weights InverseDistance::weights(const std::vector<bool>& reports) const {
+AreaMethod::Weights InverseDistance::weights(const ReportingPlaces& reports) const {
   Weights weights(points_.size());
-  if (std::find(reports.begin(), reports.end(), true) == reports.end()) return weights;
+  if (!reports.any()) return weights;
   WeightSums sums(reports.size());
   for (std::size_t b = 0; b < points_.size(); ++b) {
     const auto& full = points_[b].full;
     const bool is_full = std::all_of(full.begin(), full.end(),
-                                     [&](const PlaceWeight& w) { return reports[index(w.place)]; });
+                                     [&](const PlaceWeight& w) { return reports[w.place]; });
     weights[b] = is_full ? full : weights_of(points_[b], reports, sums);
   }
   return weights;

@@ -31,7 +31,7 @@ class InverseDistance : public AreaMethod {
 
   /// The weighing must outlive it.
   InverseDistance(const Weighing& weighing, std::size_t points, unsigned threads);
-  Weights weights(const std::vector<bool>& reports) const override;
+  Weights weights(const ReportingPlaces& reports) const override;
 
  private:
   static constexpr std::size_t kept = 24;
@@ -51,7 +51,7 @@ class InverseDistance : public AreaMethod {
   void keep_neighbours(Points& points) const;
   void weigh(Point at, std::span<const NearestGauges::Near> near,
              std::span<Neighbour> weighed) const;
-  std::vector<PlaceWeight> weights_of(const Points& points, const std::vector<bool>& reports,
+  std::vector<PlaceWeight> weights_of(const Points& points, const ReportingPlaces& reports,
                                       WeightSums& sums) const;
   std::span<const Neighbour> kept_at(const Points& points, std::size_t i) const {
     return std::span(points.near).subspan(i * kept_, kept_);

@@ -1,11 +1,11 @@
 #include "rainfall/methods/method_retessellation.h"
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "geometry/long_sum.h"
 #include "rainfall/mean_reading.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 namespace {
@@ -29,20 +29,11 @@ MethodRetessellation::MethodRetessellation(const MethodWeigher& weigher, const A
     : weigher_(weigher),
       full_places_(weigher.full_places()),
       full_(weigher.by_station(full_places_,
-                               std::vector<bool>(weigher.network().stations().size(), true))),
+                               ReportingStations(weigher.network().stations().size(), true))),
       remembered_(method, remembered_bytes) {}
 
-std::vector<bool> MethodRetessellation::reporting_places(std::span<const double> readings) const {
-  const Network& network = weigher_.network();
-  std::vector<bool> reports(network.places().size(), false);
-  for (std::uint32_t s = 0; s < readings.size(); ++s) {
-    if (!std::isnan(readings[s])) reports[index(network.place_of(StationIndex{s}))] = true;
-  }
-  return reports;
-}
-
 std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings) const {
-  const auto weights = remembered_.of(reporting_places(readings));
+  const auto weights = remembered_.of(reporting_places(weigher_.network(), readings));
   const Network& network = weigher_.network();
   std::vector<PlaceReading> known(network.places().size());
   std::vector<BasinRainfall> result;
@@ -70,15 +61,13 @@ std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> read
   account.readings = cell_readings(readings);
   account.change.clear();
   append(account.change, full_places_, -1);
-  append(account.change, *remembered_.of(reporting_places(readings)), 1);
+  append(account.change, *remembered_.of(reporting_places(weigher_.network(), readings)), 1);
   return at(readings);
 }
 
 std::vector<BasinWeights> MethodRetessellation::weights_at(std::span<const double> readings) const {
-  std::vector<bool> stations_report;
-  stations_report.reserve(readings.size());
-  for (const double reading : readings) stations_report.push_back(!std::isnan(reading));
-  return weigher_.by_station(*remembered_.of(reporting_places(readings)), stations_report);
+  return weigher_.by_station(*remembered_.of(reporting_places(weigher_.network(), readings)),
+                             reporting_stations(readings));
 }
 
 std::vector<CellWeight> MethodRetessellation::full_cells() const {

@@ -29,8 +29,6 @@ class MethodRetessellation : public Retessellation {
   std::vector<double> cell_readings(std::span<const double> readings) const override;
 
  private:
-  std::vector<bool> reporting_places(std::span<const double> readings) const;
-
   const MethodWeigher& weigher_;
   AreaMethod::Weights full_places_;
   std::vector<BasinWeights> full_;

@@ -11,11 +11,11 @@ MethodWeigher::MethodWeigher(const Weighing& weighing, std::unique_ptr<const Are
     : weighing_(weighing), method_(std::move(method)), remembered_bytes_(remembered_bytes) {}
 
 AreaMethod::Weights MethodWeigher::full_places() const {
-  return method_->weights(std::vector<bool>(network().places().size(), true));
+  return method_->weights(ReportingPlaces(network().places().size(), true));
 }
 
 std::vector<BasinWeights> MethodWeigher::full_weights() const {
-  return by_station(full_places(), std::vector<bool>(network().stations().size(), true));
+  return by_station(full_places(), ReportingStations(network().stations().size(), true));
 }
 
 std::unique_ptr<const Retessellation> MethodWeigher::retessellation() const {
@@ -23,7 +23,7 @@ std::unique_ptr<const Retessellation> MethodWeigher::retessellation() const {
 }
 
 std::vector<BasinWeights> MethodWeigher::by_station(
-    const AreaMethod::Weights& weights, const std::vector<bool>& stations_report) const {
+    const AreaMethod::Weights& weights, const ReportingStations& stations_report) const {
   std::vector<BasinWeights> result(weights.size());
   std::vector<StationIndex> reporting;
   for (std::size_t b = 0; b < weights.size(); ++b) {
@@ -32,7 +32,7 @@ std::vector<BasinWeights> MethodWeigher::by_station(
     for (const PlaceWeight& w : weights[b]) {
       reporting.clear();
       for (const StationIndex s : network().stations_at(w.place)) {
-        if (stations_report[index(s)]) reporting.push_back(s);
+        if (stations_report[s]) reporting.push_back(s);
       }
       const double weight = w.weight / static_cast<double>(reporting.size());
       for (const StationIndex s : reporting)

@@ -6,6 +6,7 @@
 
 #include "rainfall/gaps/weigher.h"
 #include "rainfall/methods/area_method.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -25,7 +26,7 @@ class MethodWeigher : public Weigher {
   AreaMethod::Weights full_places() const;
   /// A place's weight in equal shares to its stations that report; one entry a station.
   std::vector<BasinWeights> by_station(const AreaMethod::Weights& weights,
-                                       const std::vector<bool>& stations_report) const;
+                                       const ReportingStations& stations_report) const;
 
  private:
   const Weighing& weighing_;

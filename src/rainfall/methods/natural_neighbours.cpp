@@ -8,8 +8,8 @@
 namespace thiessen {
 namespace {
 
-bool all_report(const std::vector<PlaceIndex>& places, const std::vector<bool>& reports) {
-  return std::all_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[index(p)]; });
+bool all_report(const std::vector<PlaceIndex>& places, const ReportingPlaces& reports) {
+  return std::all_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[p]; });
 }
 
 std::vector<ChartPoint> charted(const std::vector<Point>& positions, const GaugeChart& chart) {
@@ -28,7 +28,7 @@ class NaturalNeighbours::Workplace {
 
   /// Where these places report, the weights at a point, and whether it is in the hull. Requires
   /// that one does; the tessellation is of those that report.
-  bool find(const ChartPoint& at, Point position, const std::vector<bool>& reports,
+  bool find(const ChartPoint& at, Point position, const ReportingPlaces& reports,
             std::vector<PlaceWeight>& weights) {
     weights.clear();
     const bool is_inside = natural_.find(at, gauges_);
@@ -43,23 +43,23 @@ class NaturalNeighbours::Workplace {
   void begin_anew() { natural_.begin_anew(); }
   /// Does `work` with the tessellation of those that report.
   template <typename Work>
-  void with(const std::vector<bool>& reports, Work&& work) {
+  void with(const ReportingPlaces& reports, Work&& work) {
     std::vector<PointId> silent;
     for (std::size_t n = 0; n < all_.places_of_.size(); ++n) {
       const auto& places = all_.places_of_[n];
-      const bool is_silent = std::none_of(places.begin(), places.end(),
-                                          [&](PlaceIndex p) { return reports[index(p)]; });
+      const bool is_silent =
+          std::none_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[p]; });
       if (!places.empty() && is_silent) silent.push_back(PointId{static_cast<std::uint32_t>(n)});
     }
     natural_.without(silent, work);
   }
 
  private:
-  void add_places(const NaturalWeight& w, const std::vector<bool>& reports,
+  void add_places(const NaturalWeight& w, const ReportingPlaces& reports,
                   std::vector<PlaceWeight>& weights) const {
     const std::size_t first = weights.size();
     for (const PlaceIndex p : all_.places_of_[index(w.gauge)]) {
-      if (reports[index(p)]) weights.push_back({p, w.weight});
+      if (reports[p]) weights.push_back({p, w.weight});
     }
     const auto count = static_cast<double>(weights.size() - first);
     for (std::size_t i = first; i < weights.size(); ++i) weights[i].weight /= count;
@@ -101,7 +101,7 @@ NaturalNeighbours::~NaturalNeighbours() = default;
 
 // Returns how many points are outside.
 std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workplace) const {
-  const std::vector<bool> reports(weighing_.network().places().size(), true);
+  const ReportingPlaces reports(weighing_.network().places().size(), true);
   std::vector<PlaceWeight> weights;
   std::size_t outside = 0;
   workplace.begin_anew();
@@ -120,14 +120,14 @@ std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workpl
 }
 
 std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points,
-                                                       const std::vector<bool>& reports,
+                                                       const ReportingPlaces& reports,
                                                        Workplace& workplace) const {
   std::vector<PlaceWeight> found;
   for (std::size_t i = 0; i < points.at.size(); ++i) {
     const auto first = points.neighbours.begin() + points.first[i];
     const auto end = points.neighbours.begin() + points.first[i + 1];
     const bool as_ever =
-        std::all_of(first, end, [&](const PlaceWeight& w) { return reports[index(w.place)]; });
+        std::all_of(first, end, [&](const PlaceWeight& w) { return reports[w.place]; });
     if (as_ever) {
       for (auto w = first; w != end; ++w) workplace.sums.add(w->place, w->weight);
     } else {
@@ -138,9 +138,9 @@ std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points,
   return workplace.sums.take();
 }
 
-AreaMethod::Weights NaturalNeighbours::weights(const std::vector<bool>& reports) const {
+AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports) const {
   Weights weights(points_.size());
-  if (std::find(reports.begin(), reports.end(), true) == reports.end()) return weights;
+  if (!reports.any()) return weights;
   std::vector<std::size_t> changed;
   for (std::size_t b = 0; b < points_.size(); ++b) {
     if (all_report(points_[b].all, reports)) {

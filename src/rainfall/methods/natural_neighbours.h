@@ -29,7 +29,7 @@ class NaturalNeighbours : public AreaMethod {
   /// The weighing must outlive it.
   NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads);
   ~NaturalNeighbours() override;
-  Weights weights(const std::vector<bool>& reports) const override;
+  Weights weights(const ReportingPlaces& reports) const override;
 
   /// By basin, the share of its points outside the full network's hull.
   const std::vector<double>& shares_outside() const { return shares_outside_; }
@@ -48,7 +48,7 @@ class NaturalNeighbours : public AreaMethod {
   class Workplace;
 
   std::size_t keep_neighbours(Points& points, Workplace& workplace) const;
-  std::vector<PlaceWeight> weights_of(const Points& points, const std::vector<bool>& reports,
+  std::vector<PlaceWeight> weights_of(const Points& points, const ReportingPlaces& reports,
                                       Workplace& workplace) const;
   std::unique_ptr<Workplace> borrow() const;
   void give_back(std::unique_ptr<Workplace> workplace) const;

@@ -20,14 +20,14 @@ bool NearestGauges::comes_before(const Near& a, const Near& b) const {
   return places_[index(a.place)] < places_[index(b.place)];
 }
 
-void NearestGauges::find(Point from, std::size_t count, const std::vector<bool>& reports,
+void NearestGauges::find(Point from, std::size_t count, const ReportingPlaces& reports,
                          std::vector<Near>& near) const {
   const Direction at = in_space(from, metric_);
   const auto square_to = [&](PlaceIndex p) {
     const Direction way = (*tree_)[p] - at;
     return dot(way, way);
   };
-  const auto is_wanted = [&](PlaceIndex p) { return reports.empty() || reports[index(p)]; };
+  const auto is_wanted = [&](PlaceIndex p) { return reports.empty() || reports[p]; };
   // As many places as are wanted bound the distance from the start.
   double farthest = HUGE_VAL;
   std::erase_if(near, [&](const Near& n) { return !is_wanted(n.place); });

@@ -8,6 +8,7 @@
 
 #include "earth/place_tree.h"
 #include "earth/yardstick.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -28,7 +29,7 @@ class NearestGauges {
   /// Up to `count` places of those that report, the nearest first. `reports`: by place; empty: all
   /// do. `near`: what was found for a point near by, or anything; replaced. Cost: log n and the
   /// count where places lie scattered and most of them report.
-  void find(Point from, std::size_t count, const std::vector<bool>& reports,
+  void find(Point from, std::size_t count, const ReportingPlaces& reports,
             std::vector<Near>& near) const;
 
  private:

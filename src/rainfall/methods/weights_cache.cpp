@@ -5,7 +5,7 @@
 namespace thiessen {
 namespace {
 
-std::size_t bytes_of(const std::vector<bool>& reports, const AreaMethod::Weights& weights) {
+std::size_t bytes_of(const ReportingPlaces& reports, const AreaMethod::Weights& weights) {
   constexpr std::size_t bytes_of_an_entry = 160;  // a node, a bucket, the counters of the pointer
   std::size_t bytes = bytes_of_an_entry + reports.size() / 8;
   for (const auto& basin : weights)
@@ -15,7 +15,7 @@ std::size_t bytes_of(const std::vector<bool>& reports, const AreaMethod::Weights
 
 }  // namespace
 
-std::shared_ptr<const AreaMethod::Weights> WeightsCache::of(const std::vector<bool>& reports) {
+std::shared_ptr<const AreaMethod::Weights> WeightsCache::of(const ReportingPlaces& reports) {
   {
     const std::lock_guard lock(mutex_);
     if (auto found = find(reports)) return found;
@@ -26,7 +26,7 @@ std::shared_ptr<const AreaMethod::Weights> WeightsCache::of(const std::vector<bo
   return weights;
 }
 
-std::shared_ptr<const AreaMethod::Weights> WeightsCache::find(const std::vector<bool>& reports) {
+std::shared_ptr<const AreaMethod::Weights> WeightsCache::find(const ReportingPlaces& reports) {
   const auto young = young_.find(reports);
   if (young != young_.end()) return young->second;
   const auto old = old_.find(reports);
@@ -37,7 +37,7 @@ std::shared_ptr<const AreaMethod::Weights> WeightsCache::find(const std::vector<
   return weights;
 }
 
-void WeightsCache::keep(const std::vector<bool>& reports,
+void WeightsCache::keep(const ReportingPlaces& reports,
                         const std::shared_ptr<const AreaMethod::Weights>& weights) {
   const std::size_t bytes = bytes_of(reports, *weights);
   if (bytes > generation_bytes_) return;

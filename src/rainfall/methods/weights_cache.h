@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rainfall/methods/area_method.h"
+#include "rainfall/reporting.h"
 
 namespace thiessen {
 
@@ -18,14 +19,14 @@ class WeightsCache {
   WeightsCache(const AreaMethod& method, std::size_t bytes)
       : method_(method), generation_bytes_(bytes / 2) {}
 
-  std::shared_ptr<const AreaMethod::Weights> of(const std::vector<bool>& reports);
+  std::shared_ptr<const AreaMethod::Weights> of(const ReportingPlaces& reports);
 
  private:
-  using Generation =
-      std::unordered_map<std::vector<bool>, std::shared_ptr<const AreaMethod::Weights>>;
+  using Generation = std::unordered_map<ReportingPlaces, std::shared_ptr<const AreaMethod::Weights>,
+                                        ReportingPlaces::Hash>;
 
-  std::shared_ptr<const AreaMethod::Weights> find(const std::vector<bool>& reports);
-  void keep(const std::vector<bool>& reports,
+  std::shared_ptr<const AreaMethod::Weights> find(const ReportingPlaces& reports);
+  void keep(const ReportingPlaces& reports,
             const std::shared_ptr<const AreaMethod::Weights>& weights);
 
   const AreaMethod& method_;

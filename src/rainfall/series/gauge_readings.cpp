@@ -7,12 +7,6 @@
 
 namespace thiessen {
 
-std::vector<bool> GaugeReadings::reports() const {
-  std::vector<bool> reports(readings.size());
-  for (std::size_t i = 0; i < readings.size(); ++i) reports[i] = !std::isnan(readings[i]);
-  return reports;
-}
-
 void MeanReadings::add(std::span<const double> readings) {
   ++steps_;
   for (std::size_t i = 0; i < readings.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/long_sum.h"
+#include "rainfall/reporting.h"
 #include "rainfall/series/readings.h"
 
 namespace thiessen {
@@ -15,7 +16,7 @@ struct GaugeReadings {
   std::vector<double> readings;  ///< by station; NaN: none
   std::string label;             ///< the time, or "mean of 120 time steps"
 
-  std::vector<bool> reports() const;
+  ReportingStations reports() const { return reporting_stations(readings); }
 };
 
 /// Gathers the means, a step after the other. Cost of a step: its gauges.

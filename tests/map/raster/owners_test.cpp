@@ -29,7 +29,7 @@ Network network_of(const std::vector<Point>& positions, Metric metric) {
 }
 
 Numbers owners_of(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
-                  const Network& network, Metric metric, const std::vector<bool>& reports,
+                  const Network& network, Metric metric, const ReportingStations& reports,
                   const std::function<PointMapping()>& to_study, unsigned threads) {
   Owners owners(grid, areas, network, metric, reports, to_study, threads);
   const std::span<const std::int32_t> rows = owners.rows(0, grid.rows);
@@ -103,7 +103,7 @@ TEST(Owners, do_not_depend_on_the_number_of_threads) {
     positions.push_back({std::fmod(i * 7.31, 40), std::fmod(i * 3.7, 40)});
   const Network network = network_of(positions, Metric::geodesic);
   const PixelGrid grid{{0, 40}, 0.1, 400, 400};
-  const std::vector<bool> all(positions.size(), true);
+  const ReportingStations all(positions.size(), true);
   const auto with = [&](unsigned threads) {
     return owners_of(grid, {rectangle(0, 0, 40, 40)}, network, Metric::geodesic, all, as_it_is,
                      threads);
@@ -119,7 +119,7 @@ TEST(Owners, are_the_same_a_few_rows_at_a_time) {
     positions.push_back({std::fmod(i * 7.31, 20), std::fmod(i * 3.7, 20)});
   const Network network = network_of(positions, Metric::planar);
   const PixelGrid grid{{0, 20}, 0.125, 160, 160};
-  const std::vector<bool> all(positions.size(), true);
+  const ReportingStations all(positions.size(), true);
   const std::vector<MultiPolygon> areas{{{{{0, 0}, {20, 0}, {3, 20}}, {{{4, 4}, {5, 9}, {9, 4}}}}},
                                         rectangle(15, 16, 19, 20)};
   const Numbers whole = owners_of(grid, areas, network, Metric::planar, all, as_it_is, 2);

@@ -18,9 +18,7 @@ TEST(CellRetessellation, weights_are_those_of_the_cells_of_the_gauges_that_repor
     const CellRetessellation policy(handovers, std::size_t{1} << 20, true);
     for (const double share : {0.05, 0.4, 0.9}) {
       const auto readings = gappy::readings_of(seeded, study, share);
-      std::vector<bool> reports;
-      for (const double reading : readings) reports.push_back(!std::isnan(reading));
-      const auto expected = study.weighing.weights(reports, 1);
+      const auto expected = study.weighing.weights(reporting_stations(readings), 1);
       const auto found = policy.weights_at(readings);
       ASSERT_EQ(found.size(), expected.size());
       for (std::size_t b = 0; b < expected.size(); ++b) {

@@ -68,7 +68,7 @@ TEST_F(NineGauges, all_together_hand_over_nothing) {
 }
 
 TEST_F(NineGauges, full_weights_are_those_of_the_weighing) {
-  const auto expected = weighing_.weights(std::vector<bool>(9, true), 1);
+  const auto expected = weighing_.weights(ReportingStations(9, true), 1);
   const auto found = handovers_.full_weights();
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t b = 0; b < found.size(); ++b) {

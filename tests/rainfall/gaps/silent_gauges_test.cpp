@@ -21,16 +21,16 @@ constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 struct GappyStep {
   std::vector<double> readings;
-  std::vector<bool> reports;
+  ReportingStations reports;
 };
 
 /// Readings below 100, and a share of the gauges silent.
 GappyStep gappy_step(Seeded& seeded, std::size_t stations, double share) {
-  GappyStep step{std::vector<double>(stations, silent), std::vector<bool>(stations, false)};
-  for (std::size_t s = 0; s < stations; ++s) {
+  GappyStep step{std::vector<double>(stations, silent), ReportingStations(stations, false)};
+  for (std::uint32_t s = 0; s < stations; ++s) {
     if (seeded.uniform(0, 1) < share) continue;
     step.readings[s] = seeded.uniform(0, 100);
-    step.reports[s] = true;
+    step.reports.set(StationIndex{s}, true);
   }
   return step;
 }
@@ -130,9 +130,7 @@ TEST(SilentGaugesOnTheEarth, hand_over_along_edges_within_the_tolerance) {
     ASSERT_GE(basins.size(), 5u);
     const Weighing weighing(network, basins, Yardstick{Metric::geodesic, 1, tolerance});
     const Weighing fine(network, basins, Yardstick{Metric::geodesic, 1, 1e-3});
-    std::vector<bool> reports;
-    for (const double reading : readings) reports.push_back(!std::isnan(reading));
-    const auto expected = fine.weights(reports, 1);
+    const auto expected = fine.weights(reporting_stations(readings), 1);
     const auto found = ArealRainfall(weighing, {}, 1).weights_at(readings);
     for (std::size_t b = 0; b < basins.size(); ++b) {
       std::vector<double> difference(stations.size(), 0);

@@ -20,7 +20,7 @@ TEST(CellReadings, are_means_and_components_by_step) {
       {{"a", {0, 0}, 0}, {"b", {1, 0}, 0}, {"c", {2, 0}, 0}, {"d", {3, 0}, 0}, {"e", {1, 0}, 0}},
       Metric::planar);
   const Box frame{{-1, -1}, {4, 1}};
-  const NetworkCells cells(network, std::vector<bool>(5, true), {Metric::planar, 1, 0.1}, frame, 1);
+  const NetworkCells cells(network, ReportingStations(5, true), {Metric::planar, 1, 0.1}, frame, 1);
   const CellAdjacency adjacency(cells.diagram());
   CellReadings readings(cells, adjacency);
   const std::vector<std::vector<double>> steps{

@@ -54,7 +54,8 @@ Values from_scratch(const Weighing& weighing) {
              const std::vector<double>& readings) mutable {
     std::vector<bool> reports(readings.size());
     for (std::size_t s = 0; s < readings.size(); ++s) reports[s] = !std::isnan(readings[s]);
-    if (!known.contains(reports)) known.emplace(reports, weighing.weights(reports, 1));
+    if (!known.contains(reports))
+      known.emplace(reports, weighing.weights(ReportingStations(reports), 1));
     std::vector<double> values;
     for (const BasinWeights& basin : known.at(reports)) {
       double sum = basin.stations.empty() ? silent : 0;
@@ -122,7 +123,7 @@ void expect_as_left_out(const Weighing& weighing, const Series& series, const Va
                         double tolerance, double elsewhere) {
   const LeftOut oracle(values, series);
   const auto found = influence_of(weighing, series);
-  const auto full = weighing.weights(std::vector<bool>(series.front().size(), true), 1);
+  const auto full = weighing.weights(ReportingStations(series.front().size(), true), 1);
   for (std::uint32_t s = 0; s < series.front().size(); ++s) {
     const std::vector<Expected> expected = oracle.without(s);
     for (std::size_t b = 0; b < found.size(); ++b) {

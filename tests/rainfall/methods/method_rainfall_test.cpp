@@ -266,10 +266,10 @@ TEST(NaturalNeighbours, of_the_world) {
   const Study study(stations, {world}, earth);
   const NaturalNeighbours method(study.weighing, 3000, 2);
   EXPECT_LT(method.shares_outside()[0], 0.05);
-  std::vector<bool> reports(500, true);
-  for (std::size_t i = 0; i < 500; i += 3) reports[i] = false;
+  ReportingPlaces reports(500, true);
+  for (std::uint32_t i = 0; i < 500; i += 3) reports.set(PlaceIndex{i}, false);
   for (const auto& weights :
-       {method.weights(std::vector<bool>(500, true))[0], method.weights(reports)[0]}) {
+       {method.weights(ReportingPlaces(500, true))[0], method.weights(reports)[0]}) {
     double sum = 0;
     double height = 0;  // of a field that is linear in space
     for (const PlaceWeight& w : weights) {

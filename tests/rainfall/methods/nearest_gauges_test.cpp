@@ -12,7 +12,7 @@ namespace thiessen {
 namespace {
 
 std::vector<PlaceIndex> found(const NearestGauges& nearest, Point p, std::size_t count,
-                              const std::vector<bool>& reports,
+                              const ReportingPlaces& reports,
                               std::vector<NearestGauges::Near>& near) {
   nearest.find(p, count, reports, near);
   std::vector<PlaceIndex> places;
@@ -23,10 +23,10 @@ std::vector<PlaceIndex> found(const NearestGauges& nearest, Point p, std::size_t
 /// By looking at all of them.
 template <typename Distance>
 std::vector<PlaceIndex> sorted(const std::vector<Point>& places, std::size_t count,
-                               const std::vector<bool>& reports, const Distance& distance) {
+                               const ReportingPlaces& reports, const Distance& distance) {
   std::vector<PlaceIndex> all;
   for (std::uint32_t i = 0; i < places.size(); ++i) {
-    if (reports[i]) all.push_back(PlaceIndex{i});
+    if (reports[PlaceIndex{i}]) all.push_back(PlaceIndex{i});
   }
   std::sort(all.begin(), all.end(), [&](PlaceIndex a, PlaceIndex b) {
     const Point p = places[index(a)];
@@ -54,8 +54,9 @@ TEST(NearestGauges, are_those_of_a_look_at_all) {
     for (int i = 0; i < 40; ++i) {
       Point p{seeded.uniform(-180, 180), seeded.uniform(-90, 90)};
       if (i % 2 == 0) p = places[seeded.below(places.size())];
-      std::vector<bool> reports(places.size(), true);
-      for (std::size_t k = 0; k < places.size(); ++k) reports[k] = i < 5 || seeded.below(3) > 0;
+      ReportingPlaces reports(places.size(), true);
+      for (std::uint32_t k = 0; k < places.size(); ++k)
+        reports.set(PlaceIndex{k}, i < 5 || seeded.below(3) > 0);
       const std::size_t count = 1 + seeded.below(20);
       const auto expected = sorted(places, count, reports, [&](Point q) {
         return planar ? (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y)

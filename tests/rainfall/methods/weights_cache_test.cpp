@@ -13,20 +13,20 @@ namespace {
 /// One basin, all places alike; counts how often it is asked.
 class Counting : public AreaMethod {
  public:
-  Weights weights(const std::vector<bool>& reports) const override {
+  Weights weights(const ReportingPlaces& reports) const override {
     ++asked;
     Weights weights(1);
     for (std::uint32_t i = 0; i < reports.size(); ++i) {
-      if (reports[i]) weights[0].push_back({PlaceIndex{i}, 1.0});
+      if (reports[PlaceIndex{i}]) weights[0].push_back({PlaceIndex{i}, 1.0});
     }
     return weights;
   }
   mutable std::atomic<int> asked = 0;
 };
 
-std::vector<bool> random_set(Seeded& seeded, std::size_t places) {
-  std::vector<bool> reports(places);
-  for (std::size_t i = 0; i < places; ++i) reports[i] = seeded.below(2) == 0;
+ReportingPlaces random_set(Seeded& seeded, std::size_t places) {
+  ReportingPlaces reports(places, false);
+  for (std::uint32_t i = 0; i < places; ++i) reports.set(PlaceIndex{i}, seeded.below(2) == 0);
   return reports;
 }
 
@@ -57,7 +57,7 @@ TEST(WeightsCache, forgets_what_was_not_asked_for_lately) {
   const Counting method;
   WeightsCache cache(method, 100'000);  // some tens of sets
   const auto kept = random_set(seeded, 100);
-  std::vector<std::vector<bool>> others;
+  std::vector<ReportingPlaces> others;
   for (int i = 0; i < 500; ++i) others.push_back(random_set(seeded, 100));
   for (const auto& reports : others) {
     EXPECT_EQ(*cache.of(reports), Counting().weights(reports));
@@ -72,7 +72,7 @@ TEST(WeightsCache, is_safe_for_several_threads) {
   Seeded seeded;
   const Counting method;
   WeightsCache cache(method, 30'000);
-  std::vector<std::vector<bool>> sets;
+  std::vector<ReportingPlaces> sets;
   for (int i = 0; i < 40; ++i) sets.push_back(random_set(seeded, 100));
   in_parallel(2000, 4, [&](std::size_t, std::size_t i) {
     const auto& reports = sets[i % sets.size()];
