@@ -5,7 +5,7 @@
     run.py --program build/cli/thiessen --show CASE...     prints what the command does now
     run.py --program build/cli/thiessen --accept CASE...   writes that into the case: read it first
 
-README.md in this folder describes a case's form.
+A folder stands for the cases in it. README.md in this folder describes a case's form.
 """
 
 import argparse
@@ -98,6 +98,17 @@ def compare(expected, actual):
     return report
 
 
+def gathered(paths):
+    """The files of cases that are named, and those in the folders that are."""
+    found = []
+    for path in paths:
+        below = sorted(path.rglob("*.case")) if path.is_dir() else [path]
+        if not below:
+            sys.exit(f"{path}: there are no cases")
+        found += below
+    return found
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", required=True)
@@ -106,7 +117,8 @@ def main():
     parser.add_argument("cases", nargs="+", type=pathlib.Path)
     options = parser.parse_args()
     failed = pending = 0
-    for path in options.cases:
+    paths = gathered(options.cases)
+    for path in paths:
         case = cases.read(path)
         if case.expected is None and not (options.accept or options.show):
             print(f"{path}: pending: nobody has accepted its output yet")
@@ -120,6 +132,9 @@ def main():
         elif report := compare(case.expected, actual):
             failed += 1
             print("\n".join([f"{path}: {case.title}", "$ " + case.command.strip(), *report]))
+            print(f"to run it alone: {__file__} --program {options.program} {path}", flush=True)
+    if not (options.show or options.accept):
+        print(f"{len(paths)} cases: {failed} failed, {pending} pending")
     return 1 if failed else PENDING if pending else 0
 
 
