@@ -232,11 +232,11 @@ TEST(InPerturbedCircle, of_a_square_keeps_the_diagonal_that_misses_its_last_corn
 }
 
 TEST(CompareDistance, tells_the_nearer) {
-  EXPECT_EQ(compare_distance({0, 0}, {1, 0}, {0, 2}), -1);
-  EXPECT_EQ(compare_distance({0, 0}, {3, 4}, {0, 2}), 1);
-  EXPECT_EQ(compare_distance({0, 0}, {3, 4}, {-5, 0}), 0);
-  EXPECT_EQ(compare_distance({0, 0}, {3, 4}, {-5, smallest_coordinate}), -1);
-  EXPECT_EQ(compare_distance({0.1, 0.1}, {0.1, 0.2}, {0.2, 0.1}), 0);
+  EXPECT_EQ(compare_distance(Point{0, 0}, {1, 0}, {0, 2}), -1);
+  EXPECT_EQ(compare_distance(Point{0, 0}, {3, 4}, {0, 2}), 1);
+  EXPECT_EQ(compare_distance(Point{0, 0}, {3, 4}, {-5, 0}), 0);
+  EXPECT_EQ(compare_distance(Point{0, 0}, {3, 4}, {-5, smallest_coordinate}), -1);
+  EXPECT_EQ(compare_distance(Point{0.1, 0.1}, {0.1, 0.2}, {0.2, 0.1}), 0);
 }
 
 TEST(CompareDistance, agrees_with_whole_numbers) {

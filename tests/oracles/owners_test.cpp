@@ -1,3 +1,4 @@
+// Compiled alone: the headers of other oracles hold another geodesic_distance.
 // A raster's owners against the distances to all stations: Karney's, and in the plane rationals.
 #include "map/raster/owners.h"
 

@@ -11,16 +11,10 @@
 
 #include "geometry/determinants.h"
 #include "geometry/seeded.h"
+#include "tessellation/simplices.h"
 
 namespace thiessen {
 namespace {
-
-template <int Dimension>
-Tessellation<Dimension> tessellation_of(const std::vector<PositionIn<Dimension>>& points) {
-  Tessellation<Dimension> tessellation;
-  tessellation.add_all(points);
-  return tessellation;
-}
 
 template <int Dimension>
 auto cell_at(const Tessellation<Dimension>& tessellation, const PositionIn<Dimension>& position) {

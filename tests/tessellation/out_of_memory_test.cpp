@@ -1,3 +1,4 @@
+// Compiled alone: it replaces the program's operator new with names of its own.
 // Every allocation fails once, the n-th for every n: what fails half-way is taken back.
 #include <gtest/gtest.h>
 
