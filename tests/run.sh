@@ -58,14 +58,15 @@ scripts() {
 run_ctest() {
   local folder=$1
   shift
-  ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 300 \
+  ctest --test-dir "$folder" --output-on-failure --no-tests=error --timeout 900 \
     --parallel "$(nproc)" "$@"
 }
 
 sanitized() {
+  # Reports need the lines' numbers and no more of what a debugger wants.
   TARGETS=core_tests "$clone/samples/build.sh" "$core" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
-    -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS=-O1 \
-    -DCMAKE_CXX_COMPILER=clang++ || return
+    -DTHIESSEN_QUICK_TESTS=ON -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug \
+    -DCMAKE_CXX_FLAGS_DEBUG='-O1 -gline-tables-only' -DCMAKE_CXX_COMPILER=clang++ || return
   run_ctest "$core" -L core
 }
 
@@ -78,6 +79,55 @@ strange_locale() {
   fi
   LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham \
     run_ctest "$build" -LE oracles
+}
+
+build() {
+  say "Building thiessen and its tests in $build ..."
+  "$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
+    -DTHIESSEN_QUICK_TESTS=ON -DCMAKE_BUILD_TYPE=Release
+}
+
+# What a part took is kept in the build folder: the first time, when all has to be built, and the last.
+known=$build/seconds
+seconds_of() { # PART: what it took or, where that is not known, what it takes on two processors
+  if [ -e "$known/$1" ]; then
+    cat "$known/$1"
+  elif [ -e "$known/$1.first" ]; then
+    case $1 in
+      build | lint | sanitized) echo $((120 / $(nproc))) ;;
+      *) cat "$known/$1.first" ;;
+    esac
+  else
+    case $1 in
+      layout | scripts) echo 10 ;;
+      build) echo $((1200 / $(nproc))) ;;
+      lint | sanitized) echo $((600 / $(nproc))) ;;
+      locale) echo $((300 / $(nproc))) ;;
+      *) echo $((120 / $(nproc))) ;;
+    esac
+  fi
+}
+
+estimate() {
+  local name sum=0 told=''
+  for name in "${parts[@]}"; do
+    wants "$name" || continue
+    sum=$((sum + $(seconds_of "$name")))
+    told+=", $name $(seconds_of "$name")"
+  done
+  say "This takes about $(((sum + 59) / 60)) min, as far as is known (in seconds: ${told#, })."
+}
+
+# part NAME COMMAND...: runs it, tells what it took and keeps that.
+part() {
+  local name=$1 from=$SECONDS to
+  shift
+  "$@"
+  mkdir -p "$known"
+  to=$known/$name
+  [ -e "$known/$name.first" ] || to=$known/$name.first
+  echo $((SECONDS - from)) >"$to"
+  say "  $name: $((SECONDS - from)) s"
 }
 
 help() {
@@ -115,24 +165,20 @@ wants() {
 
 "$clone/samples/packages.sh" build tests
 
-if wants layout; then check 'Checking the layout of the C++ files (clang-format)' layout; fi
-if wants scripts; then check 'Checking the scripts (shellcheck)' scripts; fi
-
-if wants build lint locale oracles golden program; then
-  say "Building thiessen and its tests in $build (some minutes the first time) ..."
-  "$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
-    -DCMAKE_BUILD_TYPE=Release
-fi
-
-if wants lint; then check 'Linting (clang-tidy)' "$clone/tests/lint.py" "$build"; fi
+if wants lint locale oracles golden program; then chosen=" build$chosen"; fi
+estimate
+if wants layout; then part layout check 'Checking the layout of the C++ files (clang-format)' layout; fi
+if wants scripts; then part scripts check 'Checking the scripts (shellcheck)' scripts; fi
+if wants build; then part build build; fi
+if wants lint; then part lint check 'Linting (clang-tidy)' "$clone/tests/lint.py" "$build"; fi
 if wants sanitized; then
-  check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
+  part sanitized check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
 fi
 # The strange locale sees every test but the oracles; the plain one only those that run the whole program
 # (their text is what a locale may change) and the oracles: no test of a room runs twice.
-if wants locale; then check 'Testing in a Turkish locale' strange_locale; fi
-for part in oracles golden program; do
-  if wants "$part"; then check "Testing: $part" run_ctest "$build" -L "^$part\$"; fi
+if wants locale; then part locale check 'Testing in a Turkish locale' strange_locale; fi
+for name in oracles golden program; do
+  if wants "$name"; then part "$name" check "Testing: $name" run_ctest "$build" -L "^$name\$"; fi
 done
 
 say
