@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "basin/overlay.h"
-#include "earth/surface.h"
+#include "diagram/surface.h"
 #include "geometry/long_sum.h"
 
 namespace thiessen {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "diagram/diagram.h"
 #include "geometry/box.h"
 #include "geometry/box_tree.h"
-#include "tessellation/diagram.h"
 
 namespace thiessen {
 

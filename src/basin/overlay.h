@@ -6,7 +6,7 @@
 
 #include "basin/basin.h"
 #include "basin/chord_index.h"
-#include "tessellation/diagram.h"
+#include "diagram/diagram.h"
 
 namespace thiessen {
 

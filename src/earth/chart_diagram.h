@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
+#include "diagram/diagram.h"
 #include "earth/gnomonic_chart.h"
-#include "tessellation/diagram.h"
 
 namespace thiessen {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "diagram/diagram.h"
 #include "earth/bisector_offset.h"
 #include "earth/geodesic_bisector.h"
-#include "tessellation/diagram.h"
 
 namespace thiessen {
 

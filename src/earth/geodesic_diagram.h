@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "tessellation/diagram.h"
+#include "diagram/diagram.h"
 
 namespace thiessen {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "diagram/surface.h"
 #include "earth/conformal_sphere.h"
-#include "earth/surface.h"
 #include "geometry/point.h"
 
 namespace thiessen {

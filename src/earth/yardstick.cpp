@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "diagram/plane_diagram.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic_diagram.h"
-#include "tessellation/plane_diagram.h"
 
 namespace thiessen {
 namespace {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <span>
 
-#include "earth/surface.h"
-#include "tessellation/diagram.h"
+#include "diagram/diagram.h"
+#include "diagram/surface.h"
 
 namespace thiessen {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "basin/shapes.h"
-#include "tessellation/plane_diagram.h"
+#include "diagram/plane_diagram.h"
 
 namespace thiessen {
 namespace {

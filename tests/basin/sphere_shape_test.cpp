@@ -8,6 +8,7 @@
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
 #include "earth/chart_diagram.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic_diagram.h"
 #include "geometry/seeded.h"
 

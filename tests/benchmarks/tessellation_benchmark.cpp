@@ -8,7 +8,7 @@
 
 #include "benchmarks/memory_in_use.h"
 #include "benchmarks/point_sets.h"
-#include "tessellation/plane_diagram.h"
+#include "diagram/plane_diagram.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {

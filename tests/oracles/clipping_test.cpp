@@ -11,11 +11,11 @@
 
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
-#include "earth/surface.h"
+#include "diagram/plane_diagram.h"
+#include "diagram/surface.h"
 #include "oracles/geos.h"
 #include "oracles/half_planes.h"
 #include "tessellation/families.h"
-#include "tessellation/plane_diagram.h"
 
 namespace thiessen {
 namespace {

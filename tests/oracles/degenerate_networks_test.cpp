@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "basin/cell_clipper.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic_diagram.h"
 #include "geometry/seeded.h"
 #include "oracles/geos.h"

@@ -11,9 +11,10 @@
 
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
+#include "diagram/surface.h"
 #include "earth/ellipsoid_area.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic_diagram.h"
-#include "earth/surface.h"
 #include "geometry/predicates.h"
 #include "geometry/seeded.h"
 #include "oracles/earth_oracle.h"

@@ -15,6 +15,7 @@
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
 #include "earth/ellipsoid_area.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic_diagram.h"
 #include "earth/geodesic_vertices.h"
 #include "earth/sphere_tessellation.h"

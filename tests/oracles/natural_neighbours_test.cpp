@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "basin/cell_clipper.h"
+#include "earth/ellipsoid_surface.h"
 #include "earth/geodesic.h"
 #include "earth/yardstick.h"
 #include "geometry/seeded.h"

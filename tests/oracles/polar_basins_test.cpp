@@ -117,7 +117,7 @@ void expect_cells_make_up_the_basin(const StudyFiles& study) {
 }
 
 StudyFiles study_of(const std::string& stations, const std::string& basins_name,
-               const std::string& basins, const std::string& basins_crs) {
+                    const std::string& basins, const std::string& basins_crs) {
   const TemporaryFolder folder;
   StudyRequest request;
   request.stations.source.file = folder.write("s.csv", stations);
@@ -150,7 +150,7 @@ TEST(PolarBasins, have_the_area_that_GeographicLib_gives_them) {
       expected -= judged_area(hole);
     }
     const StudyFiles study = study_of(random_stations(seeded), "b.geojson",
-                                 R"({"type":"Polygon","coordinates":[)" + rings + "]}", "");
+                                      R"({"type":"Polygon","coordinates":[)" + rings + "]}", "");
     EXPECT_NEAR(basin_area(study) / expected, 1, 1e-8) << rings;
     expect_cells_make_up_the_basin(study);
   }
@@ -175,7 +175,7 @@ TEST(PolarBasins, in_an_equal_area_projection_have_the_planes_area) {
     }
     text += shortest_text(ring[0].x) + " " + shortest_text(ring[0].y);
     const StudyFiles study = study_of(random_stations(seeded), "b.csv",
-                                 "id,WKT\n1,\"POLYGON ((" + text + "))\"\n", "EPSG:3571");
+                                      "id,WKT\n1,\"POLYGON ((" + text + "))\"\n", "EPSG:3571");
     // PROJ's series for the authalic latitude is right to 1e-10.
     EXPECT_NEAR(basin_area(study) / plane_area({{ring, {}}}), 1, 1e-9) << how << " " << text;
     expect_cells_make_up_the_basin(study);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "tessellation/diagram.h"
+#include "diagram/diagram.h"
 
 namespace thiessen {
 

@@ -1,4 +1,4 @@
-#include "tessellation/plane_diagram.h"
+#include "diagram/plane_diagram.h"
 
 #include <algorithm>
 #include <array>

@@ -23,10 +23,4 @@ class PlaneSurface : public Surface {
   double unit_area_;
 };
 
-/// The WGS 84 ellipsoid under longitudes and latitudes in degrees; areas in square metres.
-class EllipsoidSurface : public Surface {
- public:
-  double under(Point a, Point b, double reference) const override;
-};
-
 }  // namespace thiessen
