@@ -1,6 +1,6 @@
 #include "cli/gauges.h"
 
-#include "cli/command.h"
+#include "cli/commands/command.h"
 
 namespace thiessen::cli {
 

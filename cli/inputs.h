@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "files/study_files.h"
 #include "rainfall/reporting.h"
 #include "rainfall/series/rain_series.h"

@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "cli/command.h"
-#include "cli/option_values.h"
+#include "cli/commands/command.h"
+#include "cli/options/option_values.h"
 #include "cli/similar_ids.h"
 
 namespace thiessen::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "rainfall/step_rainfall.h"
 
 namespace thiessen::cli {

@@ -4,9 +4,9 @@
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "basin/containment.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace thiessen::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "cli/command_arguments.h"
+#include "cli/session/command_arguments.h"
 
 #include <string_view>
 #include <utility>

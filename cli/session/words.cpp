@@ -1,4 +1,4 @@
-#include "cli/words.h"
+#include "cli/session/words.h"
 
 #include <algorithm>
 

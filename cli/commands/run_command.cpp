@@ -3,9 +3,9 @@
 
 #include "base/outputs.h"
 #include "cli/cell_features.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "cli/picture_of.h"
 #include "cli/progress.h"
 #include "cli/rain_table.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "cli/interpreter.h"
+#include "cli/session/interpreter.h"
 
 namespace thiessen::cli {
 namespace {

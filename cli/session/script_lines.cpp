@@ -1,4 +1,4 @@
-#include "cli/script_lines.h"
+#include "cli/session/script_lines.h"
 
 #include "base/error.h"
 #include "base/utf8.h"

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/destination.h"
-#include "cli/option_values.h"
+#include "cli/options/option_values.h"
 #include "files/study_files.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"

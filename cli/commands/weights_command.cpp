@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "base/outputs.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/inputs.h"
 #include "cli/network_changes.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "cli/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"

@@ -2,10 +2,10 @@
 
 #include "base/outputs.h"
 #include "cli/cell_features.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/gauges.h"
 #include "cli/inputs.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "cli/picture_of.h"
 #include "cli/raster_of.h"
 #include "gdal/raster_file.h"

@@ -1,4 +1,4 @@
-#include "cli/interpreter.h"
+#include "cli/session/interpreter.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "base/utf8.h"
-#include "cli/command_arguments.h"
-#include "cli/words.h"
+#include "cli/session/command_arguments.h"
+#include "cli/session/words.h"
 #include "map/plot/tessellation_picture.h"
 #include "tessellation/audit.h"
 #include "tessellation/session.h"

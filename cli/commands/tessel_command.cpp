@@ -6,12 +6,12 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/utf8.h"
-#include "cli/commands.h"
-#include "cli/interpreter.h"
-#include "cli/keyboard.h"
+#include "cli/commands/commands.h"
 #include "cli/messages.h"
-#include "cli/option_values.h"
-#include "cli/script_lines.h"
+#include "cli/options/option_values.h"
+#include "cli/session/interpreter.h"
+#include "cli/session/keyboard.h"
+#include "cli/session/script_lines.h"
 
 namespace thiessen::cli {
 namespace {

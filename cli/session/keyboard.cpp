@@ -1,4 +1,4 @@
-#include "cli/keyboard.h"
+#include "cli/session/keyboard.h"
 
 #include <poll.h>
 #include <unistd.h>

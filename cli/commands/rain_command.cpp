@@ -5,10 +5,10 @@
 
 #include "base/interrupt.h"
 #include "base/outputs.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/option_values.h"
-#include "cli/options.h"
+#include "cli/options/option_values.h"
+#include "cli/options/options.h"
 #include "cli/progress.h"
 #include "cli/rain_methods.h"
 #include "cli/rain_table.h"

@@ -1,10 +1,10 @@
-#include "cli/usage.h"
+#include "cli/options/usage.h"
 
 #include <string>
 #include <vector>
 
 #include "base/error.h"
-#include "cli/help.h"
+#include "cli/options/help.h"
 
 namespace thiessen::cli {
 namespace {

@@ -1,13 +1,13 @@
-#include "cli/command_line.h"
+#include "cli/options/command_line.h"
 
 #include <algorithm>
 #include <sstream>
 
 #include "base/error.h"
 #include "base/file.h"
-#include "cli/commands.h"
-#include "cli/help.h"
-#include "cli/usage.h"
+#include "cli/commands/commands.h"
+#include "cli/options/help.h"
+#include "cli/options/usage.h"
 
 namespace thiessen::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include "base/outputs.h"
 #include "cli/cell_features.h"
-#include "cli/commands.h"
+#include "cli/commands/commands.h"
 #include "cli/gauges.h"
 #include "cli/inputs.h"
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 namespace thiessen::cli {
 namespace {

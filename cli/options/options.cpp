@@ -1,11 +1,11 @@
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 #include <algorithm>
 #include <map>
 
 #include "base/parallel.h"
-#include "cli/command.h"
-#include "cli/help.h"
+#include "cli/commands/command.h"
+#include "cli/options/help.h"
 #include "cli/rain_methods.h"
 #include "rainfall/gaps/gap_policies.h"
 
