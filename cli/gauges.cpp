@@ -1,16 +1,11 @@
 #include "cli/gauges.h"
 
-#include "cli/commands/command.h"
-
 namespace thiessen::cli {
 
 std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings) {
-  if (!rainfall.given()) {
-    if (!time.empty()) throw UsageError{"--time needs RAINFALL", ""};
-    return {};
-  }
+  if (!rainfall.given()) return {};
   const auto readings = inputs.open_readings(study, rainfall, warnings);
   GaugeReadings shown = read_gauges(*readings, inputs.network().stations().size(), time);
   if (shown.readings.empty()) {

@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
 #include "files/study_files.h"
 #include "rainfall/reporting.h"
+#include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/watched_readings.h"
 #include "results/weights_file.h"

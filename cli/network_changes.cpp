@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "cli/commands/command.h"
 #include "cli/options/option_values.h"
+#include "cli/options/usage_error.h"
 #include "cli/similar_ids.h"
 
 namespace thiessen::cli {
@@ -60,16 +60,14 @@ void NetworkChanges::warn_of_no_effect(const Inputs& inputs,
   }
 }
 
-void NetworkChanges::add_to(CLI::App& app) {
-  app.option_defaults()->group("What if");
-  app.add_option("--without", closed_,
-                 "what if this station closed: the weights with columns area_km2_after and "
-                 "weight_after; may be repeated")
-      ->type_name("ID")
-      ->allow_extra_args(false);
-  add_points(app, "--with", opened_,
-             "what if a gauge opened here, in the coordinates of STATIONS; the first is called "
-             "'with 1'; may be repeated, and beside --without");
+void NetworkChanges::declare(OptionList& options) {
+  OptionGroup what_if = options.group("What if", *this);
+  what_if.add("--without", texts(closed_, "ID"),
+              "what if this station closed: the weights with columns area_km2_after and "
+              "weight_after; may be repeated");
+  what_if.add("--with", points(opened_),
+              "what if a gauge opened here, in the coordinates of STATIONS; the first is called "
+              "'with 1'; may be repeated, and beside --without");
 }
 
 ReportingStations NetworkChanges::before(const Inputs& inputs) const {

@@ -1,18 +1,18 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/inputs.h"
+#include "cli/options/option_list.h"
 #include "rainfall/reporting.h"
 
 namespace thiessen::cli {
 
 /// Gauges that close and open: `--without ID` and `--with X,Y`.
-class NetworkChanges {
+class NetworkChanges : public OptionBlock {
  public:
-  void add_to(CLI::App& app);
+  void declare(OptionList& options);
   bool given() const { return !closed_.empty() || !opened_.empty(); }
   /// In the coordinates of STATIONS.
   const std::vector<Point>& opened() const { return opened_; }

@@ -6,8 +6,8 @@
 #include "base/descriptor.h"
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "cli/command_line.h"
 #include "cli/messages.h"
-#include "cli/options/command_line.h"
 #include "gdal/drivers.h"
 
 namespace thiessen::cli {

@@ -6,7 +6,6 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "rainfall/areal_rainfall.h"
 #include "rainfall/methods/arithmetic_mean.h"
 #include "rainfall/methods/inverse_distance.h"
 #include "rainfall/methods/method_rainfall.h"

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "cli/options/options.h"
+#include "cli/options/method_options.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/step_rainfall.h"
 
 namespace thiessen::cli {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/options/options.h"
 #include "rainfall/series/rain_periods.h"
 #include "results/rain_file.h"
 #include "results/rain_totals_file.h"

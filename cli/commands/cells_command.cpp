@@ -3,13 +3,29 @@
 #include "cli/commands/commands.h"
 #include "cli/gauges.h"
 #include "cli/inputs.h"
-#include "cli/options/options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
+#include "cli/options/view_options.h"
 
 namespace thiessen::cli {
 namespace {
 
 class CellsCommand : public Command {
  public:
+  CellsCommand() {
+    study_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional);
+    view_.declare_time(options());
+    view_.declare_margin(options());
+    study_.declare_attributes(options());
+    output_.declare(
+        options(), Need::optional, "cells.geojson",
+        "where the cells go; the extension tells the format; default GeoJSON on standard output");
+    common_.declare(options());
+  }
+
   const char* name() const override { return "cells"; }
   const char* description() const override {
     return "Thiessen cells clipped to the basins: GeoJSON, or any vector format by extension";
@@ -18,16 +34,9 @@ class CellsCommand : public Command {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson -o "
            "cells.geojson";
   }
-  void set_up(CLI::App& app) override {
-    study_.add_to(app, Need::optional);
-    rainfall_.add_to(app, Need::optional);
-    view_.add_time_to(app);
-    view_.add_margin_to(app);
-    study_.add_attributes_to(app);
-    output_.add_to(
-        app, Need::optional, "cells.geojson",
-        "where the cells go; the extension tells the format; default GeoJSON on standard output");
-    common_.add_to(app);
+  void check() const override {
+    study_.check();
+    view_.check(rainfall_.given());
   }
 
   void run(Warnings& warnings) override {

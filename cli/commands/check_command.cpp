@@ -6,13 +6,21 @@
 #include "basin/containment.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/options/options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
 
 namespace thiessen::cli {
 namespace {
 
 class CheckCommand : public Command {
  public:
+  CheckCommand() {
+    study_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional);
+    common_.declare(options());
+  }
+
   const char* name() const override { return "check"; }
   const char* description() const override {
     return "says what is wrong or odd in the inputs; exit status 1 where a run would fail";
@@ -21,11 +29,7 @@ class CheckCommand : public Command {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv";
   }
-  void set_up(CLI::App& app) override {
-    study_.add_to(app, Need::optional);
-    rainfall_.add_to(app, Need::optional);
-    common_.add_to(app);
-  }
+  void check() const override { study_.check(); }
 
   void run(Warnings& warnings) override {
     Inputs inputs(study_, 10, warnings);

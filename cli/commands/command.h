@@ -1,22 +1,21 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "base/error.h"
+#include "cli/options/option_list.h"
+#include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
 
-/// A wrong command line: exit status 2.
-struct UsageError {
-  std::string text;
-  std::string hint;
-};
-
-/// A verb of the command line.
+/// A verb of the command line. Its constructor declares its files and options, and opens nothing.
 class Command {
  public:
+  Command() = default;
   virtual ~Command() = default;
+  Command(const Command&) = delete;
+  Command& operator=(const Command&) = delete;
+
   virtual const char* name() const = 0;
   virtual const char* description() const = 0;
   /// What follows the command's name in a line that runs in the project's folder, for the help.
@@ -25,12 +24,18 @@ class Command {
   virtual std::string notes() const { return {}; }
   /// What is said where a signal ends the command; a literal.
   virtual const char* when_interrupted() const { return "interrupted; nothing was written"; }
-  /// Declares files and options. Opens nothing.
-  virtual void set_up(CLI::App& app) = 0;
-  /// Does the work. Throws UsageError, Error and Interrupted.
+  /// Throws UsageError for options that contradict each other. Opens nothing.
+  virtual void check() const {}
+  /// Does the work, of options that are read and checked. Throws UsageError, Error and Interrupted.
   virtual void run(Warnings& warnings) = 0;
   /// Whether warnings are not to be shown.
   virtual bool quiet() const = 0;
+
+  OptionList& options() { return options_; }
+  const OptionList& options() const { return options_; }
+
+ private:
+  OptionList options_;
 };
 
 }  // namespace thiessen::cli

@@ -1,17 +1,43 @@
 #include "cli/commands/commands.h"
 
-namespace thiessen::cli {
+#include <algorithm>
 
-std::vector<std::unique_ptr<Command>> make_commands() {
-  std::vector<std::unique_ptr<Command>> commands;
-  commands.push_back(make_run_command());
-  commands.push_back(make_cells_command());
-  commands.push_back(make_weights_command());
-  commands.push_back(make_rain_command());
-  commands.push_back(make_map_command());
-  commands.push_back(make_check_command());
-  commands.push_back(make_tessel_command());
-  return commands;
+#include "cli/options/option_values.h"
+
+namespace thiessen::cli {
+namespace {
+
+void declare_help(OptionGroup group, const std::string& help) {
+  group.add("--version", sign(), "the version");
+  group.add("-h,--help", sign(), help);
+}
+
+}  // namespace
+
+Commands::Commands() {
+  commands_.push_back(make_run_command());
+  commands_.push_back(make_cells_command());
+  commands_.push_back(make_weights_command());
+  commands_.push_back(make_rain_command());
+  commands_.push_back(make_map_command());
+  commands_.push_back(make_check_command());
+  commands_.push_back(make_tessel_command());
+  declare_help(options_.group("Options"), "this help; every command has its own");
+  for (const auto& command : commands_)
+    declare_help(command->options().group("General"), "this help");
+}
+
+Command* Commands::find(const std::string& name) const {
+  const auto found = std::find_if(commands_.begin(), commands_.end(),
+                                  [&](const auto& command) { return name == command->name(); });
+  return found == commands_.end() ? nullptr : found->get();
+}
+
+std::vector<std::string> Commands::names() const {
+  std::vector<std::string> names;
+  names.reserve(commands_.size());
+  for (const auto& command : commands_) names.emplace_back(command->name());
+  return names;
 }
 
 }  // namespace thiessen::cli

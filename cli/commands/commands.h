@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "cli/commands/command.h"
@@ -15,7 +16,22 @@ std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_tessel_command();
 
-/// All of them, in the order of the help.
-std::vector<std::unique_ptr<Command>> make_commands();
+/// All that the program offers: the commands, and the options that need none.
+class Commands {
+ public:
+  Commands();
+
+  /// In the order of the help.
+  const std::vector<std::unique_ptr<Command>>& all() const { return commands_; }
+  /// None: nullptr.
+  Command* find(const std::string& name) const;
+  /// What may stand without a command.
+  const OptionList& options() const { return options_; }
+  std::vector<std::string> names() const;
+
+ private:
+  OptionList options_;
+  std::vector<std::unique_ptr<Command>> commands_;
+};
 
 }  // namespace thiessen::cli

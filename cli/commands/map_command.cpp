@@ -5,7 +5,12 @@
 #include "cli/commands/commands.h"
 #include "cli/gauges.h"
 #include "cli/inputs.h"
-#include "cli/options/options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/option_values.h"
+#include "cli/options/output_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
+#include "cli/options/view_options.h"
 #include "cli/picture_of.h"
 #include "cli/raster_of.h"
 #include "gdal/raster_file.h"
@@ -27,6 +32,19 @@ Kind kind_of(const std::string& path) {
 
 class MapCommand : public Command {
  public:
+  MapCommand() {
+    study_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional);
+    view_.declare_time(options());
+    view_.declare_margin(options());
+    view_.declare_look(options());
+    options().group("Picture").add(
+        "--resolution", number(resolution_, above_zero),
+        "the raster's pixel in units of its CRS; default: the longer side in 2000 pixels");
+    output_.declare(options(), Need::required, "map.png", "where the picture or the raster goes");
+    common_.declare(options());
+  }
+
   const char* name() const override { return "map"; }
   const char* description() const override {
     return "a picture (.png, .jpg), or a georeferenced raster (.tif)";
@@ -35,16 +53,10 @@ class MapCommand : public Command {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv -o map.png";
   }
-  void set_up(CLI::App& app) override {
-    study_.add_to(app, Need::optional);
-    rainfall_.add_to(app, Need::optional);
-    view_.add_time_to(app);
-    view_.add_margin_to(app);
-    view_.add_look_to(app);
-    add_number(app, "--resolution", resolution_, above_zero,
-               "the raster's pixel in units of its CRS; default: the longer side in 2000 pixels");
-    output_.add_to(app, Need::required, "map.png", "where the picture or the raster goes");
-    common_.add_to(app);
+  void check() const override {
+    kind_of(output_.output);
+    study_.check();
+    view_.check(rainfall_.given());
   }
 
   void run(Warnings& warnings) override {

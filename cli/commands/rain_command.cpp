@@ -2,13 +2,22 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
+#include "cli/options/common_options.h"
+#include "cli/options/gap_options.h"
+#include "cli/options/method_options.h"
 #include "cli/options/option_values.h"
-#include "cli/options/options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/period_options.h"
+#include "cli/options/rain_format_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
 #include "cli/progress.h"
 #include "cli/rain_methods.h"
 #include "cli/rain_table.h"
@@ -21,42 +30,41 @@ namespace {
 
 class RainCommand : public Command {
  public:
+  RainCommand() {
+    study_.declare(options(), Need::required);
+    rainfall_.declare(options(), Need::required);
+    method_.declare(options());
+    gaps_.declare(options());
+    declare_errors();
+    format_.declare(options());
+    periods_.declare(options());
+    output_.declare(options(), Need::optional, "rain.csv",
+                    "where the series goes; default standard output");
+    declare_account();
+    common_.declare(options());
+  }
+
   const char* name() const override { return "rain"; }
   const char* description() const override { return "areal rainfall, one row a time step"; }
   const char* example() const override {
     return "samples/textbook/stations.csv samples/textbook/basin.csv "
            "samples/textbook/rainfall.csv";
   }
-  void set_up(CLI::App& app) override {
-    study_.add_to(app, Need::required);
-    rainfall_.add_to(app, Need::required);
-    method_.add_to(app);
-    gaps_.add_to(app);
-    app.add_flag(
-        "--error", errors_,
-        "the standard error of each value, in columns BASIN_se after all others, or with "
-        "--long in a column se: 1.96 of them to each side are a 95 % bar (widened where "
-        "few gauges report) for the true mean of a field alike everywhere; README has what "
-        "was measured for rain that is not. RAINFALL is read twice, all of it; empty where "
-        "fewer than five gauges report or all that do read the same; 10 steps are needed");
-    format_.add_to(app);
-    periods_.add_to(app);
-    output_.add_to(app, Need::optional, "rain.csv",
-                   "where the series goes; default standard output");
-    add_text(app, "--weights-log", weights_log_, "FILE",
-             "the account: CSV pattern,first_time,basin,station,weight, a block for each set of "
-             "reporting gauges; --long, without --every, then has a column pattern");
-    common_.add_to(app);
+  void check() const override {
+    periods_.check();
+    method_.check();
+    if (method_.methods().size() > 1 && !weights_log_.empty()) {
+      throw UsageError{"--weights-log is the account of one method, and --method says all",
+                       "give one of thiessen, arithmetic, idw and natural"};
+    }
+    check_errors_can_be_had();
+    study_.check();
   }
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
     const std::vector<RainMethod>& methods = method_.methods();
-    if (methods.size() > 1 && !weights_log_.empty()) {
-      throw UsageError{"--weights-log is the account of one method, and --method says all",
-                       "give one of thiessen, arithmetic, idw and natural"};
-    }
-    check_errors_can_be_had(methods);
+    if (errors_) require_two_readings();
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
@@ -99,9 +107,28 @@ class RainCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
-  void check_errors_can_be_had(const std::vector<RainMethod>& methods) const {
+  void declare_errors() {
+    options().group("Method").add(
+        "--error", flag(errors_),
+        "the standard error of each value, in columns BASIN_se after all others, or with "
+        "--long in a column se: 1.96 of them to each side are a 95 % bar (widened where "
+        "few gauges report) for the true mean of a field alike everywhere; README has what "
+        "was measured for rain that is not. RAINFALL is read twice, all of it; empty where "
+        "fewer than five gauges report or all that do read the same; 10 steps are needed");
+  }
+
+  void declare_account() {
+    OptionValue value = text(weights_log_, "FILE");
+    value.completion = Completion::file;
+    options().group("Output").add(
+        "--weights-log", std::move(value),
+        "the account: CSV pattern,first_time,basin,station,weight, a block for each set of "
+        "reporting gauges; --long, without --every, then has a column pattern");
+  }
+
+  void check_errors_can_be_had() const {
     if (!errors_) return;
-    if (methods != std::vector{RainMethod::thiessen}) {
+    if (method_.methods() != std::vector{RainMethod::thiessen}) {
       throw UsageError{"--error is of Thiessen's weights, and --method wants others",
                        "leave one of them out"};
     }
@@ -115,6 +142,10 @@ class RainCommand : public Command {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
                        "give a file"};
     }
+  }
+
+  /// A pipe can be read once.
+  void require_two_readings() const {
     std::error_code none;
     const auto kind = std::filesystem::status(rainfall_.rainfall, none).type();
     using Kind = std::filesystem::file_type;

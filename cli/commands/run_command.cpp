@@ -5,7 +5,14 @@
 #include "cli/cell_features.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/options/options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/gap_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/period_options.h"
+#include "cli/options/rain_format_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
+#include "cli/options/view_options.h"
 #include "cli/picture_of.h"
 #include "cli/progress.h"
 #include "cli/rain_table.h"
@@ -19,6 +26,18 @@ namespace {
 
 class RunCommand : public Command {
  public:
+  RunCommand() {
+    study_.declare(options(), Need::required);
+    rainfall_.declare(options(), Need::required);
+    gaps_.declare(options());
+    format_.declare(options());
+    periods_.declare(options());
+    view_.declare_look(options());
+    study_.declare_attributes(options());
+    output_.declare_folder(options(), "the folder; it is made if it is not there");
+    common_.declare(options());
+  }
+
   const char* name() const override { return "run"; }
   const char* description() const override {
     return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png and a summary";
@@ -27,22 +46,15 @@ class RunCommand : public Command {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv --basin-id name -o results";
   }
-  void set_up(CLI::App& app) override {
-    study_.add_to(app, Need::required);
-    rainfall_.add_to(app, Need::required);
-    gaps_.add_to(app);
-    format_.add_to(app);
-    periods_.add_to(app);
-    view_.add_look_to(app);
-    study_.add_attributes_to(app);
-    output_.add_to(app, Need::required, "DIR", "the folder; it is made if it is not there");
-    common_.add_to(app);
+  void check() const override {
+    periods_.check();
+    if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
+    study_.check();
   }
 
   void run(Warnings& warnings) override {
     const unsigned threads = static_cast<unsigned>(common_.threads);
     const std::optional<StepTimes> times = periods_.times();
-    if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     outputs.make_folder(output_.output);

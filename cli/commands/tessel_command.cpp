@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/file.h"
@@ -49,6 +50,18 @@ bool perform_typed(const std::string& line, Interpreter& interpreter) {
 
 class TesselCommand : public Command {
  public:
+  TesselCommand() {
+    options().group("Files").add(
+        "SCRIPT", file(script_),
+        "commands; without it, or with -, they come from the standard input, be it a pipe or a "
+        "keyboard");
+    OptionGroup general = options().group("General");
+    OptionValue dimension = whole_number(dimension_, 2, 3);
+    dimension.choices = {"2", "3"};
+    general.add("--dim", std::move(dimension), "of the points: 2 (default) or 3");
+    general.add("-q,--quiet", flag(quiet_), "no warnings");
+  }
+
   const char* name() const override { return "tessel"; }
   const char* description() const override {
     return "a session: a tessellation in 2-D or 3-D, built, changed and shown by commands";
@@ -56,16 +69,6 @@ class TesselCommand : public Command {
   const char* example() const override { return "samples/thesis/figure11.txt"; }
   std::string notes() const override { return "Commands, one a line:\n" + session_help(); }
   const char* when_interrupted() const override { return "interrupted"; }
-
-  void set_up(CLI::App& app) override {
-    app.add_option("SCRIPT", script_,
-                   "commands; without it, or with -, they come from the standard input, be it a "
-                   "pipe or a keyboard")
-        ->type_name("");
-    app.option_defaults()->group("General");
-    add_count(app, "--dim", dimension_, 2, 3, "of the points: 2 (default) or 3");
-    app.add_flag("-q,--quiet", quiet_, "no warnings");
-  }
 
   void run(Warnings& warnings) override {
     OutputFile output = standard_output();

@@ -1,3 +1,4 @@
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -6,7 +7,12 @@
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
 #include "cli/network_changes.h"
-#include "cli/options/options.h"
+#include "cli/options/common_options.h"
+#include "cli/options/gap_options.h"
+#include "cli/options/output_options.h"
+#include "cli/options/period_options.h"
+#include "cli/options/rainfall_options.h"
+#include "cli/options/study_options.h"
 #include "cli/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
@@ -20,6 +26,22 @@ constexpr std::size_t steps_in_a_block = 64;
 
 class WeightsCommand : public Command {
  public:
+  WeightsCommand() {
+    study_.declare(options(), Need::required);
+    rainfall_.declare_as_option(
+        options(), "What if", "--influence",
+        "what each gauge is worth by these readings (- reads standard input): CSV "
+        "basin,station,weight,rms_change,mean_change, of a basin's rainfall without the gauge less "
+        "that with it, both by the cells of the gauges that report, over all steps that have both; "
+        "weight 0: it weighs only while others are silent");
+    changes_.declare(options());
+    range_.declare_range(options());
+    gaps_.declare_cache(options());
+    output_.declare(options(), Need::optional, "weights.csv",
+                    "where the table goes; default standard output");
+    common_.declare(options());
+  }
+
   const char* name() const override { return "weights"; }
   const char* description() const override {
     return "the weights table: each station's share of each basin";
@@ -27,26 +49,17 @@ class WeightsCommand : public Command {
   const char* example() const override {
     return "samples/textbook/stations.csv samples/textbook/basin.csv";
   }
-  void set_up(CLI::App& app) override {
-    app_ = &app;
-    study_.add_to(app, Need::required);
-    app.option_defaults()->group("What if");
-    rainfall_.add_as_option_to(
-        app, "--influence",
-        "what each gauge is worth by these readings (- reads standard input): CSV "
-        "basin,station,weight,rms_change,mean_change, of a basin's rainfall without the gauge less "
-        "that with it, both by the cells of the gauges that report, over all steps that have both; "
-        "weight 0: it weighs only while others are silent");
-    changes_.add_to(app);
-    range_.add_range_to(app);
-    gaps_.add_cache_to(app);
-    output_.add_to(app, Need::optional, "weights.csv",
-                   "where the table goes; default standard output");
-    common_.add_to(app);
+  void check() const override {
+    if (rainfall_.given()) {
+      refuse_changes();
+    } else {
+      refuse_options_of_readings();
+    }
+    range_.check();
+    study_.check();
   }
 
   void run(Warnings& warnings) override {
-    check_options();
     const std::optional<StepTimes> times = range_.times();
     Outputs outputs(output_.rules(input_files()));
     OutputFile& file = outputs.add(output_.output);
@@ -78,19 +91,19 @@ class WeightsCommand : public Command {
     return files;
   }
 
-  void check_options() const {
-    if (rainfall_.given()) {
-      if (!changes_.given()) return;
-      throw UsageError{"--influence looks at the network as it is, --with and --without change it",
-                       "ask for one at a time"};
-    }
-    for (const char* option :
-         {"--missing", "--trace", "--time-field", "--station-field", "--value-field",
-          "--ignore-unknown", "--keep-flagged", "--from", "--to", "--cache"}) {
-      if (app_->count(option) > 0) {
-        throw UsageError{std::string(option) + " is about readings, and there is no --influence",
-                         "give --influence RAINFALL, or leave it out"};
-      }
+  void refuse_changes() const {
+    if (!changes_.given()) return;
+    throw UsageError{"--influence looks at the network as it is, --with and --without change it",
+                     "ask for one at a time"};
+  }
+
+  void refuse_options_of_readings() const {
+    const std::array<const OptionBlock*, 3> blocks{&rainfall_, &range_, &gaps_};
+    for (const OptionBlock* block : blocks) {
+      const Option* option = block->first_given();
+      if (option == nullptr) continue;
+      throw UsageError{option->name + " is about readings, and there is no --influence",
+                       "give --influence RAINFALL, or leave it out"};
     }
   }
 
@@ -109,7 +122,6 @@ class WeightsCommand : public Command {
     return influence.result();
   }
 
-  CLI::App* app_ = nullptr;
   StudyOptions study_;
   RainfallOptions rainfall_;
   NetworkChanges changes_;

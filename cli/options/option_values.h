@@ -1,15 +1,20 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/iso_time.h"
+#include "cli/options/option.h"
 #include "geometry/point.h"
 
 namespace thiessen::cli {
+
+// The kinds of values. Each is read by our own grammar, whatever the locale, into a target that has
+// to outlive the option; a wrong text throws WrongValue with what was wanted.
 
 /// Numbers that an option takes.
 struct NumberRange {
@@ -21,32 +26,57 @@ struct NumberRange {
 inline constexpr NumberRange above_zero{std::numeric_limits<double>::min(), 1e9,
                                         "a number above 0, to 1e9"};
 
-/// Options whose values are read by our own grammar, whatever the locale; a wrong one is a usage
-/// error that names the option and the range.
-CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRange range,
-                        const std::string& help);
-CLI::Option* add_count(CLI::App& app, const std::string& name, std::size_t& target, std::size_t low,
-                       std::size_t high, const std::string& help);
+/// No value: the option is there or not, and may stand there twice.
+OptionValue flag(bool& target);
+/// The same, where the list alone is asked.
+OptionValue sign();
+OptionValue number(double& target, NumberRange range);
+OptionValue whole_number(std::size_t& target, std::size_t low, std::size_t high);
 /// A text that may not be empty.
-CLI::Option* add_text(CLI::App& app, const std::string& name, std::string& target,
-                      const std::string& kind, const std::string& help);
-
+OptionValue text(std::string& target, const std::string& kind);
+/// A text that may be empty.
+OptionValue any_text(std::string& target, const std::string& kind);
+/// The option may be repeated; each time adds a text, which may be empty.
+OptionValue texts(std::vector<std::string>& target, const std::string& kind);
+/// The name of a file, or of a folder; `kind` is empty for an argument. That an empty name is no
+/// usage error, but a file that cannot be opened, is told after all options are read.
+OptionValue file(std::string& target, const std::string& kind = {});
+OptionValue folder(std::string& target, const std::string& kind);
 /// A time of ISO 8601.
-CLI::Option* add_time(CLI::App& app, const std::string& name, std::optional<IsoTime>& target,
-                      const std::string& help);
-
-/// Two numbers and a comma between them: a point. May be given again.
-CLI::Option* add_points(CLI::App& app, const std::string& name, std::vector<Point>& target,
-                        const std::string& help);
+OptionValue iso_time(std::optional<IsoTime>& target);
+/// Two numbers and a comma between them; the option may be repeated.
+OptionValue points(std::vector<Point>& target);
+/// One character, or `tab`.
+OptionValue separator(char& target);
 
 /// WIDTH or WIDTHxHEIGHT in pixels; the height is 0 where it is not given.
 struct PixelSize {
   std::size_t width = 1600;
   std::size_t height = 0;
 };
-CLI::Option* add_size(CLI::App& app, PixelSize& target);
+OptionValue pixel_size(PixelSize& target);
 
-/// One character, or `tab`.
-CLI::Option* add_separator(CLI::App& app, char& target);
+/// What the names of choices look like in the help: `a|b|c`.
+std::string listed_choices(const std::vector<std::string>& names);
+/// Throws WrongValue: `text` is none of the choices.
+[[noreturn]] void refuse_choice(const std::vector<std::string>& names, const std::string& text);
+
+/// A value out of a list, by name.
+template <typename Value>
+OptionValue choice(Value& target, std::vector<std::pair<std::string, Value>> choices) {
+  OptionValue value;
+  for (const auto& [name, meant] : choices) value.choices.push_back(name);
+  value.kind = listed_choices(value.choices);
+  value.read = [&target, choices = std::move(choices),
+                names = value.choices](const std::string& text) {
+    for (const auto& [name, meant] : choices) {
+      if (name != text) continue;
+      target = meant;
+      return;
+    }
+    refuse_choice(names, text);
+  };
+  return value;
+}
 
 }  // namespace thiessen::cli

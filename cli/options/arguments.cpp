@@ -1,0 +1,83 @@
+#include "cli/options/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <set>
+
+namespace thiessen::cli {
+namespace {
+
+constexpr const char* end_of_options = "--";
+
+void declare(CLI::App& app, const Option& option) {
+  const std::string names = (option.letter == '\0' ? "" : option.short_name() + ",") + option.name;
+  CLI::Option* declared = option.is_flag() ? app.add_flag(names) : app.add_option(names);
+  declared->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->allow_extra_args(false);
+}
+
+void declare_all(CLI::App& app, const std::vector<const OptionList*>& lists) {
+  for (const OptionList* list : lists) {
+    for (const Option& option : list->options()) {
+      if (option.is_argument() || app.get_option_no_throw(option.name) != nullptr) continue;
+      declare(app, option);
+    }
+  }
+}
+
+/// How the option is written on the command line, for messages.
+std::string spelling_of(const CLI::Option& option, const std::vector<std::string>& arguments) {
+  const std::string name = option.get_name();
+  const bool is_written_out =
+      std::any_of(arguments.begin(), arguments.end(), [&](const std::string& argument) {
+        return argument == name || argument.starts_with(name + "=");
+      });
+  return is_written_out || option.get_snames().empty() ? name : "-" + option.get_snames().front();
+}
+
+std::vector<Arguments::Given> given_options(const CLI::App& app,
+                                            const std::vector<std::string>& arguments) {
+  std::vector<Arguments::Given> given;
+  std::set<const CLI::Option*> seen;
+  for (const CLI::Option* option : app.parse_order()) {
+    if (!seen.insert(option).second) continue;
+    given.push_back({option->get_name(), spelling_of(*option, arguments), option->results()});
+  }
+  return given;
+}
+
+/// What the parser knows nothing of comes in its order, the end of the options too.
+void sort_remaining(const std::vector<std::string>& remaining, Arguments& sorted) {
+  bool only_words = false;
+  for (const std::string& argument : remaining) {
+    const bool is_option = argument.size() > 1 && argument[0] == '-';
+    if (!only_words && argument == end_of_options) {
+      only_words = true;
+    } else if (!only_words && is_option) {
+      sorted.unknown.push_back(argument);
+    } else {
+      sorted.words.push_back(argument);
+    }
+  }
+}
+
+}  // namespace
+
+Arguments parse_arguments(std::vector<std::string> arguments,
+                          const std::vector<const OptionList*>& lists) {
+  CLI::App app;
+  app.set_help_flag();
+  app.allow_extras();
+  declare_all(app, lists);
+  Arguments sorted;
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ArgumentMismatch& mismatch) {  // its sentence begins with the option's name
+    const std::string sentence = mismatch.what();
+    sorted.incomplete = sentence.substr(0, sentence.find(':'));
+  }
+  sorted.options = given_options(app, arguments);
+  sort_remaining(app.remaining(), sorted);
+  return sorted;
+}
+
+}  // namespace thiessen::cli

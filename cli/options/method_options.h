@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cli/options/option_list.h"
+
+namespace thiessen::cli {
+
+/// What areal rainfall is computed by.
+enum class RainMethod { thiessen, arithmetic, idw, natural };
+
+/// Which method, or methods, and what they need to know.
+class MethodOptions : public OptionBlock {
+ public:
+  void declare(OptionList& options);
+  /// Throws UsageError for options that contradict each other.
+  void check() const;
+  /// One, or several in the order of their columns.
+  const std::vector<RainMethod>& methods() const { return methods_; }
+  /// In a basin.
+  std::size_t points() const { return points_; }
+
+ private:
+  std::vector<RainMethod> methods_{RainMethod::thiessen};
+  std::size_t points_ = 2000;
+  const Option* points_option_ = nullptr;
+};
+
+}  // namespace thiessen::cli

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "cli/options/option.h"
+
+namespace thiessen::cli {
+
+class OptionBlock;
+class OptionList;
+
+/// A heading of the help, under which options are declared.
+class OptionGroup {
+ public:
+  /// Declares an option (`--crs`, or `-o,--output`), or an argument (`STATIONS`). The reference
+  /// lives as long as the list. Requires a name that the list does not have.
+  Option& add(const std::string& names, OptionValue value, std::string help);
+
+ private:
+  friend class OptionList;
+  OptionGroup(OptionList& list, std::string name, OptionBlock* block)
+      : list_(list), name_(std::move(name)), block_(block) {}
+
+  OptionList& list_;
+  std::string name_;
+  OptionBlock* block_;
+};
+
+/// What a command line may say, in the order of the help. Parsing, help, manual and completion all
+/// come from this list.
+class OptionList {
+ public:
+  OptionList() = default;
+  OptionList(const OptionList&) = delete;
+  OptionList& operator=(const OptionList&) = delete;
+
+  /// What is declared in it stands under this heading, and belongs to the block if one is given.
+  OptionGroup group(std::string name) { return {*this, std::move(name), nullptr}; }
+  OptionGroup group(std::string name, OptionBlock& block) {
+    return {*this, std::move(name), &block};
+  }
+
+  const std::deque<Option>& options() const { return options_; }
+  /// The headings, in the order in which they first came.
+  std::vector<std::string> groups() const;
+  std::vector<Option*> arguments();
+  std::vector<const Option*> arguments() const;
+  /// By `--output`, `-o` or STATIONS; none: nullptr.
+  Option* find(const std::string& name);
+  const Option* find(const std::string& name) const;
+
+ private:
+  friend class OptionGroup;
+  std::deque<Option> options_;  // their addresses stay
+};
+
+/// Options that are declared together and kept in one place: the classes that hold what the
+/// command line says derive from it.
+class OptionBlock {
+ public:
+  OptionBlock(const OptionBlock&) = delete;
+  OptionBlock& operator=(const OptionBlock&) = delete;
+
+  /// The first option of the block, in the order of the help, that the command line says; none:
+  /// nullptr.
+  const Option* first_given() const;
+
+ protected:
+  OptionBlock() = default;
+  ~OptionBlock() = default;
+
+ private:
+  friend class OptionGroup;
+  std::vector<const Option*> options_;
+};
+
+}  // namespace thiessen::cli

@@ -1,0 +1,56 @@
+#include "cli/options/period_options.h"
+
+#include "cli/options/option_values.h"
+#include "cli/options/usage_error.h"
+
+namespace thiessen::cli {
+
+void PeriodOptions::declare_range(OptionList& options) {
+  OptionGroup readings = options.group("Readings", *this);
+  from_option_ = &readings.add(
+      "--from", iso_time(range_.from),
+      "only the steps from this time on: a year, month, day or time (ISO 8601), by the file's own "
+      "clock");
+  to_option_ =
+      &readings.add("--to", iso_time(range_.to),
+                    "only the steps up to this time, and with it: a year, month or day to its end");
+}
+
+void PeriodOptions::declare(OptionList& options) {
+  declare_range(options);
+  OptionGroup output = options.group("Output", *this);
+  output.add("--every",
+             choice<std::optional<TimePrecision>>(every_, {{"day", TimePrecision::day},
+                                                           {"month", TimePrecision::month},
+                                                           {"year", TimePrecision::year}}),
+             "totals over calendar periods instead of a row a step, and beside them, in "
+             "BASIN_missing, how many of the period's steps have no value; with --long rows "
+             "time,basin,rainfall,missing");
+  allowed_missing_option_ =
+      &output.add("--allow-missing", whole_number(allowed_missing_, 0, 1'000'000'000),
+                  "with --every: how many steps without a value a total may pass over; with more "
+                  "it is empty; default 0");
+}
+
+void PeriodOptions::check() const {
+  if (allowed_missing_option_ != nullptr && allowed_missing_option_->is_given() && !every_) {
+    throw UsageError{"--allow-missing is about totals, and there is no --every",
+                     "give --every day, month or year, or leave it out"};
+  }
+  if (range_.is_empty()) {
+    throw UsageError{
+        "--from " + from_option_->texts.back() + " is after --to " + to_option_->texts.back(), ""};
+  }
+}
+
+std::optional<StepTimes> PeriodOptions::times() const {
+  if (!range_.from && !range_.to && !every_) return std::nullopt;
+  return StepTimes{range_, every_.value_or(TimePrecision::year)};
+}
+
+std::optional<Totalling> PeriodOptions::totalling() const {
+  if (!every_) return std::nullopt;
+  return Totalling{*every_, allowed_missing_};
+}
+
+}  // namespace thiessen::cli

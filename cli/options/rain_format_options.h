@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "cli/options/option_list.h"
+#include "results/rain_file.h"
+
+namespace thiessen::cli {
+
+/// How rain.csv looks.
+class RainFormatOptions : public OptionBlock {
+ public:
+  void declare(OptionList& options);
+  RainFormat format() const { return {long_, static_cast<int>(decimals_)}; }
+
+ private:
+  bool long_ = false;
+  std::size_t decimals_ = 3;
+};
+
+}  // namespace thiessen::cli

@@ -1,0 +1,110 @@
+#include "cli/options/study_options.h"
+
+#include "cli/options/option_values.h"
+#include "cli/options/usage_error.h"
+
+namespace thiessen::cli {
+namespace {
+
+constexpr const char* formats =
+    "CSV, GeoJSON, GeoPackage, Shapefile, FlatGeobuf, KML, spreadsheet, or PG:...";
+
+}  // namespace
+
+void StudyOptions::declare(OptionList& options, Need basins_need) {
+  OptionGroup files = options.group("Files", *this);
+  files.add("STATIONS", file(stations), std::string("rain gauges: ") + formats).need =
+      Need::required;
+  Option& basins_option =
+      files.add("BASINS", file(basins), "study areas: polygons in any of these");
+  basins_option.need = basins_need;
+  basins_option_ = &basins_option;
+  declare_fields(options.group("Stations and basins", *this));
+  declare_layers(options.group("Stations and basins", *this));
+  declare_method(options.group("Method", *this));
+}
+
+void StudyOptions::declare_fields(OptionGroup group) {
+  group.add("--id", text(id_, "FIELD"), "the station's id; else found by name");
+  group.add("--x", text(x_, "FIELD"), "the station's longitude or easting; else found by name");
+  group.add("--y", text(y_, "FIELD"), "the station's latitude or northing; else found by name");
+  group.add("--basin-id", text(basin_id_, "FIELD"),
+            "the basin's id; features that share one are one basin");
+  crs_options_.push_back(
+      &group.add("--crs", any_text(crs_, "CRS"),
+                 "of the stations, where their file names none (EPSG:32633, WKT, PROJ)"));
+  crs_options_.push_back(&group.add("--basins-crs", any_text(basins_crs_, "CRS"),
+                                    "of the basins, where their file names none"));
+}
+
+void StudyOptions::declare_layers(OptionGroup group) {
+  group.add("--stations-layer", text(stations_layer_, "LAYER"),
+            "which layer of STATIONS, where the file has several");
+  group.add("--basins-layer", text(basins_layer_, "LAYER"),
+            "which layer of BASINS, where the file has several");
+  group.add("--stations-where", text(stations_where_, "SQL"),
+            "only the stations that meet this OGR attribute filter");
+  group.add("--basins-where", text(basins_where_, "SQL"), "only the basins that meet it");
+  group.add("--separator", cli::separator(separator_), "what parts the fields of CSV files");
+  group.add("--decimal-comma", flag(decimal_comma_), "numbers of CSV files are written 1,5");
+}
+
+void StudyOptions::declare_method(OptionGroup group) {
+  group.add("--metric",
+            choice<std::string>(metric_, {{"geodesic", "geodesic"}, {"planar", "planar"}}),
+            "what near means: the shortest path on the Earth (default where the CRS is known), or "
+            "straight distance in the coordinates");
+  plane_option_ = &group.add("--plane", any_text(plane_, "CRS"),
+                             "planar, with both files brought into this CRS first");
+  crs_options_.push_back(plane_option_);
+  group.add("--tolerance", number(tolerance_, {1e-3, 1e6, "metres from 0.001 to 1e6"}),
+            "how far, in metres, a published cell edge may lie from the true one; default 0.1");
+}
+
+void StudyOptions::declare_attributes(OptionList& options) {
+  options.group("Output", *this)
+      .add("--attributes", flag(attributes), "carry every field of the station onto its cells");
+}
+
+void StudyOptions::check() const {
+  if (plane_option_->is_given() && metric_ == "geodesic") {
+    throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
+  }
+}
+
+StudyRequest StudyOptions::request() const {
+  check_texts();
+  StudyRequest request;
+  Source& s = request.stations.source;
+  s.file = stations;
+  s.layer = stations_layer_;
+  s.where = stations_where_;
+  s.crs = crs_;
+  s.separator = separator_;
+  s.decimal_comma = decimal_comma_;
+  request.stations.id = id_;
+  request.stations.x = x_;
+  request.stations.y = y_;
+  request.stations.attributes = attributes;
+  if (basins_option_->is_given()) {
+    BasinsRequest& b = request.basins.emplace();
+    b.source = {basins,         basins_layer_, basins_where_, basins_crs_,   "basins_layer",
+                "basins_where", "basins_crs",  separator_,    decimal_comma_};
+    b.id = basin_id_;
+  }
+  request.opened = opened;
+  request.opened_from = "--with";
+  if (!metric_.empty()) request.metric = metric_ == "planar" ? Metric::planar : Metric::geodesic;
+  request.plane = plane_;
+  request.tolerance = tolerance_;
+  return request;
+}
+
+void StudyOptions::check_texts() const {
+  for (const Option* option : crs_options_) {
+    if (option->is_given() && option->texts.back().empty())
+      throw Error({"", 0, option->name + " is empty", "give a CRS such as EPSG:32633"});
+  }
+}
+
+}  // namespace thiessen::cli

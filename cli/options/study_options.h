@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/option_list.h"
+#include "files/study_files.h"
+
+namespace thiessen::cli {
+
+/// STATIONS, BASINS and what says how to read them.
+class StudyOptions : public OptionBlock {
+ public:
+  std::string stations;
+  std::string basins;
+  bool attributes = false;
+  std::vector<Point> opened;  ///< gauges that STATIONS lacks, in its coordinates
+
+  void declare(OptionList& options, Need basins_need);
+  void declare_attributes(OptionList& options);
+  /// Throws UsageError for options that contradict each other.
+  void check() const;
+  /// Throws Error where the name of a CRS is empty.
+  StudyRequest request() const;
+  char separator() const { return separator_; }
+  bool decimal_comma() const { return decimal_comma_; }
+  double tolerance() const { return tolerance_; }
+
+ private:
+  void declare_fields(OptionGroup group);
+  void declare_layers(OptionGroup group);
+  void declare_method(OptionGroup group);
+  void check_texts() const;
+
+  std::string id_, x_, y_, basin_id_;
+  std::string crs_, basins_crs_, plane_, metric_;
+  std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
+  double tolerance_ = 0.1;
+  char separator_ = '\0';
+  bool decimal_comma_ = false;
+  const Option* basins_option_ = nullptr;
+  const Option* plane_option_ = nullptr;
+  std::vector<const Option*> crs_options_;
+};
+
+}  // namespace thiessen::cli
