@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "cli/commands/usage.h"
 #include "cli/help/help.h"
 #include "cli/options/arguments.h"
 #include "cli/options/reading.h"
@@ -31,32 +32,16 @@ std::vector<const OptionList*> lists_of(const Commands& commands) {
   return lists;
 }
 
-std::string list_of_commands(const Commands& commands) {
-  std::string text;
-  const std::vector<std::string> names = commands.names();
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  return "the commands are " + text + "; thiessen --help says what they do";
-}
-
-std::string where_help_is(const Command& command) {
-  return std::string("thiessen ") + command.name() +
-         " --help shows the files, the options and an example";
-}
-
+/// Throws UsageError for an option or a command that does not exist.
 void refuse_unknown(const Commands& commands, const Command* command, const Arguments& said) {
   const OptionList& options = command == nullptr ? commands.options() : command->options();
-  const std::string unknown = unknown_option(options, said);
+  const std::string option = unknown_option(options, said);
   const bool is_nobodys = !said.unknown.empty();
-  if (is_nobodys || (command != nullptr && !unknown.empty())) {
-    throw UsageError{"unknown option '" + printable(unknown) + "'",
-                     command == nullptr ? list_of_commands(commands) : where_help_is(*command)};
-  }
+  if (is_nobodys || (command != nullptr && !option.empty()))
+    throw unknown_option(commands, command, option);
   if (command != nullptr) return;
-  throw UsageError{said.words.empty()
-                       ? "no command is given"
-                       : "there is no command '" + printable(said.words.front()) + "'",
-                   list_of_commands(commands)};
+  if (said.words.empty()) throw no_command(commands);
+  throw unknown_command(commands, said.words.front());
 }
 
 }  // namespace

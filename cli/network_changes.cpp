@@ -9,6 +9,7 @@
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
 #include "cli/similar_ids.h"
+#include "text/similar_texts.h"
 
 namespace thiessen::cli {
 namespace {
@@ -20,10 +21,8 @@ Message unknown(const std::string& id, const Inputs& inputs) {
   const std::string text = "--without names station " + quoted(id, longest_id);
   if (study.filtered_ids.contains(id))
     return {study.stations_file, 0, text + ", which --stations-where leaves out", ""};
-  std::string hint;
-  for (const std::string& similar : similar_ids(id, inputs.network().stations()))
-    hint += (hint.empty() ? "did you mean " : " or ") + quoted(similar, longest_id);
-  return {study.stations_file, 0, text + ", which is not there", hint + (hint.empty() ? "" : "?")};
+  return {study.stations_file, 0, text + ", which is not there",
+          did_you_mean(similar_ids(id, inputs.network().stations()))};
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ void sort_remaining(const std::vector<std::string>& remaining, Arguments& sorted
     if (!only_words && argument == end_of_options) {
       only_words = true;
     } else if (!only_words && is_option) {
-      sorted.unknown.push_back(argument);
+      sorted.unknown.push_back(argument.substr(0, argument.find('=')));
     } else {
       sorted.words.push_back(argument);
     }

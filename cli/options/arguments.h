@@ -17,7 +17,7 @@ struct Arguments {
   };
   /// Options that one of the lists has, in the order in which each first stands.
   std::vector<Given> options;
-  /// Options that none of the lists has, as they are written.
+  /// Options that none of the lists has, as they are written, without the value after a `=`.
   std::vector<std::string> unknown;
   /// What is neither an option nor the value of one, and all that follows a `--`.
   std::vector<std::string> words;

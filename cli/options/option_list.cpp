@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cli/options/name_lists.h"
+
 namespace thiessen::cli {
 namespace {
 
@@ -19,13 +21,7 @@ std::string Option::short_name() const {
 }
 
 std::string OptionValue::in_words() const {
-  std::string text = kind;
-  const std::size_t last = text.rfind('|');
-  if (last != std::string::npos) text.replace(last, 1, " or ");
-  for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos;) {
-    text.replace(at, 1, ", ");
-  }
-  return text;
+  return choices.empty() ? kind : or_list(choices);
 }
 
 Option& OptionGroup::add(const std::string& names, OptionValue value, std::string help) {

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
+#include "cli/options/name_lists.h"
 #include "map/sheet/picture.h"
 
 namespace thiessen::cli {
@@ -149,7 +150,7 @@ std::string listed_choices(const std::vector<std::string>& names) {
 }
 
 void refuse_choice(const std::vector<std::string>& names, const std::string& text) {
-  refuse(value_of(listed_choices(names), {}).in_words(), text);
+  refuse(or_list(names), text);
 }
 
 }  // namespace thiessen::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "cli/options/name_lists.h"
 #include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
@@ -34,11 +35,7 @@ void refuse_missing(const OptionList& options) {
                     (option.value.kind.empty() ? "" : " " + option.value.kind));
   }
   if (names.empty()) return;
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
-  }
-  throw UsageError{text + (names.size() == 1 ? " is missing" : " are missing"), ""};
+  throw UsageError{and_list(names) + (names.size() == 1 ? " is missing" : " are missing"), ""};
 }
 
 }  // namespace
