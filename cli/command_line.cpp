@@ -51,7 +51,7 @@ Command* CommandLine::parse(std::vector<std::string> arguments) {
   Command* command = said.words.empty() ? nullptr : commands_.find(said.words.front());
   const bool may_ask = command != nullptr || said.words.empty();
   if (may_ask && says(said, "--help")) {
-    print(command == nullptr ? help_on(commands_, program_) : help_on(*command, program_));
+    print(command == nullptr ? help_on(commands_) : help_on(commands_, *command));
     return nullptr;
   }
   if (may_ask && says(said, "--version")) {

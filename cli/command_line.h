@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/commands/commands.h"
@@ -11,7 +12,7 @@ namespace thiessen::cli {
 class CommandLine {
  public:
   /// `program` is the name by which it was called, for examples that run.
-  explicit CommandLine(std::string program) : program_(std::move(program)) {}
+  explicit CommandLine(std::string program) : commands_(std::move(program)) {}
 
   const Commands& commands() const { return commands_; }
 
@@ -22,7 +23,6 @@ class CommandLine {
   Command* parse(std::vector<std::string> arguments);
 
  private:
-  std::string program_;
   Commands commands_;
 };
 

@@ -8,7 +8,7 @@ set -eu
 build='g++ cmake make libgdal-dev libgeos-dev libgeographiclib-dev libopencv-dev libcli11-dev libfontconfig-dev
   libedit-dev fonts-dejavu-core fonts-unifont'
 tests='ninja-build libgtest-dev libbenchmark-dev libcgal-dev clang libclang-rt-dev clang-format
-  clang-tidy shellcheck gdal-bin python3 locales git'
+  clang-tidy shellcheck mandoc gdal-bin python3 locales git'
 
 say() { printf '%s\n' "$*"; }
 fail() {

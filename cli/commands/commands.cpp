@@ -1,6 +1,7 @@
 #include "cli/commands/commands.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "cli/options/option_values.h"
 
@@ -14,7 +15,7 @@ void declare_help(OptionGroup group, const std::string& help) {
 
 }  // namespace
 
-Commands::Commands() {
+Commands::Commands(std::string program) : program_(std::move(program)) {
   commands_.push_back(make_run_command());
   commands_.push_back(make_cells_command());
   commands_.push_back(make_weights_command());
@@ -22,9 +23,10 @@ Commands::Commands() {
   commands_.push_back(make_map_command());
   commands_.push_back(make_check_command());
   commands_.push_back(make_tessel_command());
+  commands_.push_back(make_help_command(*this));
   declare_help(options_.group("Options"), "this help; every command has its own");
   for (const auto& command : commands_)
-    declare_help(command->options().group("General"), "this help");
+    declare_help(command->options().group(general_group), "this help");
 }
 
 Command* Commands::find(const std::string& name) const {

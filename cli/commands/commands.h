@@ -16,10 +16,19 @@ std::unique_ptr<Command> make_map_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_tessel_command();
 
+class Commands;
+/// It tells of the commands, which must outlive it, and of itself.
+std::unique_ptr<Command> make_help_command(const Commands& commands);
+
 /// All that the program offers: the commands, and the options that need none.
 class Commands {
  public:
-  Commands();
+  /// `program` is the name by which it was called, for examples that run.
+  explicit Commands(std::string program);
+  Commands(const Commands&) = delete;
+  Commands& operator=(const Commands&) = delete;
+
+  const std::string& program() const { return program_; }
 
   /// In the order of the help.
   const std::vector<std::unique_ptr<Command>>& all() const { return commands_; }
@@ -30,6 +39,7 @@ class Commands {
   std::vector<std::string> names() const;
 
  private:
+  std::string program_;
   OptionList options_;
   std::vector<std::unique_ptr<Command>> commands_;
 };

@@ -55,7 +55,7 @@ class TesselCommand : public Command {
         "SCRIPT", file(script_),
         "commands; without it, or with -, they come from the standard input, be it a pipe or a "
         "keyboard");
-    OptionGroup general = options().group("General");
+    OptionGroup general = options().group(general_group);
     OptionValue dimension = whole_number(dimension_, 2, 3);
     dimension.choices = {"2", "3"};
     general.add("--dim", std::move(dimension), "of the points: 2 (default) or 3");

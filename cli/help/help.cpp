@@ -56,10 +56,10 @@ std::string sections(const OptionList& options) {
   return text;
 }
 
-std::string heading(std::string description, const std::string& usage, const std::string& program) {
+std::string heading(std::string description, const std::string& usage) {
   if (description[0] >= 'a' && description[0] <= 'z')
     description[0] = static_cast<char>(description[0] - 'a' + 'A');
-  return description + "\n\nUsage: " + program + " " + usage + "\n\n";
+  return description + "\n\nUsage: thiessen " + usage + "\n\n";
 }
 
 std::string example_of(const Command& command, const std::string& program) {
@@ -81,19 +81,18 @@ std::string usage_of(const Command& command) {
   return text + " [options]";
 }
 
-std::string help_on(const Commands& commands, const std::string& program) {
+std::string help_on(const Commands& commands) {
   std::string text = heading("Areal rainfall from rain gauges by exact Thiessen polygons.",
-                             "COMMAND FILES [options]", "thiessen") +
+                             "COMMAND FILES [options]") +
                      sections(commands.options()) + "Commands:\n";
   for (const auto& command : commands.all()) text += entry(command->name(), command->description());
-  return text + "\n" + example_of(*commands.all().front(), program);
+  return text + "\n" + example_of(*commands.all().front(), commands.program());
 }
 
-std::string help_on(const Command& command, const std::string& program) {
+std::string help_on(const Commands& commands, const Command& command) {
   const std::string notes = command.notes();
-  return heading(command.description(), usage_of(command), "thiessen") +
-         sections(command.options()) + notes + (notes.empty() ? "" : "\n") +
-         example_of(command, program);
+  return heading(command.description(), usage_of(command)) + sections(command.options()) + notes +
+         (notes.empty() ? "" : "\n") + example_of(command, commands.program());
 }
 
 }  // namespace thiessen::cli

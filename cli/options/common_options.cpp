@@ -8,7 +8,7 @@ namespace thiessen::cli {
 CommonOptions::CommonOptions() : threads(available_threads()) {}
 
 void CommonOptions::declare(OptionList& options) {
-  OptionGroup general = options.group("General", *this);
+  OptionGroup general = options.group(general_group, *this);
   general.add("--threads", whole_number(threads, 1, 1024),
               "on how many cores; default all; the output does not depend on it");
   general.add("-q,--quiet", flag(quiet), "no warnings, no summary");

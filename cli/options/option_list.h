@@ -11,6 +11,9 @@ namespace thiessen::cli {
 class OptionBlock;
 class OptionList;
 
+/// The heading of what has nothing to do with the command's own matter.
+inline constexpr const char* general_group = "General";
+
 /// A heading of the help, under which options are declared.
 class OptionGroup {
  public:

@@ -18,7 +18,7 @@ void read(const Option& option) {
     throw UsageError{option.short_name() + " is given more than once", ""};
   for (const std::string& text : option.texts) {
     if (option.is_flag() && text != flag_text)
-      throw UsageError{option.short_name() + " takes no value", ""};
+      throw UsageError{option.name + " takes no value", ""};
     try {
       option.value.read(text);
     } catch (const WrongValue& wrong) {

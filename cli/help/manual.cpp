@@ -1,0 +1,162 @@
+#include "cli/help/manual.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <vector>
+
+#include "cli/help/help.h"
+#include "cli/help/roff.h"
+#include "cli/options/name_lists.h"
+
+namespace thiessen::cli {
+namespace {
+
+/// An option, and the commands in which it means the same.
+struct SharedOption {
+  const Option* option;
+  std::vector<std::string> commands;
+};
+
+bool mean_the_same(const Option& a, const Option& b) {
+  return a.name == b.name && a.help == b.help && a.value.kind == b.value.kind;
+}
+
+std::vector<SharedOption> shared_options(const Commands& commands) {
+  std::vector<SharedOption> shared;
+  for (const auto& command : commands.all()) {
+    for (const Option& option : command->options().options()) {
+      auto found = std::find_if(shared.begin(), shared.end(), [&](const SharedOption& other) {
+        return mean_the_same(option, *other.option);
+      });
+      if (found == shared.end()) found = shared.insert(shared.end(), {&option, {}});
+      found->commands.emplace_back(command->name());
+    }
+  }
+  return shared;
+}
+
+/// The headings in the order in which they come, but what is general last.
+std::vector<std::string> headings(const std::vector<SharedOption>& options) {
+  std::vector<std::string> names;
+  for (const SharedOption& shared : options) {
+    if (std::find(names.begin(), names.end(), shared.option->group) == names.end())
+      names.push_back(shared.option->group);
+  }
+  std::stable_partition(names.begin(), names.end(),
+                        [](const std::string& name) { return name != general_group; });
+  return names;
+}
+
+std::string capitalised(std::string text) {
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+std::string sentence(const std::string& text) {
+  return capitalised(text) + (text.ends_with('.') ? "" : ".");
+}
+
+/// `-o, --output FILE`, in the fonts of a manual.
+std::string term(const Option& option) {
+  if (option.is_argument()) return roff_italic(option.name);
+  std::string text = option.letter == '\0' ? "" : roff_bold(option.short_name()) + ", ";
+  text += roff_bold(option.name);
+  return option.value.kind.empty() ? text : text + " " + roff_italic(option.value.kind);
+}
+
+std::string entry(const SharedOption& shared, std::size_t command_count) {
+  const bool is_everywhere = shared.commands.size() == command_count;
+  const std::string where = is_everywhere ? "" : " (" + and_list(shared.commands) + ")";
+  return ".TP\n" + term(*shared.option) + "\n" +
+         roff_paragraph(sentence(shared.option->help) + where);
+}
+
+std::string title() {
+  return ".TH THIESSEN 1 " THIESSEN_DATE " \"thiessen " THIESSEN_VERSION "\" \"User Commands\"\n";
+}
+
+std::string beginning() {
+  return ".SH NAME\nthiessen \\- areal rainfall from rain gauges by exact Thiessen polygons\n"
+         ".SH SYNOPSIS\n.B thiessen\n.I COMMAND FILES\n.RI [ options ]\n"
+         ".SH DESCRIPTION\n" +
+         roff_paragraph(
+             "Each rain gauge stands for the ground that is nearer to it than to any other gauge: "
+             "its Thiessen polygon, or Voronoi cell. thiessen computes these cells, clips them to "
+             "basins, weighs the gauges by the areas, and sums their readings to areal rainfall, "
+             "step by step, gaps included.") +
+         ".PP\n" +
+         roff_paragraph(
+             "Options may stand anywhere, before the command too; what follows -- is no option. "
+             "The value of a long option may follow it after a blank or after =. A - in place of "
+             "an output is the standard output.");
+}
+
+std::string commands_section(const Commands& commands) {
+  std::string text = ".SH COMMANDS\n";
+  for (const auto& command : commands.all()) {
+    text += ".TP\n" + roff_bold("thiessen " + usage_of(*command)) + "\n" +
+            roff_paragraph(sentence(command->description()));
+  }
+  return text;
+}
+
+std::string options_section(const Commands& commands) {
+  const std::vector<SharedOption> options = shared_options(commands);
+  std::string text =
+      ".SH OPTIONS\n" + roff_paragraph(
+                            "Of an option that not all commands have, the commands that "
+                            "have it stand in parentheses.");
+  for (const std::string& heading : headings(options)) {
+    text += ".SS " + heading + "\n";
+    for (const SharedOption& shared : options) {
+      if (shared.option->group == heading) text += entry(shared, commands.all().size());
+    }
+  }
+  return text;
+}
+
+std::string notes_sections(const Commands& commands) {
+  std::string text;
+  for (const auto& command : commands.all()) {
+    if (command->notes().empty()) continue;
+    std::string name = command->name();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    text += ".SH " + name + "\n" + roff_verbatim(command->notes());
+  }
+  return text;
+}
+
+std::string status_section() {
+  std::string text = ".SH EXIT STATUS\n";
+  const auto add = [&](const char* status, const char* meaning) {
+    text += ".TP\n" + roff_bold(status) + "\n" + roff_paragraph(meaning);
+  };
+  add("0", "All is done.");
+  add("1", "The data are at fault, or the machine; nothing is written.");
+  add("2", "The command line is wrong.");
+  add("130", "Interrupted; nothing is written.");
+  return text + ".SH DIAGNOSTICS\n" +
+         roff_paragraph(
+             "A message is one line on the standard error, with file and line where they are "
+             "known; a second line may give a hint. Every bad row of a file is told, up to 20.");
+}
+
+std::string examples_section(const Commands& commands) {
+  std::string text = ".SH EXAMPLES\nIn the folder of the clone:\n";
+  for (const auto& command : commands.all()) {
+    text += ".PP\n" + roff_paragraph(sentence(command->description())) + ".PP\n" +
+            roff_verbatim(std::string("thiessen ") + command->name() + " " + command->example());
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string manual(const Commands& commands) {
+  return title() + beginning() + commands_section(commands) + options_section(commands) +
+         notes_sections(commands) + status_section() + examples_section(commands);
+}
+
+}  // namespace thiessen::cli
