@@ -1,0 +1,43 @@
+#include "cli/command_lines.h"
+
+namespace thiessen::cli {
+namespace {
+
+TEST(WeightsCommand, TakesReadingsByAnOption) {
+  EXPECT_EQ(group_of("weights", "RAINFALL"), "");
+  EXPECT_EQ(group_of("weights", "--influence"), "What if");
+  EXPECT_EQ(group_of("weights", "--missing"), "Readings");
+  EXPECT_EQ(group_of("weights", "--cache"), "Method");
+}
+
+TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
+  const Commands commands("thiessen");
+  std::size_t refused = 0;
+  for (const Option& option : commands.find("weights")->options().options()) {
+    const bool is_about_readings = option.group == "Readings" || option.name == "--cache";
+    if (!is_about_readings) continue;
+    ++refused;
+    std::vector<std::string> line{"weights", "s", "b", option.name};
+    if (!option.is_flag()) line.emplace_back("2013");
+    EXPECT_EQ(refusal(line), option.name + " is about readings, and there is no --influence");
+    line.insert(line.end(), {"--influence", "r"});
+    EXPECT_EQ(refusal(line), "");
+  }
+  EXPECT_EQ(refused, 10u);
+}
+
+TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {
+  const std::string text =
+      "--influence looks at the network as it is, --with and --without change it";
+  EXPECT_EQ(refusal({"weights", "s", "b", "--influence", "r", "--with", "1,2"}), text);
+  EXPECT_EQ(refusal({"weights", "s", "b", "--influence", "r", "--without", "A"}), text);
+  EXPECT_EQ(refusal({"weights", "s", "b", "--without", "A", "--with", "1,2"}), "");
+}
+
+TEST(WeightsCommand, MayRepeatChanges) {
+  const ReadLine line({"weights", "s", "b", "--without", "A", "--without", "B"});
+  EXPECT_EQ(line.option("--without").texts, (std::vector<std::string>{"A", "B"}));
+}
+
+}  // namespace
+}  // namespace thiessen::cli
