@@ -19,7 +19,7 @@
 namespace thiessen::gappy {
 
 inline constexpr double silent = std::numeric_limits<double>::quiet_NaN();
-inline constexpr Ground plane{Metric::planar, 1, 0.1};
+inline constexpr Yardstick plane{Metric::planar, 1, 0.1};
 
 /// Basins in a plane, with gauges in and around them, two of which share a place.
 struct Study {
