@@ -19,7 +19,6 @@
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/progress.h"
-#include "cli/rain_methods.h"
 #include "cli/rain_table.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
@@ -82,7 +81,8 @@ class RainCommand : public Command {
       values = std::make_unique<const ArealRainfall>(inputs.weighing(), settings, threads);
       rainfall = fit_errors(inputs, *values, warnings);
     } else {
-      rainfall = rainfall_by(method_, inputs.weighing(), settings, threads, warnings);
+      rainfall =
+          rainfall_by(methods, inputs.weighing(), method_.points(), settings, threads, warnings);
     }
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     RainTable series(file, inputs.basins(), format, periods_.totalling(), rainfall_.name());

@@ -6,7 +6,6 @@
 
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
-#include "cli/rain_methods.h"
 
 namespace thiessen::cli {
 

@@ -4,11 +4,9 @@
 #include <vector>
 
 #include "cli/options/option_list.h"
+#include "rainfall/methods/rain_methods.h"
 
 namespace thiessen::cli {
-
-/// What areal rainfall is computed by.
-enum class RainMethod { thiessen, arithmetic, idw, natural };
 
 /// Which method, or methods, and what they need to know.
 class MethodOptions : public OptionBlock {

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
-#include "cli/options/method_options.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/step_rainfall.h"
 
-namespace thiessen::cli {
+namespace thiessen {
 
-/// In the order of their columns.
+/// What areal rainfall is computed by.
+enum class RainMethod { thiessen, arithmetic, idw, natural };
+
+/// All methods, in the order of their columns.
 inline constexpr std::array all_methods{RainMethod::thiessen, RainMethod::arithmetic,
                                         RainMethod::idw, RainMethod::natural};
 
@@ -26,11 +29,12 @@ bool averages_points(RainMethod method);
 /// none.
 std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods);
 
-/// Gets ready to compute by one method, or by several. Warns of basins that reach beyond the
-/// gauges' hull, where natural neighbours are wanted. The weighing must outlive it.
-std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
-                                                const Weighing& weighing,
+/// Gets ready to compute by one method, or by several in the order of their columns. `points`: how
+/// many in a basin a method takes its mean over, where it does. Warns of basins that reach beyond
+/// the gauges' hull, where natural neighbours are wanted. The weighing must outlive it.
+std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& methods,
+                                                const Weighing& weighing, std::size_t points,
                                                 const ArealRainfallSettings& settings,
                                                 unsigned threads, Warnings& warnings);
 
-}  // namespace thiessen::cli
+}  // namespace thiessen

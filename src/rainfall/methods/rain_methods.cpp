@@ -1,4 +1,4 @@
-#include "cli/rain_methods.h"
+#include "rainfall/methods/rain_methods.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -11,7 +11,7 @@
 #include "rainfall/methods/method_rainfall.h"
 #include "rainfall/methods/natural_neighbours.h"
 
-namespace thiessen::cli {
+namespace thiessen {
 namespace {
 
 void warn_of_hull(const std::vector<double>& outside, const std::vector<Basin>& basins,
@@ -75,8 +75,8 @@ std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods
   return names;
 }
 
-std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
-                                                const Weighing& weighing,
+std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& methods,
+                                                const Weighing& weighing, std::size_t points,
                                                 const ArealRainfallSettings& settings,
                                                 unsigned threads, Warnings& warnings) {
   const auto by = [&](std::unique_ptr<const AreaMethod> method) {
@@ -89,18 +89,17 @@ std::unique_ptr<const StepRainfall> rainfall_by(const MethodOptions& options,
       case RainMethod::arithmetic:
         return by(std::make_unique<const ArithmeticMean>(weighing));
       case RainMethod::idw:
-        return by(std::make_unique<const InverseDistance>(weighing, options.points(), threads));
+        return by(std::make_unique<const InverseDistance>(weighing, points, threads));
       case RainMethod::natural:
-        return by(natural_neighbours(weighing, options.points(), threads, warnings));
+        return by(natural_neighbours(weighing, points, threads, warnings));
     }
     throw std::logic_error("not a method");
   };
-  const std::vector<RainMethod>& wanted = options.methods();
-  if (wanted.size() == 1) return rainfall(wanted.front());
-  std::vector<std::unique_ptr<const StepRainfall>> methods;
-  methods.reserve(wanted.size());
-  for (const RainMethod method : wanted) methods.push_back(rainfall(method));
-  return std::make_unique<const SeveralMethods>(std::move(methods));
+  if (methods.size() == 1) return rainfall(methods.front());
+  std::vector<std::unique_ptr<const StepRainfall>> several;
+  several.reserve(methods.size());
+  for (const RainMethod method : methods) several.push_back(rainfall(method));
+  return std::make_unique<const SeveralMethods>(std::move(several));
 }
 
-}  // namespace thiessen::cli
+}  // namespace thiessen
