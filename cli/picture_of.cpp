@@ -3,30 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "gdal/crs.h"
-#include "gdal/transformation.h"
+#include "gdal/north.h"
 
 namespace thiessen::cli {
-namespace {
-
-// Within 5 degrees, at the study area's centre, where its CRS tells.
-bool is_north_up(const Inputs& inputs) {
-  const StudyFiles& study = inputs.study();
-  if (!study.crs || study.crs->geographic()) return true;
-  const Point centre = inputs.weighing().frame().centre();
-  const auto there = Transformation(*study.crs, Crs::wgs84())(centre);
-  if (!there) return true;
-  const double step = there->y < 89 ? 0.01 : -0.01;
-  const auto north = Transformation(Crs::wgs84(), *study.crs)({there->x, there->y + step});
-  if (!north) return false;
-  const double east_shift = (north->x - centre.x) / step;
-  const double north_shift = (north->y - centre.y) / step;
-  constexpr double tangent_of_five_degrees = 0.0875;
-  return north_shift > 0 && std::abs(east_shift) < tangent_of_five_degrees * north_shift;
-}
-
-}  // namespace
-
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view) {
   const StudyFiles& study = inputs.study();
@@ -34,7 +13,8 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
   picture.metres_per_unit =
       study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
-  picture.north_is_up = picture.geographic || is_north_up(inputs);
+  picture.north_is_up = picture.geographic || !study.crs ||
+                        north_is_up(*study.crs, inputs.weighing().frame().centre());
   picture.by_rainfall = readings != nullptr;
   picture.title = !view.title.empty()   ? view.title
                   : readings != nullptr ? "Rainfall by Thiessen cells"
