@@ -25,6 +25,7 @@ class Inputs {
   Inputs(const StudyOptions& options, double margin, Warnings& warnings);
 
   const StudyFiles& study() const { return *files_; }
+  const Study& whole() const { return study_; }
   const Network& network() const { return study_.network(); }
   const Weighing& weighing() const { return study_.weighing(); }
   const std::vector<Basin>& basins() const { return study_.basins(); }

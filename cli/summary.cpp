@@ -1,11 +1,9 @@
 #include "cli/summary.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
 #include "base/number.h"
-#include "basin/containment.h"
 #include "cli/text_table.h"
 
 namespace thiessen::cli {
@@ -21,30 +19,14 @@ constexpr std::size_t sampled_handovers = 40'000;
 Summary::Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights)
     : inputs_(inputs),
       weights_(weights),
-      lines_(weights.size()),
+      findings_(findings_of(inputs.whole(), weights)),
+      statistics_(weights.size()),
       sample_(inputs.network().stations().size(),
-              steps_within(sample_bytes, inputs.network().stations().size(), sampled_steps)) {
-  std::vector<Point> positions;
-  for (const Station& station : inputs.network().stations()) positions.push_back(station.position);
-  const double period = inputs.study().metric == Metric::geodesic ? 360 : 0;
-  const auto inside = count_within(inputs.basins(), positions, period);
-  for (std::size_t b = 0; b < lines_.size(); ++b) lines_[b].inside = inside[b];
-}
+              steps_within(sample_bytes, inputs.network().stations().size(), sampled_steps)) {}
 
 void Summary::add(const RainStep& step) {
-  ++steps_;
+  statistics_.add(step.basins);
   sample_.add(step.readings);
-  for (std::size_t b = 0; b < lines_.size(); ++b) {
-    const double value = step.basins[b].rainfall;
-    Line& line = lines_[b];
-    if (std::isnan(value)) {
-      ++line.empty;
-      continue;
-    }
-    line.largest = line.values == 0 ? value : std::max(line.largest, value);
-    line.sum += value;
-    ++line.values;
-  }
 }
 
 void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned threads) {
@@ -66,30 +48,28 @@ std::string Summary::text(const std::string& units) const {
   rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
                   "largest weight", "mean" + unit, "standard error" + unit, "largest" + unit,
                   "empty steps", "most influential gauge"});
-  for (std::size_t b = 0; b < lines_.size(); ++b) {
-    const Line& line = lines_[b];
-    double largest_weight = 0;
-    for (const StationWeight& s : weights_[b].stations)
-      largest_weight = std::max(largest_weight, s.weight);
-    const bool has_values = line.values > 0;
+  for (std::size_t b = 0; b < weights_.size(); ++b) {
+    const RainStatistics::OfBasin& rain = statistics_.basins()[b];
+    const bool has_values = rain.values > 0;
     const bool has_error = has_values && b < errors_.size() && !std::isnan(errors_[b]);
     rows.push_back({printable(inputs_.basins()[b].id),
                     fixed_text(weights_[b].area * inputs_.area_unit().km2, 2),
-                    std::to_string(line.inside), std::to_string(weights_[b].stations.size()),
-                    fixed_text(largest_weight, 3),
-                    has_values ? fixed_text(line.sum / static_cast<double>(line.values), 2) : "-",
+                    std::to_string(findings_.basins[b].gauges_inside),
+                    std::to_string(weights_[b].stations.size()),
+                    fixed_text(findings_.basins[b].largest_weight, 3),
+                    has_values ? fixed_text(rain.mean(), 2) : "-",
                     has_error ? fixed_text(errors_[b], 2) : "-",
-                    has_values ? fixed_text(line.largest, 2) : "-", std::to_string(line.empty),
+                    has_values ? fixed_text(rain.largest, 2) : "-", std::to_string(rain.empty),
                     most_influential(b, unit)});
   }
   std::string text = aligned(rows);
   if (!shortfall_.empty()) text += "No standard errors: " + shortfall_ + ".\n";
-  if (influence_.gauges.empty() && steps_ > 0) {
+  if (influence_.gauges.empty() && statistics_.steps() > 0) {
     text +=
         "The most influential gauges are told with --gaps retessellate and without --min-gauges.\n";
-  } else if (influence_.steps < steps_) {
+  } else if (influence_.steps < statistics_.steps()) {
     text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
-            " of the " + std::to_string(steps_) + " steps, evenly spaced.\n";
+            " of the " + std::to_string(statistics_.steps()) + " steps, evenly spaced.\n";
   }
   return text;
 }

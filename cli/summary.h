@@ -8,6 +8,8 @@
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
 #include "rainfall/series/rain_series.h"
+#include "rainfall/series/rain_statistics.h"
+#include "study/weight_findings.h"
 
 namespace thiessen::cli {
 
@@ -31,19 +33,12 @@ class Summary {
  private:
   std::string most_influential(std::size_t basin, const std::string& unit) const;
 
-  struct Line {
-    std::size_t inside = 0;
-    double sum = 0;
-    double largest = 0;
-    std::size_t values = 0;
-    std::size_t empty = 0;
-  };
   const Inputs& inputs_;
   const std::vector<BasinWeights>& weights_;
-  std::vector<Line> lines_;
+  WeightFindings findings_;
+  RainStatistics statistics_;
   std::vector<double> errors_;
   std::string shortfall_;
-  std::size_t steps_ = 0;
   StepSample sample_;
   SampledInfluence influence_{{}, 0};
 };

@@ -1,14 +1,13 @@
-#include <algorithm>
 #include <cmath>
 
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "basin/containment.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "study/weight_findings.h"
 
 namespace thiessen::cli {
 namespace {
@@ -63,33 +62,21 @@ class CheckCommand : public Command {
   }
 
   std::string describe_basins(const Inputs& inputs, Warnings& warnings) const {
-    std::vector<Point> positions;
-    for (const Station& station : inputs.network().stations())
-      positions.push_back(station.position);
-    const double period = inputs.study().metric == Metric::geodesic ? 360 : 0;
-    const auto inside = count_within(inputs.basins(), positions, period);
     const auto weights =
         inputs.weighing().weights(inputs.all_report(), static_cast<unsigned>(common_.threads));
-    std::vector<bool> weighs(inputs.network().stations().size(), false);
-    std::size_t without_gauge = 0;
+    const WeightFindings findings = findings_of(inputs.whole(), weights);
     for (std::size_t b = 0; b < weights.size(); ++b) {
-      double sum = 0;
-      for (const StationWeight& s : weights[b].stations) {
-        weighs[index(s.station)] = true;
-        sum += s.weight;
-      }
-      if (inside[b] == 0) ++without_gauge;
-      if (!(std::abs(sum - 1) < 1e-9)) {
-        warnings.add({study_.basins, 0,
-                      "the weights of basin '" + inputs.basins()[b].id + "' add up to " +
-                          shortest_text(sum) + ", not to 1: a fault of the program itself",
-                      "please report it with the input"});
-      }
+      if (findings.basins[b].adds_up()) continue;
+      warnings.add({study_.basins, 0,
+                    "the weights of basin '" + inputs.basins()[b].id + "' add up to " +
+                        shortest_text(findings.basins[b].sum) +
+                        ", not to 1: a fault of the program itself",
+                    "please report it with the input"});
     }
-    const auto idle = static_cast<std::size_t>(std::count(weighs.begin(), weighs.end(), false));
     return "basins: " + count(weights.size(), "basin", "basins") + ", " +
-           std::to_string(without_gauge) +
-           " without a gauge inside\ngauges that weigh in no basin: " + std::to_string(idle) + "\n";
+           std::to_string(findings.basins_without_gauge) +
+           " without a gauge inside\ngauges that weigh in no basin: " +
+           std::to_string(findings.idle_gauges) + "\n";
   }
 
   std::string describe_readings(Inputs& inputs, Warnings& warnings) const {
