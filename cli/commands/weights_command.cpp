@@ -6,18 +6,19 @@
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs.h"
-#include "cli/network_changes.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/output_options.h"
 #include "cli/options/period_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "cli/options/what_if_options.h"
 #include "cli/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
 #include "results/influence_file.h"
 #include "results/weights_file.h"
+#include "study/network_change.h"
 
 namespace thiessen::cli {
 namespace {
@@ -55,6 +56,7 @@ class WeightsCommand : public Command {
     } else {
       refuse_options_of_readings();
     }
+    changes_.check();
     range_.check();
     study_.check();
   }
@@ -68,11 +70,12 @@ class WeightsCommand : public Command {
     if (rainfall_.given()) {
       write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
     } else if (changes_.given()) {
-      const ReportingStations reports = changes_.after(inputs);
-      changes_.warn_of_shared_places(inputs, warnings);
-      const auto before = inputs.weighing().weights(changes_.before(inputs), threads());
-      const auto after = inputs.weighing().weights(reports, threads());
-      changes_.warn_of_no_effect(inputs, before, after, warnings);
+      const NetworkChange change(inputs.whole(), changes_.closed(), inputs.study().filtered_ids,
+                                 {"--without", "--with"});
+      change.warn_of_shared_places(warnings);
+      const auto before = inputs.weighing().weights(change.before(), threads());
+      const auto after = inputs.weighing().weights(change.after(), threads());
+      change.warn_of_no_effect(before, after, warnings);
       write_changed_weights(file, inputs.weighing(), before, after, inputs.area_unit());
     } else {
       write_weights(file, inputs.weighing(),
@@ -124,7 +127,7 @@ class WeightsCommand : public Command {
 
   StudyOptions study_;
   RainfallOptions rainfall_;
-  NetworkChanges changes_;
+  WhatIfOptions changes_;
   PeriodOptions range_;
   GapOptions gaps_;
   OutputOptions output_;

@@ -1,8 +1,8 @@
-#include "cli/similar_ids.h"
+#include "study/similar_ids.h"
 
 #include "text/similar_texts.h"
 
-namespace thiessen::cli {
+namespace thiessen {
 
 std::vector<std::string> similar_ids(const std::string& id, const std::vector<Station>& stations) {
   SimilarTexts similar(id);
@@ -10,4 +10,4 @@ std::vector<std::string> similar_ids(const std::string& id, const std::vector<St
   return similar.found();
 }
 
-}  // namespace thiessen::cli
+}  // namespace thiessen
