@@ -8,7 +8,6 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "gdal/coordinate_operation.h"
 #include "rainfall/extent.h"
 
 namespace thiessen {
@@ -43,11 +42,7 @@ template <typename File>
 void take_in(const File& file, std::vector<Point>& reached) {
   if (!file.crs) return;
   std::vector<Point> points = corners_of(file);
-  if (!file.crs->is_wgs84()) {
-    const auto degrees = CoordinateOperation::rough(*file.crs);
-    if (!degrees) return;
-    degrees->forth(points);
-  }
+  if (!take_roughly_to_degrees(*file.crs, points)) return;
   constexpr double datums_apart = 0.01;
   for (const Point p : points) {
     if (!(std::abs(p.x) <= 540 && std::abs(p.y) <= 90)) continue;
@@ -73,7 +68,7 @@ std::optional<Box> area_of(const StationsFile& stations, const BasinsFile* basin
 Message doubt_of(const Crs& from, const Crs& to) {
   const Transformation transformation(from, to);
   if (transformation.identity()) return {};
-  const OperationChoice& choice = transformation.operation()->choice();
+  const OperationChoice& choice = *transformation.choice();
   if (!choice.sphere.empty()) {
     const std::string& other = choice.sphere == from.name() ? to.name() : from.name();
     return {{},

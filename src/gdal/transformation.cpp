@@ -121,8 +121,8 @@ bool Transformation::identity() const {
   return !proj_->operation;
 }
 
-const CoordinateOperation* Transformation::operation() const {
-  return proj_->operation ? &*proj_->operation : nullptr;
+const OperationChoice* Transformation::choice() const {
+  return proj_->operation ? &proj_->operation->choice() : nullptr;
 }
 
 void Transformation::apply_unproved(std::vector<Point>& points) const {
@@ -143,6 +143,13 @@ std::vector<bool> Transformation::apply(std::vector<Point>& points) const {
     if (inside[i]) points[i] = there[i];
   }
   return inside;
+}
+
+bool take_roughly_to_degrees(const Crs& from, std::vector<Point>& points) {
+  if (from.is_wgs84()) return true;
+  const auto degrees = CoordinateOperation::rough(from);
+  if (degrees) degrees->forth(points);
+  return degrees.has_value();
 }
 
 }  // namespace thiessen

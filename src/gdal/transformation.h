@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "gdal/crs.h"
+#include "gdal/operation_choice.h"
 #include "geometry/point.h"
 #include "outlines/mapping.h"
 
 namespace thiessen {
-
-class CoordinateOperation;
 
 /// Takes points from one CRS to another, vertex by vertex, by one operation for all (see
 /// CoordinateOperation): the best for the area over which either CRS is used.
@@ -33,12 +32,16 @@ class Transformation : public Mapping {
   std::vector<bool> apply(std::vector<Point>& points) const override;
   /// Cost: a projection a point; there is no way back.
   void apply_unproved(std::vector<Point>& points) const override;
-  /// What takes the points; null for the same CRS on both sides.
-  const CoordinateOperation* operation() const;
+  /// By which operation the points go; null for the same CRS on both sides.
+  const OperationChoice* choice() const;
 
  private:
   struct Proj;
   std::unique_ptr<Proj> proj_;
 };
+
+/// Takes points to WGS 84 longitude and latitude in degrees, in place, to a kilometre or so: see
+/// choose_rough_operation. False, and the points stay, where that cannot be done.
+bool take_roughly_to_degrees(const Crs& from, std::vector<Point>& points);
 
 }  // namespace thiessen

@@ -166,7 +166,7 @@ TEST(CoordinateOperation, leaves_modern_frames_as_they_are_bit_for_bit) {
     const Transformation to_wgs84(crs(frame), Crs::wgs84());
     EXPECT_EQ(to_wgs84(point), point) << frame;
     if (!to_wgs84.identity()) {
-      EXPECT_LE(to_wgs84.operation()->choice().accuracy.value_or(0), 5) << frame;
+      EXPECT_LE(to_wgs84.choice()->accuracy.value_or(0), 5) << frame;
     }
   }
 }
@@ -207,7 +207,7 @@ TEST(CoordinateOperation, a_sphere_is_said_and_its_latitudes_stay) {
   ASSERT_TRUE(origin);
   EXPECT_NEAR(origin->x, -97, 1e-12);
   EXPECT_NEAR(origin->y, 40, 1e-12);
-  EXPECT_TRUE(contains(to_wgs84.operation()->choice().sphere, "R=6370000"));
+  EXPECT_TRUE(contains(to_wgs84.choice()->sphere, "R=6370000"));
   EXPECT_EQ(Transformation(crs("EPSG:4047"), Crs::wgs84())({10.1, 50.3}), (Point{10.1, 50.3}));
 }
 
@@ -215,7 +215,7 @@ TEST(CoordinateOperation, ellipsoids_of_modern_frames_need_no_datum) {
   for (const char* text : {"+proj=longlat +ellps=GRS80", "+proj=longlat +ellps=WGS84"}) {
     const Transformation to_wgs84(crs(text), Crs::wgs84());
     EXPECT_EQ(to_wgs84({10.1, 50.3}), (Point{10.1, 50.3}));
-    EXPECT_EQ(to_wgs84.operation()->choice().sphere, "");
+    EXPECT_EQ(to_wgs84.choice()->sphere, "");
   }
 }
 
