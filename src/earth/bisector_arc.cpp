@@ -38,7 +38,8 @@ double BisectorArc::angle_of(Direction p) const {
 std::pair<double, double> BisectorArc::between(Direction start, Direction end) const {
   constexpr double pi = std::numbers::pi;
   const double from = angle_of(start);
-  // A turn far backward is one forward; a little backward is rounding.
+  // A large turn backward stands for one forward by the rest of the circle; a small one comes from
+  // rounding.
   double turn = std::remainder(angle_of(end) - from, 2 * pi);
   if (turn < -pi / 2) turn += 2 * pi;
   return {from, from + std::max(turn, 0.0)};

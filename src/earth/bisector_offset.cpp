@@ -7,7 +7,9 @@
 namespace thiessen {
 namespace {
 
-// Shares of the piece: the ends of a Chebyshev grid are where polynomials swing.
+// The inner points of the piece, as shares of its length, in the order in which they are tried.
+// They lie closer together towards the ends, as on a Chebyshev grid, because polynomials swing
+// there.
 constexpr std::array<double, 5> inner{0.5, 0.15, 0.85, 0.32, 0.68};
 
 }  // namespace
@@ -25,7 +27,8 @@ std::optional<BisectorOffset> BisectorOffset::fit(const GeodesicBisector& edge, 
     if (!found.is_exact) return {};
     const double missed = std::abs(offset.offset_at(angle) - found.offset);
     offset.take({angle, found.offset});
-    // The middle alone would not show an S.
+    // The middle alone would not show a curve shaped like an S, so fewer samples must agree more
+    // closely.
     const double allowed = offset.samples_ > 3 ? near_enough : near_enough / 10;
     if (missed <= allowed + 2 * found.uncertainty) return offset;
   }

@@ -8,18 +8,18 @@
 
 namespace thiessen {
 
-/// How far a bisector lies from the great circle of its two places, along a piece of it: a
-/// polynomial through some of its points, so that many others cost no geodesics.
+/// How far a bisector lies from the great circle of its two places, along a piece of it. It is a
+/// polynomial through some of the bisector's points, so that further points cost no geodesics.
 class BisectorOffset {
  public:
-  /// From the bisector's point `start`, at the angle `from`, to another. None where five points
-  /// between them do not tell the rest to ten times the edge's accuracy, or as far as distances can
-  /// tell: near antipodes, or where the piece is too long. Cost: one to five points of the
-  /// bisector.
+  /// Fits the piece from the bisector's point `start`, at the angle `from`, to `end`, at the angle
+  /// `to`. The result is empty where a polynomial through up to five points between the ends does
+  /// not predict the next one to ten times the edge's accuracy, or as far as distances can tell:
+  /// near antipodes, or where the piece is too long. Cost: one to five points of the bisector.
   static std::optional<BisectorOffset> fit(const GeodesicBisector& edge, double from, Point start,
                                            double to, Point end);
 
-  /// The bisector's point at the angle: longitude and latitude in degrees. Requires an angle
+  /// The bisector's point at the angle, as longitude and latitude in degrees. Requires an angle
   /// within the piece. Cost: 0.2 microseconds.
   Point at(double angle) const;
 
@@ -38,7 +38,7 @@ class BisectorOffset {
   BisectorArc arc_;
   std::size_t samples_ = 0;
   std::array<double, most_samples> angles_{};
-  std::array<double, most_samples> differences_{};  // Newton's divided ones
+  std::array<double, most_samples> differences_{};  // Newton's divided differences
 };
 
 }  // namespace thiessen

@@ -33,7 +33,8 @@ void CellMesh::take_over(const SphereTessellation& sphere) {
   });
 }
 
-// Round the circle 0, 1, 2 ... k - 1 on one side of it, and back on the other.
+// The places on the circle are numbered 0 to k - 1; one fan runs round the circle on one side of
+// it, and the other fan runs back on the other side.
 void CellMesh::add_fans(const SphereTessellation& sphere) {
   std::vector<PlaceIndex> ring;
   for (const PointId p : sphere.tessellation().along_line()) ring.push_back(sphere.place(p));
@@ -73,7 +74,7 @@ void CellMesh::flip(SideIndex s) {
   const SideIndex after_t = twin(next(t));
   const SideIndex before_t = twin(previous(t));
   const PlaceIndex a = apex(s), b = from(s), c = to(s), d = apex(t);
-  // The triangles a, b, d and a, d, c, both beginning at a.
+  // The new triangles are a, b, d and a, d, c, both beginning at a.
   const SideIndex across_a = s, across_b = next(s), across_d = previous(s);
   const SideIndex across_a2 = t, across_d2 = next(t), across_c = previous(t);
   corners_[index(across_a)] = a;

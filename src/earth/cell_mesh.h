@@ -8,16 +8,16 @@
 
 namespace thiessen {
 
-/// A side of one of the mesh's triangles, across from that corner of it.
+/// A side of one of the mesh's triangles: the one across from the corner of the same number.
 enum class SideIndex : std::uint32_t {};
 constexpr std::size_t index(SideIndex i) {
   return static_cast<std::size_t>(i);
 }
 
-/// The triangles of a sphere's tessellation, as a closed mesh whose sides can be flipped: what
-/// changes on the way to the tessellation of the ellipsoid. Three and more places on one circle
-/// have a fan of triangles on either side of it. Two triangles may share two sides, and two places
-/// two sides: only numbers of sides tell them apart.
+/// The triangles of a sphere's tessellation, as a closed mesh whose sides can be flipped to turn it
+/// into the tessellation of the ellipsoid. Three or more places on one circle have a fan of
+/// triangles on either side of it. Two triangles may share two sides, and two places may be joined
+/// by two sides, so a side is known by its number only.
 class CellMesh {
  public:
   /// Requires at least three places with cells of their own.
@@ -29,14 +29,17 @@ class CellMesh {
   static SideIndex side(std::uint32_t triangle, std::uint32_t corner) {
     return SideIndex{3 * triangle + corner};
   }
-  /// The same side, of the triangle beyond.
+  /// The same side as part of the triangle beyond it.
   SideIndex twin(SideIndex s) const { return twin_[index(s)]; }
-  /// Going round the triangle counter-clockwise: the sides after s.
+  /// The side that follows s counter-clockwise round its triangle.
   static SideIndex next(SideIndex s) { return turned(s, 1); }
+  /// The side before s, counter-clockwise round its triangle.
   static SideIndex previous(SideIndex s) { return turned(s, 2); }
-  /// The corner across from the side, and the side's ends, counter-clockwise.
+  /// The corner across from the side.
   PlaceIndex apex(SideIndex s) const { return corners_[index(s)]; }
+  /// The place at which the side begins, counter-clockwise round its triangle.
   PlaceIndex from(SideIndex s) const { return corners_[index(next(s))]; }
+  /// The place at which the side ends, counter-clockwise round its triangle.
   PlaceIndex to(SideIndex s) const { return corners_[index(previous(s))]; }
   std::array<PlaceIndex, 3> corners(std::uint32_t triangle) const {
     const std::size_t first = index(side(triangle, 0));
@@ -46,8 +49,10 @@ class CellMesh {
   /// Puts the other diagonal into the quadrilateral of the side's two triangles. Requires that
   /// their apexes are different places.
   void flip(SideIndex s);
-  /// For those that lay triangles anew: every side must be joined to another in the end.
+  /// Replaces the corners of a triangle. This is for code that lays triangles anew: in the end
+  /// every side must be joined to another by join.
   void set_corners(std::uint32_t triangle, const std::array<PlaceIndex, 3>& corners);
+  /// Makes two sides each other's twins.
   void join(SideIndex a, SideIndex b);
 
  private:

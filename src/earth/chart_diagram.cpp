@@ -65,13 +65,14 @@ class ChartDiagramBuilder {
     EarthPoint left;
     EarthPoint right;
   };
-  /// What an edge is off its chord.
+  /// How far an edge lies from its chord.
   struct Bend {
     double area = 0;      ///< square metres, positive to the right
     double farthest = 0;  ///< metres
   };
 
-  // From the vertex to the right of the way between the two places to the one on the left.
+  // The edge runs from the vertex on the right of the way between the two places to the vertex on
+  // the left.
   void add_edge(SideIndex s) {
     const CellMesh& mesh = vertices_.mesh();
     std::uint32_t start = vertices_.group_of(CellMesh::triangle_of(mesh.twin(s)));
@@ -79,7 +80,8 @@ class ChartDiagramBuilder {
     if (start == end) return;
     PlaceIndex left = mesh.from(s);
     PlaceIndex right = mesh.to(s);
-    // One way only, so that rounding is the same for any order of places.
+    // Both directions of an edge are computed as one, so that rounding is the same for any order of
+    // places.
     if (places_[index(right)] < places_[index(left)]) {
       std::swap(left, right);
       std::swap(start, end);
@@ -97,7 +99,7 @@ class ChartDiagramBuilder {
     add_chords({from_node, to_node, left, right}, sides);
   }
 
-  // As many as keep what the edge bends off each of them within what is allowed.
+  // Adds as many chords as are needed to keep the edge within `bends` of each of them.
   void add_chords(const Chord& whole, const Sides& sides) {
     const Bend bend = bend_of(diagram_.nodes[whole.from], diagram_.nodes[whole.to], sides);
     constexpr double most_chords = 1000;
@@ -124,7 +126,7 @@ class ChartDiagramBuilder {
     }
   }
 
-  // What is within reach of the centre, where anything is.
+  // Cuts the edge to the part within reach of the chart's centre; false where nothing is left.
   bool cut_to_reach(const BisectorArc& arc, End& first, End& last) const {
     const Direction centre = ground_.chart.centre();
     const double along_middle = dot(arc.at(0), centre);
@@ -154,7 +156,8 @@ class ChartDiagramBuilder {
     return static_cast<std::uint32_t>(diagram_.nodes.size() - 1);
   }
 
-  // Metres to the edge from a point near it: their distances' difference over what it grows by.
+  // Metres to the edge from a point near it: the difference of the two distances, divided by the
+  // rate at which it changes across the edge.
   double offset_at(Direction at, Direction to_right, const Sides& sides) const {
     const SphereArrival from_left = sphere_arrival(sides.left, at, accuracy_.vertices);
     const SphereArrival from_right = sphere_arrival(sides.right, at, accuracy_.vertices);
@@ -162,7 +165,8 @@ class ChartDiagramBuilder {
     return growth > 0 ? (from_right.distance - from_left.distance) / growth : 0;
   }
 
-  // From a point near it straight to the edge. What a step leaves is of the second order in it.
+  // Moves a point near the edge straight onto it. The error that a step leaves is of the second
+  // order in the step, so a second step follows only a long first one.
   Direction on_edge(Direction at, Direction to_right, const Sides& sides) const {
     constexpr double far = 1;  // metres
     const double offset = offset_at(at, to_right, sides);
@@ -175,7 +179,8 @@ class ChartDiagramBuilder {
     return moved(offset + offset_at(near, to_right, sides));
   }
 
-  /// The unit vector across the great circle of a chord; none for a chord without length.
+  /// The unit vector across the great circle of a chord, to its right; zero for a chord without
+  /// length.
   Direction to_right_of(Point from, Point to) const {
     const Direction normal = cross(ground_.chart.direction(to), ground_.chart.direction(from));
     const double sine = length(normal);

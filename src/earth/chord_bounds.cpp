@@ -17,7 +17,7 @@ struct Ellipsoid {
   double square_of_eccentricity = f * (2 - f);
   double largest_radius = a * a / b;
   double smallest_radius = b * b / a;
-  /// Half a meridian, and more: no geodesic is longer.
+  /// A length that no geodesic exceeds: half a meridian, rounded up.
   double farthest = 20003932;
 };
 
@@ -68,18 +68,20 @@ double least_certain_excess(double chord) {
   return reach * reach - chord * chord + rounding;
 }
 
-// Let X be the way through space from a point to a place, S the arc over it of a circle of the mean
-// radius of curvature R, s the geodesic, and D what its curvature, and its torsion, may differ from
-// the circle's. Along the geodesic (its trihedron T, V, N turns by curvature and torsion) X.N
-// differs from that of the circle by D s^2 / 2 at most, and X.V by D s^3 / 6R. So the gradients of
-// s and S by the place differ by no more than D s^2 / R times 0.32 / (1 - (X / 2R)^2), as long as s
-// is a quarter of a turn or less; and on the way from one place to another s - S changes by no more
-// than that times its length.
+// Proof of the bound. Let X be the straight vector from a point to a place, S the length of the arc
+// over it of a circle of the mean radius of curvature R, s the length of the geodesic, and D the
+// most by which its curvature, and its torsion, may differ from the circle's. Along the geodesic,
+// whose trihedron T, V, N turns by curvature and torsion, X.N differs from that of the circle by D
+// s^2 / 2 at most, and X.V by D s^3 / 6R. So the gradients of s and S by the place differ by no
+// more than D s^2 / R times 0.32 / (1 - (X / 2R)^2), as long as s is a quarter of a turn or less.
+// On the way from one place to another s - S therefore changes by no more than that bound times the
+// length of the way.
 double least_certain_excess_apiece(double chord) {
   static const double most = 1 / earth().smallest_radius;
   static const double least = 1 / earth().largest_radius;
   static const double radius = 2 / (most + least);
-  // The places' chords, and those on the way between them, and twice their mean.
+  // These are bounds, as multiples of `chord`, on the chords of the places and of all points
+  // between them, and on twice their mean.
   constexpr double longest_chord = 1.15;
   constexpr double twice_mean = 1.07;
   const double longest = longest_chord * chord;

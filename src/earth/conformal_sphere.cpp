@@ -24,11 +24,13 @@ double third_flattening() {
   return f / (2 - f);
 }
 
-/// The latitude in multiples of the conformal latitude, or the other way round, to the sixth power
-/// of the third flattening; what follows is below 1e-18.
+/// A series in sines of multiples of one latitude that gives the difference between the geographic
+/// and the conformal latitude, either way. It goes to the sixth power of the third flattening; the
+/// terms left out are below 1e-18.
 class LatitudeSeries {
  public:
-  /// terms[k] are the coefficients of n^(k+1), n^(k+2) ... before sin(2(k+1) x).
+  /// terms[k] are the coefficients of n^(k+1), n^(k+2) and so on in the factor of sin(2(k+1) x),
+  /// where n is the third flattening.
   LatitudeSeries(std::initializer_list<std::initializer_list<double>> terms) {
     const double n = third_flattening();
     std::size_t k = 0;
@@ -41,7 +43,7 @@ class LatitudeSeries {
       ++k;
     }
   }
-  /// The sum at x, by Clenshaw's method.
+  /// The sum at the latitude whose sine and cosine are given, by Clenshaw's method.
   double at(double sine, double cosine) const {
     const double sine_of_double = 2 * sine * cosine;
     const double twice_cosine_of_double = 2 * (cosine - sine) * (cosine + sine);
@@ -54,7 +56,7 @@ class LatitudeSeries {
     }
     return sine_of_double * sum;
   }
-  /// The sum at middle + step / 2 less that at middle - step / 2.
+  /// The sum at middle + step / 2 minus the sum at middle - step / 2, without cancellation.
   double difference(double middle, double step) const {
     double sum = 0;
     for (std::size_t i = 0; i < terms_.size(); ++i) {
@@ -88,8 +90,8 @@ const LatitudeSeries& conformal_series() {
   return series;
 }
 
-/// The sphere's scale as a polynomial in the square of the sine of the conformal latitude, by
-/// Newton's interpolation.
+/// The scale of the conformal map as a polynomial in the square of the sine of the conformal
+/// latitude, by Newton's interpolation.
 class SphereScale {
  public:
   SphereScale() {
@@ -97,7 +99,7 @@ class SphereScale {
     const double e2 =
         GeographicLib::Constants::WGS84_f() * (2 - GeographicLib::Constants::WGS84_f());
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      // Chebyshev's nodes, but for the pole itself.
+      // Chebyshev's nodes leave out the pole itself, where the quotient below would be 0 / 0.
       const double turn =
           (2 * static_cast<double>(i) + 1) / (2 * static_cast<double>(nodes_.size()));
       nodes_[i] = 0.5 - 0.5 * std::cos(turn * std::numbers::pi);
@@ -143,13 +145,14 @@ Direction chord_on_sphere(Point a, Point b) {
   if (std::abs(b.y - a.y) > near || std::abs(east) > near) return on_sphere(b) - on_sphere(a);
   const double middle = (a.y + (b.y - a.y) / 2) * degree;
   const double rise = (b.y - a.y) * degree;
-  // Half the rise, and the middle, of the conformal latitudes.
+  // The conformal latitudes lie `half` below and above the middle one.
   const double half = (rise + conformal_series().difference(middle, rise)) / 2;
   const Direction at_a = on_sphere(a);
   const double low = std::atan2(at_a.z, std::sqrt(at_a.x * at_a.x + at_a.y * at_a.y));
   const double sine = std::sin(low + half);
   const double cosine = std::cos(low + half);
-  // Along the meridian halfway between the two, to the east of it, and up.
+  // The chord's components outward and to the east are taken at the meridian halfway between the
+  // two points.
   const double turn = east * degree / 2;
   const double outward = -2 * sine * std::sin(half) * std::cos(turn);
   const double eastward = 2 * cosine * std::cos(half) * std::sin(turn);

@@ -1,13 +1,14 @@
-// How the distances from two places may grow apart, or together, around a point.
+// Bounds on how fast the distances from two places may grow apart, or together, around a point.
 //
-// Along a geodesic the distance s from a place changes by the cosine of the angle between it and
-// the direction u of arrival, and its second derivative is h times the square of the sine, where h
-// is the curvature of the circle round the place. By the Hessian comparison theorem h is between
-// cot(s / b) / b and cot(s / R) / R up to s = pi b, for the ellipsoid's curvature is between 1 /
-// R^2 and 1 / b^2 (R = a^2 / b), and nobody has two shortest ways nearer than that. What follows
-// bounds the second derivative of the difference of two distances from below, by either curvature
-// itself, or where the places are near each other by the difference of both: h varies little
-// between them, and so do the directions, for along the way u turns by h at most.
+// Along a geodesic the distance s from a place changes by the cosine of the angle between the
+// geodesic and the direction u of arrival. Its second derivative is h times the square of the sine
+// of that angle, where h is the curvature of the circle round the place. The ellipsoid's curvature
+// lies between 1 / R^2 and 1 / b^2, where R = a^2 / b, so by the Hessian comparison theorem h lies
+// between cot(s / b) / b and cot(s / R) / R up to s = pi b; no point nearer than that has two
+// shortest paths. The functions below bound the second derivative of the difference of two
+// distances from below: by either curvature itself, or, where the places are near each other, by
+// the difference of both. There h varies little between the places, and so do the directions,
+// because u turns by h at most along the way.
 #include <GeographicLib/Constants.hpp>
 #include <algorithm>
 #include <cmath>
@@ -28,23 +29,24 @@ const Radii& radii() {
   return of_the_earth;
 }
 
-// The curvature of a circle of radius s, which falls as s grows.
+// The largest curvature that a circle of radius s may have on the ellipsoid; it falls as s grows.
 double most_curved(double s) {
   return s > 0 ? 1 / (radii().largest * std::tan(s / radii().largest)) : HUGE_VAL;
 }
+/// The smallest curvature that a circle of radius s may have on the ellipsoid; it falls as s grows.
 double least_curved(double s) {
   const double polar = radii().polar;
   return s / polar < std::numbers::pi ? 1 / (polar * std::tan(s / polar)) : -HUGE_VAL;
 }
 
-/// The second derivative's lower bound, by its absolute value, without regard to how near the
-/// places are to each other.
+/// The absolute value of the second derivative's lower bound, whether or not the places are near
+/// each other.
 double most_bent(double first, double second, double reach) {
   return std::max(0.0, most_curved(first - reach)) + std::max(0.0, -least_curved(second + reach));
 }
 
-/// The same for places near each other, at distances from `nearest` to `farthest` and no more than
-/// `apart` different.
+/// The absolute value of the second derivative's lower bound for places near each other, whose
+/// distances lie between `nearest` and `farthest` and differ by `apart` at most.
 double most_bent_together(double nearest, double farthest, double apart, double turned,
                           double reach) {
   const auto falls = [&](double s) { return least_curved(s) - least_curved(s + apart); };

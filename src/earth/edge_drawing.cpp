@@ -11,20 +11,21 @@
 namespace thiessen {
 namespace {
 
-// In radians.
+// These are all in radians.
 constexpr double longest_piece = std::numbers::pi / 8;
 constexpr double longest_fit = 0.2;
 constexpr double longest_chord = 0.02;
 constexpr double shortest_chord = 1e-10;
 
-/// A difference of longitudes less than a turn and a half, the short way round.
+/// The difference of two longitudes the short way round, from one that is less than a turn and a
+/// half.
 double short_way(double difference) {
   if (difference > 180) return difference - 360;
   if (difference < -180) return difference + 360;
   return difference;
 }
 
-/// From a to b in metres, east and north, near a latitude.
+/// The way from a to b in metres to the east and to the north, near a latitude.
 struct Way {
   Way(Point a, Point b, double cosine)
       : east(short_way(b.x - a.x) * cosine * degree * mean_radius),
@@ -33,7 +34,7 @@ struct Way {
   double north;
 };
 
-/// How far, in metres, an edge's middle lies from its chord's.
+/// How far, in metres, an edge's middle lies from the middle of its chord.
 double bulge(Point start, Point middle, Point end) {
   const double cosine = std::cos(middle.y * degree);
   const Way before(start, middle, cosine);
@@ -51,7 +52,7 @@ double sagitta(Point start, Point middle, Point end) {
   return std::abs(before.east * after.north - before.north * after.east) / length;
 }
 
-/// The longer side, in degrees of a great circle.
+/// The length of the frame's longer side, in degrees of a great circle.
 double size_of(const Box& frame) {
   const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
   return std::max({frame.height(), frame.width() * std::cos(widest * degree), 1e-7});
@@ -97,7 +98,7 @@ void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint t
   }
 }
 
-// What is left when halves that are far from the frame are taken off at the ends.
+// The part of an edge that is left when halves far from the frame have been taken off at its ends.
 std::pair<double, double> EdgeDrawing::stretch_near(const GeodesicBisector& edge, double from,
                                                     double to) const {
   while (to - from > shortest_chord) {
@@ -126,8 +127,8 @@ EdgePoint EdgeDrawing::point_at(const BisectorOffset& offset, double angle) cons
   return {angle, no_node, longitudes_.within(offset.at(angle))};
 }
 
-// Halves the piece until a polynomial stands for it, its chord is near enough to it, or all of it
-// is far from the frame.
+// Draws a piece of an edge. It is halved until a polynomial stands for it, its chord is near enough
+// to it, or all of it is far from the frame.
 void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   const double angle = start.angle + half;
@@ -140,7 +141,7 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
   throw_if_interrupted();
   const BisectorPoint found = edge.find(angle);
   EdgePoint middle{angle, no_node, longitudes_.within(found.position)};
-  // What distances do not tell no chord can follow.
+  // No chord can follow the edge more closely than distances tell where it is.
   const double allowed = std::max(tolerance_, 4 * found.uncertainty * mean_radius);
   const bool fine =
       2 * half <= longest_chord && bulge(start.position, middle.position, end.position) <= allowed;
@@ -149,8 +150,9 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
   draw_piece(edge, middle, end);
 }
 
-// Chords of equal length, where the curve is as strong in one half as in the other, and what is far
-// from the frame is left out of a piece longer than it.
+// Draws a piece that a polynomial stands for. It gets chords of equal length where the curve is as
+// strong in one half as in the other; parts far from the frame are left out of a piece longer than
+// the frame.
 void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   EdgePoint middle = point_at(offset, start.angle + half);
@@ -169,7 +171,8 @@ void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, Edg
     draw_piece(offset, middle, end);
     return;
   }
-  // What bulges by b, in n pieces bulges by b / n^2; at an end of the piece by that much more.
+  // A piece that bulges by b bulges by b / n^2 where it is divided into n. Near one of its ends the
+  // curve is stronger still, by half the difference between the halves.
   const double at_an_end = 1.02 * (most + std::abs(first - last) / 2);
   const double pieces = 2 * std::sqrt(at_an_end / tolerance_);
   const int chords = is_fine ? 1 : static_cast<int>(std::ceil(pieces));
@@ -201,8 +204,8 @@ void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end) {
     }
     return;
   }
-  // Over the meridian opposite the frame's: once beyond its eastern side and once beyond its
-  // western.
+  // A chord over the meridian opposite the frame's centre is drawn twice: once beyond the eastern
+  // side of the map and once beyond the western one.
   const double turn = step > 0 ? -360 : 360;
   chords_.push_back({start.node, turned(end.position, turn), left_, right_});
   chords_.push_back({turned(start.position, -turn), end.node, left_, right_});

@@ -11,16 +11,16 @@
 
 namespace thiessen {
 
-/// A point of an edge: the angle along its great circle, and its node in the diagram (no_node until
-/// a chord needs one).
+/// A point of an edge between two cells: its angle along the edge's great circle, and its node in
+/// the diagram (no_node until a chord needs one).
 struct EdgePoint {
   double angle;
   std::uint32_t node;
   Point position;
 };
 
-/// The longitudes in which a diagram is drawn: from half a turn west of the frame's centre to half
-/// a turn east.
+/// The turn of longitudes in which a diagram is drawn: from 180 degrees west of the frame's centre
+/// to 180 degrees east of it.
 class LongitudeTurn {
  public:
   explicit LongitudeTurn(const Box& frame) : west_(frame.centre().x - 180) {}
@@ -34,19 +34,21 @@ class LongitudeTurn {
   double west_;
 };
 
-/// Draws edges between cells, as chords that are straight in longitude and latitude and within a
-/// tolerance in metres of the edge; what is far from the frame is left out. A chord over the
-/// meridian opposite the frame is drawn on both sides.
+/// Draws edges between cells as chords that are straight in longitude and latitude and within a
+/// tolerance in metres of the edge. Parts of edges that are far from the frame are left out. A
+/// chord over the meridian opposite the frame is drawn on both sides of the map.
 class EdgeDrawing {
  public:
-  /// New nodes get numbers from `first_node` on.
+  /// `tolerance` is in metres. New nodes get numbers from `first_node` on.
   EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node);
 
-  /// Requires from.angle <= to.angle. Cost: in proportion to the chords.
+  /// Draws the edge between the cells of `left` and `right`. Requires from.angle <= to.angle. Cost:
+  /// in proportion to the chords.
   void draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
             PlaceIndex right);
 
-  /// Puts what was drawn behind what the diagram has: the nodes before `first_node` are its own.
+  /// Appends the new nodes and chords to the diagram. Nodes numbered below `first_node` are the
+  /// diagram's own.
   void add_to(Diagram& diagram) const;
 
  private:
@@ -73,7 +75,8 @@ class EdgeDrawing {
   std::vector<Chord> chords_;
 };
 
-/// Whether the disc round `centre`, `radius` degrees wide on the sphere, meets the frame, or may.
+/// Whether the disc round `centre`, with a radius of `radius` degrees on the sphere, may meet the
+/// frame. It may say yes where the disc only comes near.
 bool may_come_near(const Box& frame, Point centre, double radius);
 
 }  // namespace thiessen

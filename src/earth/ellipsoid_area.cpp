@@ -58,8 +58,8 @@ constexpr std::array<Abscissa, 4> four_points{{{-0.8611363115940526, 0.347854845
                                                {-0.3399810435848563, 0.6521451548625461},
                                                {0.3399810435848563, 0.6521451548625461},
                                                {0.8611363115940526, 0.34785484513745386}}};
-// Up to these rises, in radians, the Gauss-Legendre rules are right to 1e-17 of the Earth's radius
-// squared.
+// The Gauss-Legendre rules are right to 1e-17 of the Earth's radius squared for segments that rise
+// by no more than this, in radians.
 constexpr double longest_for_two_points = 2e-3;
 constexpr double longest_for_four_points = 2 * degree;
 

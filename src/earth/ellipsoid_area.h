@@ -7,11 +7,15 @@ namespace thiessen {
 /// The area in square metres on the WGS 84 ellipsoid between the segment a→b, straight in longitude
 /// and latitude (degrees), and the parallel `reference_latitude`: positive where the segment runs
 /// eastward north of the parallel. Summed round a counter-clockwise ring it gives minus the ring's
-/// area. Laws: 1. area_under(b, a, r) == -area_under(a, b, r), bit for bit. 2. A ring's sum does
-/// not depend on r. Accuracy: 1e-15 of the product of its length and its height above the parallel.
-/// Cost: 0.2 microseconds for every two degrees of latitude. Source: the authalic integral
-/// A(phi) = b^2/2 (s / (1 - e^2 s^2) + artanh(e s) / e), s = sin(phi), taken as differences
-/// throughout.
+/// area.
+///
+/// Laws: 1. area_under(b, a, r) == -area_under(a, b, r), bit for bit. 2. A ring's sum does not
+/// depend on r.
+///
+/// Accuracy: 1e-15 of the product of the segment's length and its height above the parallel. Cost:
+/// 0.2 microseconds for every two degrees of latitude. Source: the authalic integral A(phi) = b^2/2
+/// (s / (1 - e^2 s^2) + artanh(e s) / e), s = sin(phi), taken as differences throughout to avoid
+/// cancellation.
 double area_under(Point a, Point b, double reference_latitude);
 
 /// The ellipsoid's whole area in square metres.

@@ -4,7 +4,8 @@
 
 namespace thiessen {
 
-/// The WGS 84 ellipsoid under longitudes and latitudes in degrees; areas in square metres.
+/// The surface of the WGS 84 ellipsoid in longitude and latitude in degrees; areas are in square
+/// metres.
 class EllipsoidSurface : public Surface {
  public:
   double under(Point a, Point b, double reference) const override;

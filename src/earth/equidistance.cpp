@@ -8,11 +8,11 @@
 namespace thiessen {
 namespace {
 
-// Metres.
+// These are in metres.
 constexpr double longest_step = 2e6;
-constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
+constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away by the geodesic
 
-/// Straight on from there by a tangent, in radians.
+/// Moves from p along the great circle of a tangent, by the tangent's length in radians.
 Direction moved_on_sphere(Direction p, Direction tangent) {
   const double angle = length(tangent);
   if (angle == 0) return p;
@@ -38,7 +38,7 @@ std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoi
     if (wrong <= accuracy / 2) return here;
     if (i > 3 && wrong > before / 2) return wrong <= accuracy ? std::optional(here) : std::nullopt;
     before = wrong;
-    // The tangent, in metres, along which the differences vanish.
+    // The step is the tangent, in metres, along which the differences of the distances vanish.
     const Direction u = from_a.onward - from_b.onward;
     const Direction v = from_a.onward - from_c.onward;
     const double determinant = dot(p, cross(u, v));
@@ -46,7 +46,7 @@ std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoi
     const double size = length(step);
     if (!(size <= longest_step)) return {};
     p = moved_on_sphere(p, (1 / scale_on_earth(p.z)) * step);
-    // What a step leaves is of the second order in it.
+    // The error that a step leaves is of the second order in the step.
     const double nearest = std::min({from_a.distance, from_b.distance, from_c.distance});
     if (size * size <= accuracy / 20 * nearest && from_a.distance < antipodal)
       return Equidistant{p, from_a.distance + dot(from_a.onward, step)};

@@ -12,10 +12,11 @@ struct Equidistant {
   double radius;
 };
 
-/// The one that lies near `start`; none where it is not found: near the antipode of places that are
-/// near each other distances hardly differ, and may be equal at no point or at several. By Newton's
-/// method, until the distances agree to `accuracy` metres, at least 1e-7. Cost: three geodesics for
-/// each of one to three steps.
+/// The point at equal geodesic distance of three places that lies near `start`, found by Newton's
+/// method until the distances agree to `accuracy` metres, at least 1e-7. The result is empty where
+/// it is not found: near the antipode of places that are near each other distances hardly differ,
+/// and may be equal at no point or at several. Cost: three geodesics for each of one to three
+/// steps.
 std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
                                              const EarthPoint& c, Direction start, double accuracy);
 

@@ -11,11 +11,12 @@
 namespace thiessen {
 namespace {
 
-// Radians before the antipode from which on, and beyond it up to which edges are followed.
+// Edges are followed from so many radians before the antipode to so many beyond it.
 constexpr double near_reach = 0.1;
 constexpr double far_reach = 0.15;
 constexpr double fine_angle = 1e-12;
-// Metres by which a place may be nearer to a vertex than those whose cells meet there.
+// A place may be nearer to a vertex than those whose cells meet there by so many metres, because
+// distances hardly differ there.
 constexpr double slack = 1e-3;
 
 }  // namespace
@@ -44,7 +45,7 @@ FarSide::Polygon FarSide::boundary_of(const std::vector<std::uint32_t>& triangle
     OpenSide side{mesh_.from(s), mesh_.to(s), mesh_.twin(s), 0, {}};
     side.angle = bisector(side).arc().angle_of(direction_of(CellMesh::triangle_of(side.outside)));
     polygon.push_back(side);
-    // Round the side's end, through the triangles inside.
+    // The next open side is found by going round the side's end, through the triangles inside.
     s = CellMesh::next(s);
     while (!is_open(s)) s = CellMesh::next(mesh_.twin(s));
   } while (s != *first && polygon.size() <= 3 * triangles.size());
@@ -55,7 +56,8 @@ FarSide::Place FarSide::next(Place side) {
   return std::next(side) == polygon_.end() ? polygon_.begin() : std::next(side);
 }
 
-// Along the edge between the first two, from where it comes in: where the third is as near.
+// Follows the edge between the cells of `from` and `to`, from where it enters, to the point to
+// which the next side's `to` is as near.
 void FarSide::find_meeting(Place side) {
   side->meeting.reset();
   const PlaceIndex third = next(side)->to;
@@ -67,7 +69,7 @@ void FarSide::find_meeting(Place side) {
   double low = side->angle;
   double high = std::numbers::pi + far_reach;
   if (low < high - 2 * std::numbers::pi) low += 2 * std::numbers::pi;
-  // Where the edge comes in the third may be as near too.
+  // At the point where the edge enters, the third place may already be as near.
   low = std::max(low, std::numbers::pi - near_reach);
   if (!(low < high) || !(lead_over_third(high) < 0)) return;
   if (lead_over_third(low) > 0) {
@@ -119,7 +121,8 @@ std::vector<FarSide::Vertex> FarSide::lay_anew(const std::vector<std::uint32_t>&
   return vertices;
 }
 
-// The last ear is all that is left.
+// Cuts off the ear at a side. The last ear is the whole polygon that is left, so its third side has
+// a triangle beyond it too.
 FarSide::Ear FarSide::cut(Place first, std::uint32_t triangle) {
   const Place second = next(first);
   Ear ear{{triangle, *first->meeting},

@@ -11,15 +11,17 @@ namespace {
 using GeographicLib::Geodesic;
 using GeographicLib::Math;
 
-/// Whether Simpson's rule is right to a tenth of so many metres for a path with such a half chord:
-/// what the great circle is off the geodesic, 1.5e-5 metres at 100 km, grows with the third power.
+/// Whether Simpson's rule is right to a tenth of `accuracy` metres for a path with such a half
+/// chord. The distance between the great circle and the geodesic is 1.5e-5 metres at 100 km and
+/// grows with the third power.
 bool is_short(double half, double accuracy) {
   constexpr double hundred_km = 0.0157;
   const double hundreds = 2 * half / hundred_km;
   return hundreds <= 3 && 1.5e-5 * hundreds * hundreds * hundreds <= accuracy / 10;
 }
 
-/// `half`: of the chord between the two.
+/// The length of a short path by Simpson's rule; `half` is half the chord between the two
+/// directions.
 double by_simpson(Direction from, Direction to, double half) {
   const Direction sum = to + from;
   return 2 * std::asin(half) / 6 *

@@ -10,15 +10,17 @@ namespace thiessen {
 /// geodesics, 2013.
 struct Arrival {
   double distance;  ///< metres, to 15 nanometres
-  double east;      ///< of the unit vector along the path, away from the place: the direction in
-  double north;     ///< which the distance grows
+  double east;      ///< eastward part of the unit vector along which the distance grows
+  double north;     ///< northward part of the same unit vector
 };
 
-/// Cost: 1 microsecond, near the antipode of the place 5.
+/// The geodesic from `place` as it arrives at `at`. Cost: 1 microsecond; 5 near the antipode of the
+/// place.
 Arrival arrival(Point place, Point at);
+/// The length of the shortest path between two positions, in metres.
 double geodesic_distance(Point a, Point b);
 
-/// A position and its direction on the conformal sphere.
+/// A position (longitude and latitude in degrees) and its direction on the conformal sphere.
 struct EarthPoint {
   explicit EarthPoint(Point p) : position(p), direction(on_sphere(p)) {}
   explicit EarthPoint(Direction d) : position(from_sphere(d)), direction(d) {}
@@ -27,21 +29,24 @@ struct EarthPoint {
   Direction direction;
 };
 
-/// The same with a distance that is right to a tenth of `accuracy` metres; its direction may be the
-/// sphere's. Where the path is short, up to 20 km for 1e-6 metres and 190 km for 1e-3, the sphere's
-/// scale is summed along its great circle by Simpson's rule. Cost: then a tenth.
+/// The geodesic from `place` as it arrives at `at`, with a distance that is right to a tenth of
+/// `accuracy` metres; the direction of arrival may be the sphere's. Where the path is short, up to
+/// 20 km for an accuracy of 1e-6 metres and 190 km for 1e-3, the sphere's scale is summed along its
+/// great circle by Simpson's rule, which costs a tenth of a geodesic.
 Arrival arrival(const EarthPoint& place, const EarthPoint& at, double accuracy);
 
-/// The same, seen on the sphere.
+/// An arrival seen on the conformal sphere.
 struct SphereArrival {
   double distance;
   Direction onward;  ///< the unit tangent in which the distance grows; none where there is no path
 };
+/// The geodesic from `place` as it arrives at the direction `at`, with the accuracy that arrival
+/// gives.
 SphereArrival sphere_arrival(const EarthPoint& place, Direction at, double accuracy);
 
-/// What the distance from the place of `second` exceeds that from the place of `first` by, in
-/// metres, at the least, anywhere within `reach` metres of the point where both arrived; `apart`:
-/// no less than the distance between the two places. See distance_growth.cpp. Accuracy: 1e-7
+/// A lower bound, in metres, on how much farther the place of `second` is than the place of
+/// `first`, anywhere within `reach` metres of the point where both paths arrive. `apart`: at least
+/// the distance between the two places, in metres. distance_growth.cpp derives it. Accuracy: 1e-7
 /// metres.
 double least_difference(const Arrival& first, const Arrival& second, double apart, double reach);
 

@@ -9,11 +9,11 @@
 namespace thiessen {
 namespace {
 
-// Metres.
+// These are in metres.
 constexpr double distance_noise = 3e-8;
 constexpr double farthest = 60e3;
-constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away, as the crow flies
-// Radians: 1e-5 metres.
+constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away by the geodesic
+// This is in radians, and stands for 1e-5 metres.
 constexpr double fine_offset = 1.6e-12;
 
 struct Sample {
@@ -21,8 +21,9 @@ struct Sample {
   double value;
 };
 
-/// Where the function changes its sign, to fine_offset. By secants, each next to one that halves
-/// (M. Dowell and P. Jarratt, the Illinois algorithm, 1971), and by halves where they are slow.
+/// The point where the function changes its sign, to fine_offset. It is found by secants that halve
+/// the value at an end that stays (M. Dowell and P. Jarratt, the Illinois algorithm, 1971), and by
+/// bisection where they are slow.
 template <typename Function>
 double change_of_sign(Sample low, Sample high, Function&& function) {
   constexpr int most_secants = 30;
@@ -47,15 +48,16 @@ double change_of_sign(Sample low, Sample high, Function&& function) {
 BisectorPoint GeodesicBisector::find(double angle, double offset) const {
   if (const auto found = by_newton(angle, offset)) return *found;
   const double by_sign = by_bracket(angle).value_or(0);
-  // Near the antipode their distances differ by their own distance within some 100 km.
+  // Within some 100 km round the antipode, the difference of the distances from both places changes
+  // by as much as the places are apart.
   constexpr double far_side = 1e5;  // metres
   const double uncertainty =
       distance_noise * far_side / (2 * arc_.half_separation() * mean_radius * mean_radius);
   return {by_sign, at(angle, by_sign), false, uncertainty};
 }
 
-// What is d away is measured wrong by 0.34 % of d on the sphere, for the one place nearly as much
-// as for the other: a twentieth of that is what is seen in the end.
+// The sphere measures a distance d wrong by up to 0.34 % of d, but nearly as much for the one place
+// as for the other. A twentieth of that is seen in the end.
 double GeodesicBisector::farthest_off(double angle) const {
   constexpr double share = 0.01;
   constexpr double rounding = 1e-9;
@@ -84,7 +86,7 @@ std::optional<BisectorPoint> GeodesicBisector::by_newton(double angle, double of
     if (std::abs(difference) <= distance_noise)
       return BisectorPoint{offset, here.position, true, uncertainty};
     offset += step;
-    // What is left is of the second order.
+    // The error that is left is of the second order in the step.
     const double length = step * scale;
     if (length * length <= accuracy_ * growth * from_first.distance)
       return BisectorPoint{offset, at(angle, offset), true, uncertainty};
@@ -92,7 +94,8 @@ std::optional<BisectorPoint> GeodesicBisector::by_newton(double angle, double of
   return {};
 }
 
-// To either side of the great circle, until the difference changes its sign.
+// Searches on either side of the great circle, ever farther out, until the difference changes its
+// sign.
 std::optional<double> GeodesicBisector::by_bracket(double angle) const {
   constexpr double first_reach = 500 / mean_radius;
   constexpr double last_reach = 200e3 / mean_radius;

@@ -8,23 +8,23 @@
 
 namespace thiessen {
 
-/// A point of a bisector.
+/// A point of the bisector of two places.
 struct BisectorPoint {
-  double offset;   ///< from the great circle, in radians across it, to the second place's side
+  double offset;   ///< radians across from the great circle, to the second place's side
   Point position;  ///< longitude and latitude in degrees
-  /// Not where distances do not tell well where it is, near the antipodes of the places or where
-  /// they are a few micrometres apart: then it is where their difference changes its sign, or on
-  /// the great circle.
+  /// False where distances do not tell well where the point is: near the antipodes of the places,
+  /// or where the places are a few micrometres apart. The point is then where the computed
+  /// difference of distances changes its sign, or on the great circle.
   bool is_exact = false;
-  double uncertainty = 0;  ///< radians, as far as distances, right to 15 nanometres, tell
+  double uncertainty = 0;  ///< radians: what distances, right to 15 nanometres, cannot tell
 };
 
-/// The edge between the cells of two places: the points at equal geodesic distance of both. Each is
-/// told by the great circle that the conformal sphere has for an edge: by an angle along it, and by
-/// how far it is from there, straight across: up to 30 km.
+/// The edge between the cells of two places: the points at equal geodesic distance of both. Each
+/// point is told by its relation to the great circle that is the edge on the conformal sphere: by
+/// an angle along that circle, and by an offset straight across from it, up to 30 km.
 class GeodesicBisector {
  public:
-  /// `accuracy`: metres, at least 1e-6.
+  /// `accuracy` is in metres, at least 1e-6.
   GeodesicBisector(const EarthPoint& first, const EarthPoint& second, const BisectorArc& arc,
                    double accuracy)
       : arc_(arc), first_(first), second_(second), accuracy_(accuracy) {}
@@ -32,12 +32,12 @@ class GeodesicBisector {
   const BisectorArc& arc() const { return arc_; }
   double accuracy() const { return accuracy_; }
 
-  /// The bisector's point across from the great circle's at that angle; `offset`: how far it may
-  /// be. Right to the accuracy (where it is not exact, to 1e-5 metres) or the uncertainty,
-  /// whichever is more. Cost: two geodesics a step, one or two steps; where it is not exact 20
-  /// steps or so.
+  /// The bisector's point straight across from the great circle's point at `angle`; `offset` is a
+  /// first guess in radians. It is right to the accuracy (1e-5 metres where it is not exact) or to
+  /// the uncertainty, whichever is more. Cost: two geodesics a step and one or two steps; some 20
+  /// steps where it is not exact.
   BisectorPoint find(double angle, double offset = 0) const;
-  /// How far the bisector may be from the great circle up to an angle, and more, in radians.
+  /// An upper bound, in radians, on how far the bisector is from the great circle up to an angle.
   double farthest_off(double angle) const;
 
  private:

@@ -52,7 +52,7 @@ class GeodesicDiagramBuilder {
  private:
   Point position(PlaceIndex p) const { return diagram_.places[index(p)]; }
 
-  // Two places: the edge closes on itself.
+  // Two places share a single edge that closes on itself.
   void add_closed_edge() {
     const PlaceIndex first = sphere_->pole();
     const PlaceIndex second = sphere_->place(sphere_->tessellation().along_line().front());
@@ -84,7 +84,8 @@ class GeodesicDiagramBuilder {
         [this](PlaceIndex a, PlaceIndex b) { diagram_.neighbours.emplace_back(a, b); });
   }
 
-  // In pieces of a fixed length, so that the nodes' numbers do not depend on the threads.
+  // Sides are drawn in pieces of a fixed length, so that the nodes' numbers do not depend on the
+  // number of threads.
   void draw(const GeodesicVertices& vertices, const std::vector<std::uint32_t>& node) {
     constexpr std::uint32_t sides_a_piece = 3000;
     const CellMesh& mesh = vertices.mesh();
@@ -103,7 +104,8 @@ class GeodesicDiagramBuilder {
     for (const EdgeDrawing& drawing : drawings) drawing.add_to(diagram_);
   }
 
-  // From the vertex to the right of the way between the two places to the one on the left.
+  // The edge runs from the vertex on the right of the way between the two places to the vertex on
+  // the left.
   void draw_edge(const GeodesicVertices& vertices, const std::vector<std::uint32_t>& node,
                  SideIndex s, EdgeDrawing& drawing) const {
     const CellMesh& mesh = vertices.mesh();
@@ -112,7 +114,8 @@ class GeodesicDiagramBuilder {
     if (node[start] == node[end]) return;
     PlaceIndex left = mesh.from(s);
     PlaceIndex right = mesh.to(s);
-    // One way only, so that rounding is the same for any order of places.
+    // Both directions of an edge are drawn as one, so that rounding is the same for any order of
+    // places.
     if (position(right) < position(left)) {
       std::swap(left, right);
       std::swap(start, end);

@@ -36,7 +36,7 @@ GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<c
   unite();
 }
 
-// More than the ellipsoid moves the vertex, in degrees.
+// An upper bound, in degrees, on how far the vertex moves from the sphere to the ellipsoid.
 double GeodesicVertices::farthest_off(std::uint32_t triangle) const {
   const double square =
       sphere_.square_distance(vertices_[triangle].direction, mesh_.corners(triangle)[0]);
@@ -51,7 +51,8 @@ void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
   vertex.is_exact = false;
 }
 
-// Those with circles of nearly half the Earth, where one of them is near the frame.
+// Lays anew the triangles whose circles cover nearly half the Earth, if one of their vertices is
+// near the frame.
 void GeodesicVertices::lay_far_side_anew() {
   const double cosine = -std::cos(0.06);  // 380 km from the antipode
   std::vector<std::uint32_t> far;
@@ -98,17 +99,18 @@ bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
   const PlaceIndex corner = mesh_.apex(s);
   const PlaceIndex across = mesh_.apex(mesh_.twin(s));
   if (!vertex.is_exact || across == corner) return false;
-  // Where it is much farther on the sphere, it is farther on the Earth.
+  // A place that is much farther on the sphere is farther on the Earth too, which saves the
+  // geodesic.
   const double to_corner = sphere_.square_distance(vertex.direction, corner);
   const double to_across = sphere_.square_distance(vertex.direction, across);
   if (to_across > to_corner * scale_variation * scale_variation) return false;
   return geodesic_distance(position(across), vertex.position) < vertex.radius - margin;
 }
 
-// The two triangles' circles say the same, but for those at antipodes, which hardly tell one place
-// from another: a circle that can say no is believed.
+// The circles of both triangles agree, except at antipodes, where they hardly tell one place from
+// another. There a circle that says no is believed.
 bool GeodesicVertices::is_to_be_flipped(SideIndex s) const {
-  // More than the noise of distances.
+  // The margin is more than the noise of distances.
   const double within_circle = accuracy_ / 5;
   const SideIndex beyond = mesh_.twin(s);
   if (vertices_[CellMesh::triangle_of(s)].is_far || vertices_[CellMesh::triangle_of(beyond)].is_far)
@@ -125,7 +127,8 @@ void GeodesicVertices::flip_sides() {
       open.push_back(CellMesh::side(t, i));
     }
   }
-  // Sides that go on flipping are at antipodes, where no choice is better than another.
+  // Sides that keep flipping are at antipodes, where no choice is better than another, so flips are
+  // counted and stopped.
   std::vector<std::uint8_t> flips(mesh_.triangles(), 0);
   constexpr std::uint8_t most_flips = 50;
   while (!open.empty()) {
@@ -163,7 +166,7 @@ std::uint32_t GeodesicVertices::group_of(std::uint32_t triangle) const {
   return group_.empty() ? triangle : group_[triangle];
 }
 
-// Neighbouring vertices that cannot be told apart, as those of four gauges on a grid, are one.
+// Unites neighbouring vertices that cannot be told apart, such as those of four gauges on a grid.
 void GeodesicVertices::unite() {
   const double indistinct = 2 * accuracy_ / mean_radius;
   DisjointSets groups(vertices_.size());

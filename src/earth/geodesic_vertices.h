@@ -11,32 +11,35 @@
 
 namespace thiessen {
 
-/// The Voronoi vertices of the ellipsoid near a frame, and the mesh of triangles whose centres they
-/// are: see geodesic_diagram. Cost: for each vertex some ten geodesics.
+/// The Voronoi vertices of the ellipsoid near a frame, and the mesh of triangles whose
+/// circumcentres they are; geodesic_diagram tells how they are found. Cost: some ten geodesics for
+/// each vertex.
 class GeodesicVertices {
  public:
-  /// The sphere's tessellation and the places must outlive it. Requires three places. `accuracy`:
-  /// of the vertices and of edges, in metres, at least 1e-6.
+  /// The tessellation of the sphere and the places must outlive it. Requires three places.
+  /// `accuracy`: of the vertices and of edges, in metres, at least 1e-6.
   GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
                    const Box& frame, double accuracy, unsigned threads);
 
   const CellMesh& mesh() const { return mesh_; }
-  /// Whether the triangle's vertex lies near the frame; others are left as on the sphere.
+  /// Whether the triangle's vertex lies near the frame; the other vertices stay where they are on
+  /// the sphere.
   bool is_near(std::uint32_t triangle) const { return vertices_[triangle].is_near; }
-  /// Whether its vertex is at equal distances of its corners, to the accuracy.
+  /// Whether the triangle's vertex is at equal distances of its corners, to the accuracy.
   bool is_exact(std::uint32_t triangle) const { return vertices_[triangle].is_exact; }
   Point position(std::uint32_t triangle) const { return vertices_[triangle].position; }
   Direction direction(std::uint32_t triangle) const { return vertices_[triangle].direction; }
-  /// Triangles whose centres are less than twice the accuracy apart, hand to hand, have one vertex,
-  /// and are known by one of them: the first by its corners' coordinates.
+  /// The triangle that stands for all those that share this one's vertex. Triangles joined by steps
+  /// between neighbours whose centres are less than twice the accuracy apart have one vertex; the
+  /// first of them by its corners' coordinates stands for them.
   std::uint32_t group_of(std::uint32_t triangle) const;
   /// The edge between the cells of two places.
   GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
     return {earth_point(first), earth_point(second), sphere_.bisector(first, second), accuracy_};
   }
   /// Calls visit(a, b) for every pair of places whose cells have an edge in common. Far from the
-  /// frame and at antipodes, where the vertices are the sphere's, also for those next to a side
-  /// that the ellipsoid may have flipped.
+  /// frame and at antipodes, where the vertices are the sphere's, it also calls it for the pair
+  /// across a side that may be flipped on the ellipsoid.
   template <typename Visit>
   void for_each_neighbours(Visit&& visit) const {
     for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
@@ -46,7 +49,7 @@ class GeodesicVertices {
       if (may_be_flipped(s)) visit(mesh_.apex(s), mesh_.apex(mesh_.twin(s)));
     }
   }
-  /// Of the vertices at its ends along an edge, the second not before the first.
+  /// The angles along an edge of the vertices at its two ends, the second not before the first.
   std::pair<double, double> angles(const GeodesicBisector& edge, std::uint32_t start,
                                    std::uint32_t end) const;
 

@@ -37,7 +37,8 @@ GnomonicChart::GnomonicChart(Direction centre)
   const Direction axis = std::abs(centre.z) < 0.9 ? Direction{0, 0, 1} : Direction{1, 0, 0};
   east_ = unit(cross(axis, centre));
   north_ = cross(centre, east_);
-  // Three values, the middle one at the centre but for the equator and the poles.
+  // The coefficients come from three values, the middle one at the centre except near the equator
+  // and the poles.
   constexpr double step = 0.05;
   const double middle = square_sine_ < step       ? step
                         : square_sine_ > 1 - step ? 1 - step
@@ -60,7 +61,8 @@ double GnomonicChart::unit_area(Point p) const {
 }
 
 double ChartSurface::under(Point a, Point b, double /*reference*/) const {
-  // One way only, so that the way back is the same to the bit.
+  // Both directions of an edge are computed as one, so that the way back has the same area to the
+  // bit.
   const bool back = b < a;
   const Point from = back ? b : a;
   const Point to = back ? a : b;

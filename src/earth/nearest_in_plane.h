@@ -7,8 +7,8 @@
 
 namespace thiessen {
 
-/// By straight distance in the coordinates. Requires coordinates in the exact range of
-/// predicates.h.
+/// Finds the nearest places by straight distance in the coordinates. Requires coordinates in the
+/// exact range of predicates.h.
 class NearestInPlane : public NearestPlaces {
  public:
   explicit NearestInPlane(std::span<const Point> places);

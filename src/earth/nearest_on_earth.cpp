@@ -9,9 +9,11 @@
 namespace thiessen {
 namespace {
 
-/// Metres within which places are equally near: more than the distances' own rounding.
+/// Places whose distances differ by less than so many metres are equally near; it is more than the
+/// distances' own rounding.
 constexpr double equally_near = 5e-8;
-/// How far positions and distances may be off, together, and more: also more than equally_near.
+/// An upper bound, in metres, on how far positions and distances may be off together; it is also
+/// more than equally_near.
 constexpr double noise = 2e-7;
 
 std::vector<Direction> all_on_ellipsoid(std::span<const Point> places) {

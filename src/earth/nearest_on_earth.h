@@ -7,9 +7,10 @@
 
 namespace thiessen {
 
-/// By the geodesic on WGS 84, longitudes and latitudes in degrees. Chords through the Earth tell
-/// which of two places is nearer as far as chord_bounds.h says; where they do not, geodesics to the
-/// middle of a ball do, as far as least_difference says of the rest.
+/// Finds the nearest places by the geodesic on WGS 84, in longitude and latitude in degrees. Chords
+/// through the Earth tell which of two places is nearer within the bounds of chord_bounds.h. Where
+/// they do not, geodesics to the middle of a ball do, and least_difference extends what they tell
+/// to the rest of the ball.
 class NearestOnEarth : public NearestPlaces {
  public:
   explicit NearestOnEarth(std::span<const Point> places);

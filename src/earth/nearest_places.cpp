@@ -8,18 +8,18 @@
 
 namespace thiessen {
 
-/// The place nearest to a ball's centre, against which others lose everywhere in the ball where the
+/// The place nearest to a ball's centre. Another place loses to it everywhere in the ball where the
 /// difference of the squares of both distances, which is linear, is positive throughout.
 class NearestPlaces::Winner {
  public:
-  /// `off`: how far the ball's points and the places may be off.
+  /// `off` is how far the ball's points and the places may be off.
   Winner(const Ball& ball, Direction place, double off)
       : centre_(ball.centre),
         place_(place),
         square_(dot(place - ball.centre, place - ball.centre)),
         reach_(ball.radius + off + relative_rounding * std::sqrt(square_)) {}
 
-  /// No point of the ball is farther from its nearest place.
+  /// An upper bound on the distance from any point of the ball to its nearest place.
   double farthest() const { return std::sqrt(square_) + reach_; }
   void set_margin(const Margin& margin) {
     margin_ = margin;
@@ -34,7 +34,7 @@ class NearestPlaces::Winner {
     const Direction apart = other - place_;
     return exceeds(dot(apart, (place_ - centre_) + (other - centre_)), reach_, dot(apart, apart));
   }
-  /// Whether it beats all places within the other ball.
+  /// Whether the winner beats all places within another ball.
   bool beats(const Ball& others) const {
     const double gap = length(others.centre - centre_) - others.radius;
     const double apart = length(others.centre - place_) + others.radius;
@@ -44,7 +44,8 @@ class NearestPlaces::Winner {
  private:
   static constexpr double relative_rounding = 0x1p-46;
 
-  /// Whether the difference of the squares at the centre is enough for places so far apart.
+  /// Whether the difference of the squares at the ball's centre is enough for places that far
+  /// apart.
   bool beats(double difference, double square_apart) const {
     return exceeds(difference - margin_.excess, reach_, square_apart) ||
            (square_apart <= near_ * near_ &&
@@ -68,8 +69,8 @@ NearestPlaces::Winner NearestPlaces::winner_of(const Ball& ball, PlaceIndex near
   return winner;
 }
 
-// Where only the margin keeps a place, a smaller ball would not help. As long as it keeps fewer
-// than half of them, smaller balls are cheaper.
+// Refines the rivals where a smaller ball would not help: where only the margin keeps a place. As
+// long as the margin keeps fewer than half of them, smaller balls are cheaper.
 void NearestPlaces::settle(const Winner& winner, const Ball& ball,
                            std::vector<PlaceIndex>& rivals) const {
   if (rivals.size() < 2 || ball.radius == 0) return;

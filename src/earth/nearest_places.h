@@ -11,37 +11,41 @@
 
 namespace thiessen {
 
-/// Finds the nearest of some places: for many points at once, the rivals that may be nearest to one
-/// of a ball's, as long as there are several of them, in ever smaller balls; and at last of those
-/// the nearest to a point. Balls are of space, where a place of the plane is at height 0, and one
-/// of the Earth on the ellipsoid, in metres from its centre. Safe for several threads at once.
+/// Finds the nearest of some places. For many points at once, it finds the rivals: the places that
+/// may be nearest to some point of a ball. As long as there are several rivals, the search goes on
+/// in ever smaller balls, and at last the nearest of them to a point is found. Balls are in space,
+/// where a place of the plane is at height 0 and one of the Earth on the ellipsoid, in metres from
+/// its centre. Safe for several threads at once.
 class NearestPlaces {
  public:
   virtual ~NearestPlaces() = default;
 
+  /// The position in space of a point of the plane or of the Earth.
   virtual Direction in_space(Point p) const = 0;
-  /// How far in_space may be off, and more, near a point of space.
+  /// An upper bound on how far in_space may be off near a point of space.
   virtual double rounding(Direction at) const = 0;
 
-  /// Every place that may be nearest to a point of the plane, or of the Earth, within the ball.
-  /// Cost: log n and what it finds, where places lie scattered; on the Earth also a geodesic for
-  /// each, 1 microsecond, where chords do not tell.
+  /// Finds every place that may be nearest to a point of the plane, or of the Earth, within the
+  /// ball. Cost: log n and the number of rivals, where places lie scattered; on the Earth also a
+  /// geodesic, 1 microsecond, for each rival where chords do not tell.
   void find_rivals(const Ball& ball, std::vector<PlaceIndex>& rivals) const;
-  /// The same of `among`, which holds those of a ball around this one; in their order.
+  /// Finds the rivals for a ball from `among`, which holds those for a ball around this one; they
+  /// stay in their order.
   void keep_rivals(const Ball& ball, std::span<const PlaceIndex> among,
                    std::vector<PlaceIndex>& rivals) const;
-  /// The nearest of the rivals, the first of them by number where several are as near; none where p
-  /// is not on the Earth. Planar: exact. Geodesic: by Karney's distances on WGS 84, which are right
-  /// to 15 nanometres; equal where they are within 50. Cost: one distance each.
+  /// The nearest of the rivals to p, the first of them by number where several are equally near;
+  /// empty where p is not on the Earth. Planar: exact. Geodesic: by Karney's distances on WGS 84,
+  /// which are right to 15 nanometres; they count as equal within 50. Cost: one distance for each
+  /// rival.
   virtual std::optional<PlaceIndex> nearest(Point p, std::span<const PlaceIndex> rivals) const = 0;
 
  protected:
-  /// What the square of another place's distance in space must exceed that of the nearest, which is
-  /// `farthest` or less, by, for it to be farther away for certain.
+  /// The margin by which the square of another place's distance in space must exceed that of the
+  /// nearest place, which is `farthest` away or less, for the other to be farther away for certain.
   struct Margin {
     double excess = 0;
-    /// Or, for places no more than an eighth of `farthest` apart: so much and this for each two
-    /// units between them.
+    /// For places no more than an eighth of `farthest` apart a smaller margin holds: this much, and
+    /// `apiece` for each two units between them.
     double excess_of_near = 0;
     double apiece = 0;
   };
@@ -51,9 +55,10 @@ class NearestPlaces {
 
  private:
   virtual Margin margin(double farthest) const = 0;
-  /// How far the places themselves are off in space.
+  /// How far the places' own positions in space are off.
   virtual double places_rounding() const = 0;
-  /// Takes out those that lose everywhere in the ball, told otherwise than by space.
+  /// Takes out the rivals that are farther than another everywhere in the ball by a finer test than
+  /// distances in space.
   virtual void refine(const Ball& ball, std::vector<PlaceIndex>& rivals) const = 0;
 
   class Winner;
@@ -63,8 +68,8 @@ class NearestPlaces {
   PlaceTree tree_;
 };
 
-/// Requires at least one place, different ones; planar: coordinates in the exact range of
-/// predicates.h.
+/// Makes the search that suits the metric. Requires at least one place, different ones; planar:
+/// coordinates in the exact range of predicates.h.
 std::unique_ptr<NearestPlaces> nearest_places(std::span<const Point> places, Metric metric);
 
 }  // namespace thiessen

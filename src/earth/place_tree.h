@@ -14,25 +14,27 @@ struct Ball {
   double radius = 0;
 };
 
-/// Places in space, halved again and again across their longest side until few are left (a k-d
-/// tree, J. L. Bentley, 1975), each part within a ball. Building: n log n. Memory: 60 bytes a
-/// place.
+/// A tree of places in space, halved again and again across their longest side until few are left
+/// (a k-d tree, J. L. Bentley, 1975); each part lies within a ball. Cost: n log n to build. Memory:
+/// 60 bytes a place.
 class PlaceTree {
  public:
   /// Requires at least one place.
   explicit PlaceTree(std::vector<Direction> places);
 
   Direction operator[](PlaceIndex p) const { return places_[index(p)]; }
-  /// Cost: log n where places lie scattered; at worst n.
+  /// The place nearest to a point of space. Cost: log n where places lie scattered; at worst n.
   PlaceIndex nearest(Direction to) const;
-  /// Calls `found(place)` for all places but those of parts for whose ball `excludes(ball)` holds.
+  /// Calls `found(place)` for every place except those of parts whose ball makes `excludes(ball)`
+  /// true.
   template <typename Excludes, typename Found>
   void search(Excludes&& excludes, Found&& found) const {
     search_part(0, excludes, found);
   }
 
  private:
-  /// The first half of a part is the part after it; `second` is 0 where there are no halves.
+  /// A part of the places. Its first half is the part that follows it in the list; `second` is the
+  /// number of its other half, 0 where it is not halved.
   struct Part {
     Ball ball;
     std::uint32_t begin;

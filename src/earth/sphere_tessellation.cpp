@@ -34,7 +34,7 @@ SphereTessellation::SphereTessellation(std::span<const Point> places)
   connect();
 }
 
-// Of the places that have a cell of their own.
+// Tessellates the places that have a cell of their own.
 void SphereTessellation::tessellate() {
   std::vector<Point> projected;
   std::vector<PlaceIndex> places;
@@ -57,8 +57,8 @@ void SphereTessellation::tessellate() {
   }
 }
 
-// The nearest place is a neighbour, so places that are too near find each other along Delaunay
-// edges.
+// Each place's nearest one is a Delaunay neighbour, so places that are too near each other are
+// found along Delaunay edges.
 bool SphereTessellation::merge_indistinct() {
   constexpr double indistinct = 1e-13;
   bool merged = false;
@@ -132,8 +132,9 @@ PlaceIndex SphereTessellation::nearest(Direction p, PlaceIndex start) const {
   return best;
 }
 
-// The conformal sphere's scale varies by 0.34 %: what is nearest on the Earth is no more than that
-// farther than the nearest on the sphere, and hangs together with it by places no farther away.
+// The conformal sphere's scale varies by 0.34 %, so the nearest place on the Earth is no more than
+// that farther than the nearest on the sphere, and a chain of neighbours no farther away leads to
+// it.
 PlaceIndex SphereTessellation::nearest_on_earth(Point p) const {
   const Direction direction = on_sphere(p);
   std::vector<PlaceIndex> near{nearest(direction)};

@@ -9,7 +9,8 @@
 namespace thiessen {
 namespace {
 
-// The rest of the tolerance is for rounding to decimals when the cells are written.
+// These are shares of the tolerance. The rest of it is for rounding to decimals when the cells are
+// written.
 constexpr double share_for_chords = 0.5;
 constexpr double share_for_points = 1e-2;
 constexpr double finest_accuracy = 1e-6;  // metres

@@ -8,21 +8,23 @@
 
 namespace thiessen {
 
-/// What "near" means: the shortest path on the ellipsoid, or straight distance in the coordinates.
+/// The metric, which says what "near" means: the shortest path on the ellipsoid, or straight
+/// distance in the coordinates.
 enum class Metric { geodesic, planar };
 
-/// What a study measures with: how near, and how large.
+/// The yardstick of a study: how it measures distances and areas.
 struct Yardstick {
   Metric metric = Metric::planar;
   double unit_area = 1;  ///< planar: square metres in a square unit of the coordinates
   double tolerance =
       0.1;  ///< geodesic: how far, in metres, a cell's edge may lie from the true one
 
-  /// The cells of `places` near `frame`: see plane_diagram and geodesic_diagram.
+  /// The Thiessen cells of `places` near `frame`, by plane_diagram or geodesic_diagram.
   Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
-  /// The same as exact as areas need: geodesic vertices to a hundredth of the tolerance.
+  /// The Thiessen cells as exact as areas need them: geodesic vertices are right to a hundredth of
+  /// the tolerance.
   Diagram diagram_for_areas(std::span<const Point> places, const Box& frame) const;
-  /// Of geodesic vertices, for areas: metres.
+  /// The accuracy of geodesic vertices for areas, in metres.
   double accuracy_for_areas() const;
   std::unique_ptr<Surface> surface() const;
 };
