@@ -29,7 +29,8 @@ auto undirected(const BoundaryPiece& piece) {
   return std::tuple(piece.place, std::min(piece.from, piece.to), std::max(piece.from, piece.to));
 }
 
-// Pieces of one cell that lie on each other in opposite directions enclose nothing: both go.
+// Takes out the pieces of one cell that lie on each other in opposite directions, because they
+// enclose nothing.
 void cancel_opposite_pieces(std::vector<BoundaryPiece>& pieces) {
   std::stable_sort(
       pieces.begin(), pieces.end(),
@@ -46,7 +47,7 @@ void cancel_opposite_pieces(std::vector<BoundaryPiece>& pieces) {
   pieces = std::move(kept);
 }
 
-/// For each ring and edge of a shape the bulge of the piece that it came from.
+/// The bulges of a shape's edges, ring by ring, each from the piece that the edge came from.
 std::vector<std::vector<double>> bulges_of(const MultiPolygon& shape,
                                            std::span<const BoundaryPiece> pieces) {
   std::map<std::pair<Point, Point>, double> bulge;

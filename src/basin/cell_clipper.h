@@ -11,7 +11,7 @@ namespace thiessen {
 /// How much of a basin lies in the cell of a place.
 struct CellShare {
   PlaceIndex place;
-  double area;  ///< square metres (a plane of unknown unit: its unit, squared)
+  double area;  ///< square metres (in a plane of unknown unit, the unit squared)
 };
 
 /// The part of a place's cell within a basin.
@@ -22,29 +22,31 @@ struct ClippedCell {
   std::vector<std::vector<double>> bulges;  ///< of the basin's edges in it: see Basin::bulges
 };
 
-/// The basin's area. Requires a basin whose rings run as Polygon says.
+/// The basin's area on a surface. Requires a basin whose rings run as Polygon says.
 double area_of(const Basin& basin, const Surface& surface);
 
-/// Clips the cells of a diagram to basins. The diagram and the surface must outlive it; one for
-/// each thread.
+/// Clips the cells of a diagram to basins. The diagram and the surface must outlive it. Each thread
+/// needs one of its own.
 class CellClipper {
  public:
   CellClipper(const Diagram& diagram, const Surface& surface);
 
-  /// The cells that have a share in the basin, by place. The areas add up to the basin's to 1e-13
-  /// of it, plus 2^-52 of its largest coordinate times its perimeter, which is how far the rounding
-  /// of crossings to doubles may move the cells' edges. A share below 1e-14 of the basin is
-  /// rounding, not ground, and is left out. Requires a valid basin inside the diagram's frame.
-  /// Cost: as Overlay::cut.
+  /// The cells that have a share in the basin, in the order of their places. The areas add up to
+  /// the basin's within 1e-13 of it plus 2^-52 of its largest coordinate times its perimeter, which
+  /// is how far the rounding of crossings to doubles may move the cells' edges. A share below 1e-14
+  /// of the basin is rounding, not ground, and is left out. Requires a valid basin inside the
+  /// diagram's frame. Cost: as Overlay::cut.
   std::vector<CellShare> shares(const Basin& basin);
 
-  /// The same with shapes. Cells side by side share their edge vertex for vertex.
+  /// The cells that have a share in the basin, with their shapes, in the order of their places.
+  /// Cells side by side share their edge vertex for vertex. Requirements and accuracy are those of
+  /// shares.
   std::vector<ClippedCell> cells(const Basin& basin);
 
  private:
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
-  /// Of what was measured: less is rounding.
+  /// The smallest area that counts in the basin that was measured last; less is rounding.
   double smallest_area() const;
 
   const Surface& surface_;

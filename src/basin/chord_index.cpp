@@ -5,8 +5,8 @@ namespace {
 
 constexpr std::size_t few_chords = 40;
 
-/// Where runs of chords begin, each the next one's continuation, and the number of chords at the
-/// end: a tree of runs is a quarter of the size of one of chords.
+/// The positions at which runs of chords begin, and the number of chords at the end. In a run each
+/// chord continues the one before. A tree of runs is a quarter of the size of a tree of chords.
 std::vector<std::uint32_t> runs_of(const Diagram& diagram) {
   constexpr std::uint32_t longest = 4;
   std::vector<std::uint32_t> first;

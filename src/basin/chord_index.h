@@ -9,19 +9,21 @@
 
 namespace thiessen {
 
-/// The box of a chord.
+/// The bounding box of a chord.
 inline Box box_of(const Diagram& diagram, const Chord& chord) {
   return box_of(diagram.nodes[chord.from], diagram.nodes[chord.to]);
 }
 
-/// Finds the chords of a diagram whose boxes meet a given one. The diagram must outlive it. Cost:
-/// building n log n; a search log n and what it finds. Memory: 20 bytes a chord. A few chords, as
-/// those of the cells next to a silent one, are looked through instead, which is faster.
+/// Finds the chords of a diagram whose boxes meet a given one. The diagram must outlive it. Cost: n
+/// log n to build; for a search log n and the number of chords found. Memory: 20 bytes a chord. A
+/// few chords, such as those of the cells next to a silent gauge, are searched one by one instead,
+/// which is faster.
 class ChordIndex {
  public:
   explicit ChordIndex(const Diagram& diagram);
 
-  /// Calls `found(chord)`, the chord's position in the diagram.
+  /// Calls `found(chord)` for every chord whose box meets `box`; `chord` is its position in the
+  /// diagram.
   template <typename Found>
   void for_each_near(const Box& box, Found&& found) const {
     for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
@@ -36,9 +38,9 @@ class ChordIndex {
 
  private:
   const Diagram& diagram_;
-  std::vector<std::uint32_t> first_of_run_;  // chords, a few that follow each other at a time
+  std::vector<std::uint32_t> first_of_run_;  // a run is a few chords that follow each other
   BoxTree tree_;                             // of the runs
-  std::vector<Box> boxes_;                   // of chords where they are few, in place of the tree
+  std::vector<Box> boxes_;  // of the chords, in place of the tree where they are few
 };
 
 }  // namespace thiessen

@@ -50,7 +50,7 @@ bool Containment::contains(Point p) const {
     const auto& [from, to] = edges_[i];
     const int side = orientation(from, to, p);
     if (side == 0 && box_of(from, to).contains(p)) on_edge = true;
-    // The edge passes west of p where p is to the right of it, going up.
+    // An edge passes west of p if p lies to its right when it is followed upward.
     const bool upward = from.y < p.y;
     if (upward != (to.y < p.y) && (side < 0) == upward) inside = !inside;
   });

@@ -8,8 +8,8 @@
 
 namespace thiessen {
 
-/// Tells whether points lie in a basin, or on its edge, exactly. Building: n log n in the vertices;
-/// a point: log n, and the edges on its way to the basin's western side.
+/// Tells exactly whether points lie in a basin or on its edge. Cost: n log n in the vertices to
+/// build; for a point log n and the edges on its way to the basin's western side.
 class Containment {
  public:
   explicit Containment(const Basin& basin);
@@ -25,12 +25,12 @@ class Containment {
   double west_;
 };
 
-/// Which of the points each basin contains, in rising order; with `period` above 0, x repeats after
-/// it. Cost: n log n in stations, basins and vertices, and as Containment for each point in a
-/// basin's box.
+/// The points that each basin contains, by basin, as positions in rising order. Where `period` is
+/// above 0, x repeats after it. Cost: n log n in stations, basins and vertices, and a test by
+/// Containment for each point in a basin's box.
 std::vector<std::vector<std::size_t>> points_within(const std::vector<Basin>& basins,
                                                     std::span<const Point> points, double period);
-/// How many of them.
+/// The number of points that each basin contains, by basin; see points_within.
 std::vector<std::size_t> count_within(const std::vector<Basin>& basins,
                                       std::span<const Point> points, double period);
 

@@ -13,12 +13,12 @@ int sign_of(double value) {
   return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-// The side of a shifted edge a→b on which a point lies that is on the edge's line itself.
+// The side of the shifted edge a→b on which a point of the edge's unshifted line lies.
 int side_of_shifted_edge(Point a, Point b) {
   return a.y != b.y ? sign_of(b.y - a.y) : -sign_of(b.x - a.x);
 }
 
-// The side of a chord on which a shifted point lies that is on the chord's line itself.
+// The side of a chord on which a point of its line lies once the point is shifted.
 int side_of_chord_when_shifted(Point from, Point to) {
   return -side_of_shifted_edge(from, to);
 }

@@ -20,7 +20,7 @@ void change(std::vector<std::pair<PlaceIndex, int>>& presence, PlaceIndex place,
   presence.emplace_back(place, step);
 }
 
-/// Along an edge or a chord, from 0 to 1: what rounding may change in the place of a crossing.
+/// How far rounding may move a crossing along an edge or a chord, whose length counts as 1.
 constexpr double rounding = 1e-9;
 
 double distance(Point a, Point b) {
@@ -28,7 +28,8 @@ double distance(Point a, Point b) {
   return std::sqrt(way.x * way.x + way.y * way.y);  // no overflow in the exact range
 }
 
-// Even-odd, with the basin shifted as in Crossing: a point on its edge is in or out, never both.
+// Whether a point lies in a ring by the even-odd rule. The basin is shifted as in Crossing, so a
+// point on its edge is either in or out.
 bool is_within(const Ring& ring, Point p) {
   bool within = false;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -110,8 +111,10 @@ void Overlay::cut_ring(const Ring& ring, const std::vector<double>* bulges) {
   emit_ring();
 }
 
-// Where the ring starts is what the crossings before its longest stretch elsewhere lead away from:
-// that is beyond doubt, where nodes closer together than rounding may confuse what is near them.
+// The cell in which the ring starts. It is told by the ring's longest stretch in a single other
+// cell: the crossings before that stretch lead from the starting cell into that one. The longest
+// stretch is beyond doubt, while nodes closer together than rounding may confuse short stretches
+// near them.
 Overlay::Presence Overlay::presence_at_start() const {
   const auto length = [&](std::size_t e) { return distance(edges_[e].from, edges_[e].to); };
   double longest = 0;
@@ -194,7 +197,8 @@ void Overlay::emit_ring() {
   }
 }
 
-// Crossings of one point, or swapped by rounding, are put in the order in which the cells follow.
+// Swaps the next crossing for the one that leads out of the cell at hand, because crossings at one
+// point, or swapped by rounding, may stand in the wrong order.
 void Overlay::put_next_in_order(std::size_t next) {
   const EdgeEvent event = edge_events_[next];
   const auto follows = [&](const EdgeEvent& e) {
@@ -239,16 +243,16 @@ void Overlay::emit_crossed_chords(const Basin& basin) {
     }
     first = end;
   }
-  // Edges between cells hang together (or leave the frame): crossed nowhere, all are within or
-  // none.
+  // The edges between cells are connected (or leave the frame), so if none is crossed, all of them
+  // lie within the basin or none does.
   if (crossed_ || diagram_.chords.empty()) return;
   const std::uint32_t node = diagram_.chords.front().from;
   if (is_within(basin, diagram_.nodes[node])) nodes_within_.push_back(node);
 }
 
-// Whether the chord begins within the basin follows from its crossings. If they lead in or out on
-// the whole, it begins on the other side; else, of the two possibilities, it is the one that is in
-// the basin never more than once, nor less than not at all, but for stretches that rounding made.
+// Whether a chord begins within the basin, as its crossings tell. If they lead in or out on the
+// whole, the chord begins on the other side. Otherwise both beginnings are tried. In the true one
+// the chord is in the basin zero times or once everywhere, except on stretches that rounding made.
 bool Overlay::begins_within(const Basin& basin, std::size_t first, std::size_t end) const {
   int depth = 0;
   for (std::size_t i = first; i < end; ++i) depth += chord_events_[i].step;
@@ -287,7 +291,8 @@ void Overlay::emit_crossed_chord(const Basin& basin, std::size_t first, std::siz
   if (depth != 0) nodes_within_.push_back(chord.to);
 }
 
-// From the nodes known to be within, along chords that cross no edge.
+// Emits the chords that cross no edge, from the nodes known to lie within the basin along chords
+// from node to node.
 void Overlay::emit_whole_chords_within() {
   while (!nodes_within_.empty()) {
     const std::uint32_t node = nodes_within_.back();
@@ -333,9 +338,10 @@ void Overlay::emit_chord_piece(std::uint32_t number, ChordEnd from, ChordEnd to,
   }
 }
 
-// Goes straight to the place that the diagram thinks near: the first chord on the way, if any,
-// tells on whose side the point lies. Where chords meet on the way, the cells follow each other
-// through them: the first is the one that none leads to.
+// Finds the cell in which a point lies. It goes straight to the place that the diagram takes to be
+// near: the first chord on the way, if any, tells on which side of it the point lies. Where chords
+// meet on the way, the cells follow each other through them, and the first is the one into which no
+// chord leads.
 PlaceIndex Overlay::locate(Point p) const {
   struct Step {
     double along;

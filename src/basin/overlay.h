@@ -16,29 +16,32 @@ struct BoundaryPiece {
   PlaceIndex place;
   Point from;
   Point to;
-  /// Square metres between the true edge, of the basin or of the cell, and this piece: see
-  /// Basin::bulges.
+  /// The area in square metres between the true edge, of the basin or of the cell, and this piece:
+  /// see Basin::bulges.
   double bulge = 0;
 };
 
-/// The boundaries of all cells' parts in one basin. Each part's pieces close, whatever rounding
-/// did: at every point as many end as begin. Pieces may lie on each other in opposite directions
-/// where `touching` is set (an edge of the basin along a chord): they cancel.
+/// The boundaries of all cells' parts in one basin. Each part's pieces form closed lines in spite
+/// of rounding: at every point as many begin as end. Where `touching` is set (an edge of the basin
+/// runs along a chord), pieces may lie on each other in opposite directions; they cancel.
 struct CutBasin {
   std::vector<BoundaryPiece> pieces;
   bool touching = false;
 };
 
-/// Lays basins over the cells of a diagram. The diagram must outlive it; one for each thread.
-/// All decisions are exact (see Crossing), so there is no tolerance and no special case. Cost:
-/// building n log n in the chords; a basin log n for each of its edges, and in proportion to the
-/// crossings and to the chords within; nothing in proportion to what it does not touch. Memory: 60
-/// bytes a chord.
+/// Lays basins over the cells of a diagram. The diagram must outlive it. Each thread needs one of
+/// its own.
+///
+/// All decisions are exact (see Crossing), so there is no tolerance and no special case. Cost: n
+/// log n in the chords to build; for a basin log n for each of its edges, and in proportion to the
+/// crossings and to the chords within; nothing for what the basin does not touch. Memory: 60 bytes
+/// a chord.
 class Overlay {
  public:
   explicit Overlay(const Diagram& diagram);
 
-  /// Requires a valid basin inside the diagram's frame. The result stands until the next call.
+  /// Cuts a basin along the edges of the cells. Requires a valid basin inside the diagram's frame.
+  /// The result stands until the next call.
   const CutBasin& cut(const Basin& basin);
 
  private:
@@ -47,7 +50,7 @@ class Overlay {
     Point to;
     double bulge;
   };
-  struct EdgeEvent {  // a crossing, or just a node on the edge
+  struct EdgeEvent {  // a crossing, or only a node on the edge
     std::uint32_t edge;
     double along;
     Point point;
@@ -59,7 +62,7 @@ class Overlay {
     std::uint32_t chord;
     double along;
     Point point;
-    int step;  // into the basin: 1, out of it: -1, just a node on the chord: 0
+    int step;  // 1 into the basin, -1 out of it, 0 where only a node lies on the chord
   };
   using Presence = std::vector<std::pair<PlaceIndex, int>>;
 
@@ -91,13 +94,13 @@ class Overlay {
   CutBasin result_;
   std::vector<Edge> edges_;  // of the ring at hand
   std::vector<EdgeEvent> edge_events_;
-  Presence presence_;  // which cells the boundary is in: one, but between crossings that rounding
-                       // swapped
+  // The cells that the boundary is in: one, except between crossings that rounding swapped.
+  Presence presence_;
   std::vector<ChordEvent> chord_events_;
   std::vector<std::pair<std::uint32_t, std::size_t>>
       touched_;                       // chords with nodes on them, and their first event
-  bool crossed_ = false;              // whether any chord is
-  std::vector<std::uint32_t> stamp_;  // by chord: the basin that has it done
+  bool crossed_ = false;              // whether any chord is crossed
+  std::vector<std::uint32_t> stamp_;  // by chord: the last basin that emitted it
   std::uint32_t basin_number_ = 0;
   std::vector<std::uint32_t> nodes_within_;
 };

@@ -21,8 +21,8 @@ struct PointHash {
   }
 };
 
-// Which quarter of the way clockwise from the ray at→back `p` lies in: right of it, behind, left,
-// on it.
+// The position of `p` on the way clockwise round `at` from the ray at→back: 0 to the right of the
+// ray, 1 straight behind it, 2 to its left, 3 on it.
 int clockwise_sector(Point at, Point back, Point p) {
   const int side = orientation(at, back, p);
   if (side < 0) return 0;
@@ -74,8 +74,8 @@ class RingWalk {
     }
   }
 
-  // The next one not used; where there are several the first clockwise from where we came, which
-  // keeps the interior, to the left, in one piece.
+  // The next unused edge. Where there are several, the first clockwise from the edge that leads
+  // here keeps the interior, on the left, in one piece.
   std::size_t next_edge(const DirectedEdge& edge, bool& branched) const {
     const auto begin = std::lower_bound(edges_.begin(), edges_.end(), edge.to,
                                         [](const DirectedEdge& e, Point p) { return e.from < p; });
@@ -136,7 +136,7 @@ bool holds(const Polygon& part, const Ring& hole) {
   return false;
 }
 
-// Each into the smallest part around it.
+// Puts each hole into the smallest part round it.
 void place_holes(MultiPolygon& parts, const std::vector<Shell>& shells, std::vector<Ring>& holes) {
   if (holes.empty()) return;
   std::vector<Box> boxes;

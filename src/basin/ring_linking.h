@@ -11,10 +11,11 @@ struct DirectedEdge {
   Point to;
 };
 
-/// The polygons whose boundary the edges are, interior to the left: rings that touch themselves are
-/// parted at the point, outer rings run counter-clockwise and each hole stands with the part that
-/// it is in. Requires edges that do not cross and at every point as many beginning as ending. Cost:
-/// n log n, and for each hole the parts whose boxes hold it.
+/// Links directed edges, with the interior to their left, into the polygons that they bound. Rings
+/// that touch themselves are divided at the point of touching; outer rings run counter-clockwise,
+/// and each hole goes to the part that contains it. Requires edges that do not cross, and as many
+/// of them beginning as ending at every point. Cost: n log n, and for each hole the parts whose
+/// boxes contain it.
 MultiPolygon link_rings(std::vector<DirectedEdge> edges);
 
 }  // namespace thiessen

@@ -11,7 +11,8 @@
 namespace thiessen {
 namespace {
 
-/// The radius of the disc round its middle that holds a box in longitude and latitude.
+/// The radius, in radians, of the disc round `centre`, the box's middle, that contains a box in
+/// longitude and latitude.
 double reach_of(const Box& box, Direction centre) {
   constexpr double widest = 90;  // degrees: up to there a corner is the farthest point
   if (box.width() > widest) return std::numbers::pi;
@@ -24,7 +25,7 @@ double reach_of(const Box& box, Direction centre) {
 
 }  // namespace
 
-/// Makes rings of great circles of rings in longitude and latitude.
+/// Turns rings of edges straight in longitude and latitude into rings of great circles.
 class SphereShape::Simplifying {
  public:
   Simplifying(Direction centre, double tolerance, std::span<const Point> bends)
@@ -52,11 +53,12 @@ class SphereShape::Simplifying {
   }
 
  private:
-  /// A point between two corners that are kept, or one of the two.
+  /// A point of a run: one between two corners that are kept, or one of the two.
   struct RunPoint {
     Direction direction;
     Point in_chart;
-    double area;  ///< from the chart's centre to the true edge, from the run's beginning to here
+    double
+        area;  ///< between the chart's centre and the true edge, from the run's beginning to here
   };
 
   static double to_right(Point from, Point to, Point p) {
@@ -66,7 +68,7 @@ class SphereShape::Simplifying {
 
   void begin(Direction corner) { run_.assign(1, {corner, chart_.project(corner), 0}); }
 
-  // Straight in longitude and latitude.
+  // Adds to the run an edge that is straight in longitude and latitude.
   void add_edge(Point a, Point b, double bulge) {
     if (a == b) return;
     const Point from = run_.back().in_chart;
@@ -103,7 +105,7 @@ class SphereShape::Simplifying {
     run_.push_back({end, to, before.area + bulge + off - surface_.under(before.in_chart, to, 0)});
   }
 
-  // Keeps the corner at which the run begins, and as many of the bends as it takes.
+  // Keeps the corner at which the run begins, and as many of the bends as the tolerance needs.
   void end_run() {
     if (run_.size() > 1) keep(0, run_.size() - 1);
     run_.erase(run_.begin(), run_.end() - 1);

@@ -9,25 +9,28 @@
 
 namespace thiessen {
 
-/// A cell's ground in a basin of the ellipsoid, with few edges, for charts: great circles of the
-/// conformal sphere from corner to corner, and for each the area between the true edge and it. So
-/// areas are right, and what is cut off it is as if its edges bent like parabolas.
+/// The ground of a cell in a basin on the ellipsoid, with few edges, for use in charts. Its edges
+/// are great circles of the conformal sphere from corner to corner, each with the area between the
+/// true edge and itself. Areas are therefore right, and a part cut off the ground is measured as if
+/// the edges bent like parabolas.
 class SphereShape {
  public:
-  /// How far the ground may reach from its centre, in radians; of what is larger nothing is kept.
+  /// How far the ground may reach from its centre, in radians. A shape that reaches farther is left
+  /// empty.
   static constexpr double farthest_reach = 0.1;
 
-  /// `bends`: the corners that only bend an edge between cells, in rising order; they are left out
-  /// where the edge is still within `tolerance` metres of the great circle. Edges of the basin are
-  /// parted until they are. Cost: the corners, times a logarithm.
+  /// `bends` are the corners, in rising order, that only bend an edge between cells. They are left
+  /// out where the edge is still within `tolerance` metres of the great circle. Edges of the basin
+  /// are divided until they are within that too. Cost: the number of corners times its logarithm.
   SphereShape(const Basin& ground, std::span<const Point> bends, double tolerance);
 
   Direction centre() const { return centre_; }
-  /// Radians from the centre to the farthest corner; more than `farthest_reach`: it has no rings.
+  /// Radians from the centre to the farthest corner of the box, which is as far as the ground
+  /// reaches at most. If it is more than `farthest_reach`, the shape has no rings.
   double reach() const { return reach_; }
-  /// In longitude and latitude.
+  /// The bounding box in longitude and latitude, in degrees.
   const Box& box() const { return box_; }
-  /// Cost: its corners.
+  /// The ground in the coordinates of a chart. Cost: in proportion to its corners.
   Basin in_chart(const GnomonicChart& chart) const;
 
  private:
