@@ -13,14 +13,15 @@
 namespace thiessen {
 namespace {
 
-/// How often the edges along a line cover each stretch of it: upward ones less downward ones.
+/// Counts how often the edges along a line cover each stretch of it: upward edges minus downward
+/// ones.
 class Cover {
  public:
   void add(double from, double to, int times) {
     change_[from] += times;
     change_[to] -= times;
   }
-  /// Where edges shall begin and end.
+  /// Makes edges begin and end at a place on the line.
   void part_at(double at) { change_[at] += 0; }
 
   template <typename Take>
@@ -39,20 +40,20 @@ class Cover {
   std::map<double, int> change_;
 };
 
-/// A ring's vertex, on a turn. Strip k of the turns lies between meridians k - 1 and k, which are
-/// the antimeridian.
+/// A ring's vertex, with the turn of longitude on which it lies. Strip k of the turns lies between
+/// meridians k - 1 and k, which are both the antimeridian.
 struct Vertex {
   Point point;
   int turn;
 
   bool on_antimeridian() const { return std::abs(point.x) == 180; }
   int meridian() const { return point.x > 0 ? turn : turn - 1; }
-  /// The vertex as it stands in a strip that it is in or on the side of.
+  /// The vertex's position in a strip that it lies in or on the side of.
   Point in_strip(int strip) const {
     if (!on_antimeridian()) return point;
     return {meridian() == strip ? 180.0 : -180.0, point.y};
   }
-  /// Degrees eastward from a meridian.
+  /// Degrees from a meridian eastward to the vertex.
   double east_of(int meridian) const {
     return turn <= meridian ? point.x - 180 + 360 * (turn - meridian)
                             : point.x + 180 + 360 * (turn - meridian - 1);
@@ -61,7 +62,7 @@ struct Vertex {
 
 class Cutting {
  public:
-  /// `side`: 1 for an outer ring, -1 for a hole.
+  /// `side` is 1 for an outer ring and -1 for a hole.
   void add(const WindingRing& ring, int side) {
     started_ = false;
     if (ring.holds_south) inside_at_south_ += side;
@@ -101,7 +102,7 @@ class Cutting {
   void add_edge(const Vertex& from, const Vertex& to, double bulge) {
     const double gain = to.point.x - from.point.x + 360 * (to.turn - from.turn);
     if (gain == 0 && from.point.y == to.point.y) return;
-    // An edge along the antimeridian belongs to the side on which the interior is: its left.
+    // An edge along the antimeridian belongs to the strip on the side of the interior, its left.
     const int direction = gain != 0 ? (gain > 0 ? 1 : -1) : (to.point.y > from.point.y ? -1 : 1);
     int strip = strip_at_start(from, direction);
     const int last = gain == 0 ? strip : strip_at_start(to, -direction);
@@ -121,7 +122,7 @@ class Cutting {
     emit(start, to.in_strip(last), bulge * (1 - bulge_share(begin)));
   }
 
-  /// The latitude at which an edge crosses a meridian: the same from either end.
+  /// The latitude at which an edge crosses a meridian; it is the same from either end.
   static double crossing(Vertex west, Vertex east, int meridian) {
     double to_west = west.east_of(meridian);
     double to_east = east.east_of(meridian);
@@ -135,7 +136,7 @@ class Cutting {
     return std::clamp(latitude, low, high);
   }
 
-  /// The ring goes on in a strip, perhaps another one.
+  /// Follows the ring into a strip, which may be another one than before.
   void pass(int strip, double latitude) {
     if (!started_) {
       started_ = true;
@@ -165,7 +166,8 @@ class Cutting {
     }
   }
 
-  // North of an eastward crossing is interior, and north of a westward one is not.
+  // Adds edges along the antimeridian where the interior crosses it. The interior lies north of an
+  // eastward crossing, and the exterior north of a westward one.
   void add_seam() {
     int inside = inside_at_south_;
     south_.add(-180, 180, inside);
@@ -185,7 +187,8 @@ class Cutting {
     west_.add(to, from, times);
   }
 
-  // A file's own seam, drawn at another longitude.
+  // Takes out edges that lie on each other in opposite directions. They come from a file's own
+  // seam, drawn at a longitude other than the antimeridian.
   void cancel_opposite_edges() {
     const auto key = [](const DirectedEdge& edge) { return std::minmax(edge.from, edge.to); };
     std::stable_sort(edges_.begin(), edges_.end(),
@@ -221,11 +224,12 @@ class Cutting {
   bool has_bulges_ = false;
   Cover east_;  // the side of the antimeridian at 180
   Cover west_;
-  Cover north_;  // along the poles
+  Cover north_;  // along the north pole
   Cover south_;
-  std::map<double, int> crossings_;  // of the antimeridian: eastward ones less westward ones
+  std::map<double, int>
+      crossings_;  // by latitude: eastward crossings of the antimeridian minus westward ones
 
-  bool started_ = false;  // of the ring at hand
+  bool started_ = false;  // whether the ring at hand has begun
   int strip_ = 0;
   int first_strip_ = 0;
   double first_latitude_ = 0;

@@ -10,11 +10,12 @@
 namespace thiessen {
 namespace {
 
-// Of the basin's area: what rounding may leave in dispute, and what a mending may.
+// These are shares of the basin's area: the most that rounding may leave in dispute, and the most
+// that a mending may.
 constexpr double same_area = 1e-9;
 constexpr double nearly_same_area = 1e-5;
 
-/// What was mended in a basin.
+/// The counts of what was mended in a basin.
 struct Mended {
   std::size_t repeated = 0;
   std::size_t spikes = 0;
@@ -52,8 +53,8 @@ std::string sentence(const Mended& mended, const std::string& reason) {
   return text;
 }
 
-/// Adds a point to a ring that never doubles back: a point, its return and the spike between are
-/// gone.
+/// Adds a point to a ring so that the ring never doubles back: a repeated point is left out, and a
+/// spike is removed with the point that returns from it.
 void append(Ring& ring, Point point, Mended& mended) {
   if (!ring.empty() && ring.back() == point) {
     ++mended.repeated;
@@ -65,7 +66,7 @@ void append(Ring& ring, Point point, Mended& mended) {
   }
 }
 
-/// The same over the ring's seam.
+/// Removes repeated points and spikes where the ring's last points meet its first ones.
 void trim_seam(Ring& ring, Mended& mended) {
   std::size_t first = 0;
   while (ring.size() - first > 2) {

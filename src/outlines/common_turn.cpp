@@ -12,7 +12,7 @@ namespace {
 
 struct Reach {
   double west;  // in [-180, 180)
-  double east;  // at most 360 further
+  double east;  // at most 360 further east
 };
 
 Reach reach_of(const Polygon& polygon) {
@@ -29,7 +29,8 @@ void move_by(Polygon& polygon, double degrees) {
   }
 }
 
-/// The western end of what lies east of the widest gap; nothing where there is no gap.
+/// The western end of the longitudes that begin east of the widest gap; empty where there is no
+/// gap.
 std::optional<double> start_of_turn(std::vector<Reach> reaches) {
   std::sort(reaches.begin(), reaches.end(),
             [](const Reach& a, const Reach& b) { return a.west < b.west; });

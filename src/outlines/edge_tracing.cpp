@@ -17,8 +17,8 @@ constexpr double least_chord_error = 1e-6;  // finer than projections are
 constexpr double step_of_projections = 1;   // metres
 constexpr int most_rounds = 50;
 constexpr std::size_t most_chords = std::size_t{1} << 24U;
-// A straight edge past a pole turns by up to 180 degrees: its bulges are right to 1e-6 with chords
-// of 3.
+// A chord in a plane spans at most this many degrees of longitude. A straight edge past a pole
+// turns by up to 180 degrees; its bulges are right to 1e-6 with chords of 3 degrees.
 constexpr double widest_in_plane = 3;
 constexpr double widest_in_degrees = 90;
 
@@ -26,7 +26,7 @@ Point middle(Point a, Point b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
-/// The same place on the turn of the Earth on which `by` lies.
+/// The same place, on the turn of the Earth on which `by` lies.
 Point near(Point point, Point by) {
   const double turns = std::round((point.x - by.x) / 360);
   return {turns == 0 ? point.x : point.x - 360 * turns, point.y};
@@ -36,8 +36,8 @@ int turns_between(Point a, Point b) {
   return std::abs(b.x - a.x) > 180 ? -static_cast<int>(std::round((b.x - a.x) / 360)) : 0;
 }
 
-/// What the true edge through three quarter points cuts off, from the areas of two and of four
-/// chords by Richardson's rule: the error falls with the fourth power of the chord.
+/// The area between a chord and the true edge through three quarter points, from the areas of two
+/// and of four chords by Richardson's rule: the error falls with the fourth power of the chord.
 double bulge(Point a, const Point* on, Point b) {
   const double latitude = on[1].y;
   const double chord = area_under(a, b, latitude);
@@ -51,8 +51,9 @@ double distance(Point a, Point b) {
   return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// Whether a step between the points of an edge, equally far from each other in its own CRS, is so
-/// much longer than the others that the projection may be torn apart there.
+/// Whether the projection may be torn apart along an edge. The points on it are equally far from
+/// each other in its own CRS; a step between two of them that is much longer than the others tells
+/// of a tear.
 bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
   const std::array<double, 4> steps = {distance(a, on[0]), distance(on[0], on[1]),
                                        distance(on[1], on[2]), distance(on[2], b)};
@@ -63,7 +64,7 @@ bool torn(Point a, const std::array<Point, 3>& on, Point b, double least) {
 }  // namespace
 
 struct EdgeTracer::Node {
-  RingNode in;  ///< in `from`
+  RingNode in;  ///< the ring's node, in `from`
   Point seen;   ///< the same in `to`
 };
 
@@ -72,8 +73,8 @@ struct EdgeTracer::Chord {
   Point from_end;
   Point to;  ///< the same in `to`
   Point to_end;
-  std::size_t edge;  ///< which it is a part of
-  int turned = 0;    ///< turns to its end, of a longitude
+  std::size_t edge;  ///< the edge that it is a part of
+  int turned = 0;    ///< whole turns of longitude that it makes to its end
   bool settled = false;
   double bulge = 0;
 };
@@ -89,7 +90,7 @@ EdgeTracer::EdgeTracer(const Mapping& mapping, PlanePoles poles, double chord_er
   if (wraps_) poles_ = std::move(poles);
 }
 
-/// How long a unit to the east and one to the north are in metres, at a point of `to`.
+/// The lengths in metres of one unit to the east and one to the north, at a point of `to`.
 Point EdgeTracer::metres_at(Point point) const {
   if (!to_.geographic) return {to_.metres_per_unit(), to_.metres_per_unit()};
   const double north = metres_per_degree * to_.degrees_per_unit();
@@ -111,8 +112,8 @@ double EdgeTracer::metres_off(Point a, Point b, Point on) const {
   return length == 0 ? std::hypot(u, v) : std::abs(x * v - y * u) / length;
 }
 
-/// Whether the chord lies near enough to the true edge, which passes three quarter points; if so it
-/// is settled.
+/// Whether the chord lies near enough to the true edge, which passes through three quarter points;
+/// such a chord counts as settled.
 bool EdgeTracer::fits(Chord& chord, const Point* seen) const {
   std::array<Point, 3> quarters = {seen[0], seen[1], seen[2]};
   Point end = chord.to_end;
@@ -172,7 +173,8 @@ bool EdgeTracer::cut(std::vector<Chord>& chords) {
   return true;
 }
 
-/// Within a metre of a pole projections may be a step function: what is left there stays as it is.
+/// Cuts the chords until all are settled. Chords shorter than a metre that are left unsettled stay
+/// as they are, because within a metre of a pole a projection may be a step function.
 bool EdgeTracer::settle(std::vector<Chord>& chords) {
   const auto settled = [](const Chord& chord) { return chord.settled; };
   for (int round = 0; round < most_rounds && chords.size() < most_chords; ++round) {
@@ -188,14 +190,14 @@ bool EdgeTracer::settle(std::vector<Chord>& chords) {
   return false;
 }
 
-/// Whether a point of `from` lies so near a pole that the way back proves nothing.
+/// Whether a point of `from` lies so near a pole that the inverse mapping proves nothing.
 bool EdgeTracer::is_beside_pole(Point point) const {
   if (!from_.geographic) return poles_.any_within(step_of_projections, point);
   const double degrees = 90 - std::abs(point.y * from_.degrees_per_unit());
   return degrees * metres_per_degree <= step_of_projections;
 }
 
-/// Where the nodes are in `to`. False where one lies outside the projection's area.
+/// Finds the positions of the nodes in `to`. False where one lies outside the projection's area.
 bool EdgeTracer::see(std::vector<Node>& nodes) {
   std::vector<Point> seen;
   for (const Node& node : nodes) {
@@ -218,8 +220,8 @@ bool EdgeTracer::see(std::vector<Node>& nodes) {
   return true;
 }
 
-/// The closed line through the nodes. At a pole each chord has the longitude on which it gets
-/// there.
+/// The chords of the closed line through the nodes. At a pole each chord has the longitude on which
+/// it reaches the pole.
 std::optional<std::vector<EdgeTracer::Chord>> EdgeTracer::chords_between(
     const std::vector<Node>& nodes) {
   const auto seen_from = [&](const Node& node, const Node& other) {

@@ -9,7 +9,7 @@
 
 namespace thiessen {
 
-/// GEOS for one task, on one thread: it keeps what GEOS says to itself, so that nothing is printed.
+/// A GEOS context for one task on one thread. It keeps GEOS's messages, so that nothing is printed.
 class Geos {
  public:
   struct Destroy {
@@ -24,12 +24,14 @@ class Geos {
   Geos& operator=(const Geos&) = delete;
 
   GEOSContextHandle_t context() const { return context_; }
-  /// What GEOS said first: why a shape is not valid, or why it cannot answer.
+  /// The first message of GEOS: why a shape is not valid, or why GEOS cannot answer.
   const std::string& text() const { return text_; }
   Shape own(GEOSGeometry* geometry) const { return {geometry, Destroy{context_}}; }
-  /// Null where a ring has one point or two; text() then says so.
+  /// A GEOS geometry of the polygons; null where a ring has one point or two, and text() then says
+  /// so.
   Shape shape_of(const MultiPolygon& polygons) const;
-  /// Every polygon within a shape, rings without the repeated last point; none of null.
+  /// Every polygon within a GEOS geometry, with rings that do not repeat the last point; none where
+  /// it is null.
   MultiPolygon polygons_of(const GEOSGeometry* shape) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace thiessen {
 namespace {
 
-/// Takes off the last point of a closed ring, which repeats the first. False where it is open.
+/// Removes the last point of a closed ring, which repeats the first. False where the ring is open.
 bool take_off_last(Ring& ring) {
   if (ring.size() < 2 || ring.front() != ring.back()) return false;
   ring.pop_back();
@@ -43,7 +43,7 @@ std::string unwrap_longitudes(MultiPolygon& shape) {
     const std::size_t first = result.shape.size();
     std::string fault = add_polygon(std::move(rings), Longitudes::run_on, result);
     if (!fault.empty()) return fault;
-    // An open ring is for mend() to see, unless it was cut into others.
+    // An open ring stays open so that mend() notices it, unless it was cut into other rings.
     const std::span<Polygon> added = std::span(result.shape).subspan(first);
     const bool same = added.size() == 1 && added[0].holes.size() == polygon.holes.size();
     std::size_t number = 0;

@@ -21,8 +21,8 @@ double distance_from_edge(Point a, Point b, Point p) {
   return distance(p, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)});
 }
 
-/// Some projections fail at the pole itself, and not a metre beside it: the middle of two such
-/// points is the pole.
+/// The position of a pole. Some projections fail at the pole itself but not a metre beside it; then
+/// the middle of two such points on opposite meridians is the pole.
 std::optional<Point> pole_of(const Mapping& to_plane, double latitude) {
   if (const auto pole = to_plane({0, latitude})) return pole;
   const double beside = latitude * (1 - 1e-7);

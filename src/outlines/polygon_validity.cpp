@@ -9,8 +9,8 @@
 namespace thiessen {
 namespace {
 
-/// GEOS's two ways to a valid shape: `linework` is the even-odd rule for a single ring; `structure`
-/// is the union of the shells less the union of the holes.
+/// A valid shape by one of GEOS's two methods: `linework` is the even-odd rule for a single ring;
+/// `structure` is the union of the shells minus the union of the holes.
 MultiPolygon made_valid(const MultiPolygon& shape, GEOSMakeValidMethods method) {
   const Geos geos;
   const Geos::Shape geometry = geos.shape_of(shape);
@@ -24,13 +24,13 @@ MultiPolygon made_valid(const MultiPolygon& shape, GEOSMakeValidMethods method) 
   return geos.polygons_of(valid.get());
 }
 
-/// By how much rings together cover more or less than their union.
+/// The area by which rings together cover more or less than their union.
 double overlap(const MultiPolygon& rings) {
   if (rings.size() < 2 || validity_fault(rings).empty()) return 0;
   return std::abs(plane_area(made_valid(rings)) - plane_area(rings));
 }
 
-/// The area round which a ring does not go once.
+/// The area that a ring goes round some other number of times than once.
 double disputed_area(const Polygon& ring) {
   const MultiPolygon one = {ring};
   if (validity_fault(one).empty()) return 0;

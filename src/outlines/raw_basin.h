@@ -11,7 +11,7 @@ namespace thiessen {
 struct RawBasin {
   std::string id;
   std::string place;      ///< `basin 'X' (features[2].geometry)`, for messages
-  std::size_t line = 0;   ///< in a CSV, of its first feature; else 0
+  std::size_t line = 0;   ///< line of its first feature in a CSV; else 0
   MultiPolygon polygons;  ///< rings as in the file: any direction, last point repeated
 };
 

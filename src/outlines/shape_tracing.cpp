@@ -31,7 +31,7 @@ void for_each_edge(const MultiPolygon& shape, const Visit& visit) {
   }
 }
 
-/// Outer rings counter-clockwise and holes clockwise, with their bulges.
+/// Makes outer rings run counter-clockwise and holes clockwise, and turns their bulges with them.
 void direct(CurvedShape& shape) {
   std::size_t number = 0;
   for_each_ring(shape.shape, [&](Ring& ring, bool outer) {
@@ -44,8 +44,8 @@ void direct(CurvedShape& shape) {
   });
 }
 
-/// What of a shape in degrees, cut at the antimeridian, is one place of the Earth and several
-/// points.
+/// The seam of a shape in degrees that is cut at the antimeridian: whether it touches the poles and
+/// the antimeridian, where one place of the Earth is several points.
 struct Seam {
   bool south = false;
   bool north = false;
@@ -64,10 +64,11 @@ Seam seam_of(const MultiPolygon& shape) {
   return seam;
 }
 
-/// The edges of a shape cut at the antimeridian but for its seam.
+/// The edges of a shape that is cut at the antimeridian, without its seam.
 std::vector<DirectedEdge> edges_without_seam(const MultiPolygon& shape) {
   std::vector<DirectedEdge> edges;
-  std::map<double, int> northward;  // along the antimeridian: edges that begin less those that end
+  std::map<double, int> northward;  // by latitude on the antimeridian: northward edges that begin
+                                    // minus those that end
   for_each_edge(shape, [&](Point a, Point b) {
     if (a.y == b.y && std::abs(a.y) == 90) return;
     if (a.x == b.x && std::abs(a.x) == 180) {
@@ -160,8 +161,8 @@ std::optional<CurvedShape> ShapeTracer::to_degrees(const MultiPolygon& shape,
   return result;
 }
 
-/// Whether the projection reaches the poles that a shape in degrees has. Mercator's gives a finite
-/// point for them, far beyond all others.
+/// Whether the projection reaches the poles that a shape in degrees touches. Mercator's gives a
+/// finite point for a pole, far beyond all others, which does not count.
 bool ShapeTracer::reaches_poles(const MultiPolygon& shape) {
   const Seam seam = seam_of(shape);
   for (const double sign : {-1.0, 1.0}) {
@@ -190,7 +191,7 @@ std::optional<CurvedShape> ShapeTracer::joined(const MultiPolygon& shape,
   return result;
 }
 
-/// Where the target has the vertices that cutting made.
+/// The positions, in the target, of the vertices that cutting made.
 std::set<Point> ShapeTracer::cuts_of(const std::vector<DirectedEdge>& edges,
                                      const std::set<double>& own) const {
   std::vector<Point> cuts;

@@ -11,24 +11,26 @@
 
 namespace thiessen {
 
-/// Takes shapes whose edges are straight in one system of coordinates to another, wherever on the
-/// Earth they are.
+/// Maps shapes whose edges are straight in one system of coordinates to another, wherever on the
+/// Earth they lie.
 class ShapeTracer {
  public:
-  /// As EdgeTracer.
+  /// The parameters after `mapping` are those of EdgeTracer.
   ShapeTracer(std::shared_ptr<const Mapping> mapping, PlanePoles poles, double chord_error,
               Course course);
 
-  /// The shape with outer rings counter-clockwise. In degrees, polygons that hold a pole, and with
-  /// Longitudes::cut all that cross the antimeridian, are cut there; from degrees, what is cut
-  /// there is joined again, unless the projection itself is cut there. Nothing where the shape
-  /// reaches outside the projection's area: then `outside()` is where, in `from`. Requires a valid
-  /// shape with outer rings counter-clockwise. Cost: as EdgeTracer.
+  /// Traces a shape; the result's outer rings run counter-clockwise. In degrees, polygons that hold
+  /// a pole, and with Longitudes::cut all that cross the antimeridian, are cut there. From degrees,
+  /// shapes that are cut there are joined again, unless the projection itself is cut there. The
+  /// result is empty where the shape reaches outside the projection's area; `outside()` is then
+  /// where, in `from`. Requires a valid shape with outer rings counter-clockwise. Cost: as
+  /// EdgeTracer.
   std::optional<CurvedShape> trace(const MultiPolygon& shape, Longitudes longitudes);
-  /// The same of a shape that cutting gave vertices on the antimeridian: those at other latitudes
-  /// than `own` are left out where it is joined again.
+  /// Traces a shape to which cutting gave vertices on the antimeridian. Where it is joined again,
+  /// those at latitudes other than `own` are left out.
   std::optional<CurvedShape> trace_without_cuts(const MultiPolygon& shape,
                                                 const std::set<double>& own);
+  /// The point, in `from`, at which the last shape reached outside the projection's area.
   Point outside() const { return outside_; }
 
  private:
@@ -44,7 +46,7 @@ class ShapeTracer {
   EdgeTracer tracer_;
   bool from_degrees_;
   bool to_degrees_;
-  double metres_per_unit_;  ///< of what shapes are taken to
+  double metres_per_unit_;  ///< of the system to which shapes are mapped
   Point outside_;
 };
 

@@ -9,18 +9,19 @@
 
 namespace thiessen {
 
-/// How many decimals each vertex of a set of cells is written with. Cells that share a vertex write
-/// it alike, so neighbours keep sharing their edges.
+/// The number of decimals with which each vertex of a set of cells is written. Cells that share a
+/// vertex write it alike, so neighbours keep sharing their edges.
 class VertexRounding {
  public:
-  /// Begins with `decimals` and gives three more, up to all digits, to the vertices of every cell
-  /// that would collapse, turn over or cross itself. Cost: a check of validity a cell, for each
-  /// time more.
+  /// Begins with `decimals`, and gives three more, and so on up to all digits, to the vertices of
+  /// every cell that would collapse, turn over or cross itself when rounded. Cost: a check of
+  /// validity for each cell, and again each time a cell's vertices get more.
   VertexRounding(std::span<const MultiPolygon> cells, int decimals);
-  /// All digits for every vertex.
+  /// Writes every vertex with all digits.
   VertexRounding() = default;
 
-  /// `[[x,y],...]`, closed; neighbouring vertices that fall together stand once.
+  /// Appends a ring as `[[x,y],...]`, closed; neighbouring vertices that fall together are written
+  /// once.
   void append(std::string& out, const Ring& ring) const;
 
  private:
@@ -38,11 +39,11 @@ class VertexRounding {
   void append_number(std::string& out, double value, int level) const;
 
   int decimals_ = every_digit;
-  std::unordered_map<Point, int, Hash> levels_;  ///< of the vertices that need more
+  std::unordered_map<Point, int, Hash> levels_;  ///< of the vertices that need more decimals
 };
 
-/// Decimals of a degree for edges that may lie so many metres off: 7 for 0.1 m, one more for each
-/// tenth.
+/// The decimals of a degree to write for edges that may lie so many metres off: 7 for 0.1 m, and
+/// one more for each factor of ten less.
 int decimals_for(double tolerance);
 
 }  // namespace thiessen

@@ -12,8 +12,8 @@
 namespace thiessen {
 namespace {
 
-/// In degrees: rounding leaves that much of the mean latitude of a ring that is even about the
-/// equator.
+/// The mean latitude, in degrees, up to which a ring counts as even about the equator; rounding
+/// leaves that much of it.
 constexpr double no_latitude = 1e-9;
 
 bool knows_its_pole(const WindingRing& ring) {
@@ -29,7 +29,7 @@ std::string begins_and_winds(const WindingRing& ring) {
          shortest_text(ring.at(0).y) + " winds round the Earth ";
 }
 
-/// What keeps the rings from being a polygon, or nothing.
+/// The fault that keeps the rings from being a polygon; empty where there is none.
 std::string fault_of(const std::vector<WindingRing>& rings) {
   for (const WindingRing& ring : rings) {
     const int times = std::abs(ring.winding);
@@ -60,14 +60,16 @@ void find_poles(std::vector<WindingRing>& rings) {
   outer.holds_south = hole->holds_south;
 }
 
-/// A ring with points at the pole that it holds needs no seam.
+/// Leads a ring back along the pole that it holds if it has points there, because it then needs no
+/// seam.
 void lead_back(WindingRing& ring) {
   if (!winds(ring) || !lead_back_along(ring.holds_north ? 90 : -90, ring)) return;
   ring.holds_north = false;
   ring.holds_south = false;
 }
 
-/// Interior to the left of the outer ring, to the right within a hole.
+/// Directs an outer ring so that its inside lies to the left, and a hole so that its inside lies to
+/// the right.
 void direct(WindingRing& ring, bool outer) {
   if (!winds(ring) && ring.holds_south && ring.holds_north) return;
   const bool left =
@@ -101,7 +103,8 @@ double middle_longitude(const WindingRing& ring) {
   return (box.low.x + box.high.x) / 2;
 }
 
-/// The outer ring's least longitude comes into [-180, 180), and the holes into the outer ring.
+/// Moves the rings by whole turns so that the outer ring's least longitude lies in [-180, 180) and
+/// the holes lie within the outer ring.
 void place(std::vector<WindingRing>& rings) {
   const double west = box_of(unwrapped(rings.front())).low.x;
   move_by(rings.front(), -std::floor((west + 180) / 360));

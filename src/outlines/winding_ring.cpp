@@ -15,14 +15,14 @@ std::size_t next(std::size_t i, std::size_t size) {
   return i + 1 < size ? i + 1 : 0;
 }
 
-/// Whole turns from a point to the next one, the short way.
+/// Whole turns of longitude that an edge adds if it goes the short way to the next point.
 int short_step(Point a, Point b) {
   const double span = b.x - a.x;
   return std::abs(span) > 180 ? -static_cast<int>(std::round(span / 360)) : 0;
 }
 
-/// The edges of each stretch along a pole, as they follow each other round the ring: none for a
-/// point that stands there alone.
+/// The edges of each stretch along a pole, in the order in which they follow each other round the
+/// ring. A point that stands at a pole alone is no stretch.
 std::vector<std::vector<std::size_t>> polar_stretches(const Ring& ring) {
   const std::size_t size = ring.size();
   const auto along = [&](std::size_t i) { return at_one_pole(ring[i], ring[next(i, size)]); };
@@ -117,7 +117,8 @@ bool lead_back_along(double pole, WindingRing& ring) {
   if (first == size) return false;
   std::size_t last = first;
   while (at_pole(last + 1)) ++last;
-  // From where it comes to where it goes, whatever steps lie between.
+  // The new way along the pole leads straight from where the line arrives to where it leaves,
+  // whatever steps lie between.
   WindingRing result;
   result.holds_south = ring.holds_south;
   result.holds_north = ring.holds_north;
