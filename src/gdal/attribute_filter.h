@@ -10,12 +10,12 @@
 namespace thiessen {
 
 /// An OGR attribute filter (`elev > 1500 AND name LIKE 'A%'`) on the fields of a table. An empty
-/// text is NULL. Numbers compare as numbers where the field's type is one, else as text; FID is the
-/// row's line or the feature's number.
+/// text is NULL. Numbers compare as numbers where the field's type is one, otherwise as text. FID
+/// is the row's line or the feature's number.
 class AttributeFilter {
  public:
-  /// Throws Error, naming `its_setting`, where the filter is no OGR expression or names no field of
-  /// these.
+  /// Compiles the filter `where` for a table with these fields. Throws Error, naming `its_setting`,
+  /// where the filter is not an OGR expression or names a field that is not among them.
   AttributeFilter(const std::string& where, const std::string& its_setting, const std::string& file,
                   const std::vector<FieldName>& fields);
   ~AttributeFilter();

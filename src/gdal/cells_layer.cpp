@@ -90,7 +90,8 @@ GDALDriver& require_driver(const std::string& path) {
   return *driver;
 }
 
-/// The day is not the output's business: the same cells make the same bytes.
+/// Fixes the date that GDAL writes for as long as it lives, so that the same cells make the same
+/// bytes on any day.
 class FixedDate {
  public:
   FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z"); }
@@ -137,7 +138,7 @@ class LayerWriter {
     CPLStringList options;
     const std::string driver = dataset.GetDriverName();
     if (driver == "CSV") options.SetNameValue("GEOMETRY", "AS_WKT");
-    // Its index would put the cells into another order.
+    // FlatGeobuf's index would put the cells into another order.
     if (driver == "FlatGeobuf") options.SetNameValue("SPATIAL_INDEX", "NO");
     if (driver == "ESRI Shapefile") options.SetNameValue("DBF_DATE_LAST_UPDATE", "1970-01-01");
     if (driver == "ESRI Shapefile") options.SetNameValue("ENCODING", "UTF-8");
@@ -160,7 +161,7 @@ class LayerWriter {
 
   void add_field(OGRLayer& layer, const std::string& name, OGRFieldType type) const {
     OGRFieldDefn field(name.c_str(), type);
-    // Wide enough for any double's digits where a format states widths.
+    // Where a format states widths, fields must be wide enough for any double's digits.
     if (type == OFTReal && narrow_numbers()) {
       field.SetWidth(24);
       field.SetPrecision(15);

@@ -42,7 +42,8 @@ void CoordinateOperation::back_nearly(std::vector<Point>& points) const {
 
 void CoordinateOperation::back(std::vector<Point>& points) const {
   apply(points, PJ_INV);
-  // What PROJ's inverse misses at a point it misses again a little further on.
+  // PROJ's inverse misses by the same distance at a point and a little further on, so a second
+  // round trip measures the error.
   std::vector<Point> again = points;
   apply(again, PJ_FWD);
   apply(again, PJ_INV);

@@ -12,23 +12,24 @@
 
 namespace thiessen {
 
-/// Takes points from one CRS to another by one operation of PROJ's for all points, forth and back.
-/// PROJ by itself may choose another operation for each point, by the areas for which they are
-/// made; what lies on both sides of such an area's border would be torn apart by metres.
+/// Transforms points from one CRS to another, forth and back, by one operation of PROJ's for all
+/// points. PROJ by itself may choose another operation for each point, by the areas for which
+/// operations are made; shapes on both sides of such an area's border would then be torn apart by
+/// metres.
 class CoordinateOperation {
  public:
-  /// The best for the area: see choose_operation, whose errors are thrown.
+  /// The best operation for the area; choose_operation chooses it, and its errors are thrown.
   CoordinateOperation(const Crs& from, const Crs& to, const std::optional<Box>& area);
-  /// See choose_rough_operation.
+  /// The operation of choose_rough_operation; empty where there is none.
   static std::optional<CoordinateOperation> rough(const Crs& from);
 
-  /// Points that cannot be transformed become NaN.
+  /// Transforms points in place. Points that cannot be transformed become NaN.
   void forth(std::vector<Point>& points) const;
-  /// The inverse of `forth` to some nanometres: what PROJ takes for the inverse misses by up to a
-  /// millimetre where datums are shifted or a projection is a series, and is mended. Cost: thrice
-  /// that of `forth`.
+  /// Transforms points back in place: the inverse of `forth` to some nanometres. The inverse that
+  /// PROJ computes misses by up to a millimetre where datums are shifted or a projection is a
+  /// series, so it is corrected. Cost: three times that of `forth`.
   void back(std::vector<Point>& points) const;
-  /// The inverse of `forth` to millimetres.
+  /// Transforms points back in place: the inverse of `forth` to millimetres.
   void back_nearly(std::vector<Point>& points) const;
 
   const OperationChoice& choice() const { return choice_; }
@@ -40,7 +41,7 @@ class CoordinateOperation {
   OperationChoice choice_;
   ProjContext context_;
   ProjObject operation_;
-  double turn_ = 0;  ///< of the longitudes in `from`; 0 where it is projected
+  double turn_ = 0;  ///< a whole turn of longitude in units of `from`; 0 where it is projected
 };
 
 }  // namespace thiessen

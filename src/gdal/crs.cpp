@@ -32,8 +32,8 @@ bool same_system(const OGRSpatialReference& a, const OGRSpatialReference& b) {
   return a.IsSame(&b, how.data()) != 0;
 }
 
-/// A definition may tell PROJ to read a grid: by a name of PROJ's own, never from a path or a
-/// server.
+/// Whether a definition tells PROJ to read a grid from a path or a server. A grid by a name of
+/// PROJ's own is allowed.
 bool names_outside_file(const std::string& text) {
   const std::string lower = lower_case(text);
   for (const char* key : {"grids=", "parameterfile[", "+file=", "+xy_grids", "+z_grids"}) {
@@ -74,7 +74,7 @@ void require_earth(const OGRSpatialReference& system) {
   }
 }
 
-/// `otherwise`: what the CRS is called where it has neither code nor name.
+/// Makes a Crs of a system of GDAL's; `otherwise` is its name where it has neither code nor name.
 Crs define(const OGRSpatialReference& given, const std::string& otherwise) {
   auto definition = std::make_shared<Crs::Definition>();
   OGRSpatialReference& system = definition->system;
@@ -92,13 +92,13 @@ Crs define(const OGRSpatialReference& given, const std::string& otherwise) {
   definition->unit = definition->geographic
                          ? system.GetAngularUnits(nullptr) * 180 / std::numbers::pi
                          : system.GetLinearUnits(nullptr);
-  // pi/180 as definitions round it is the degree.
+  // Definitions round pi/180; such a unit is the degree.
   if (std::abs(definition->unit - 1) < 1e-9) definition->unit = 1;
   OGRSpatialReference wgs84;
   wgs84.importFromEPSG(4326);
   definition->is_wgs84 = same_system(system, wgs84);
   if (definition->is_wgs84) {
-    // One definition for all its names, or PROJ may choose another shift of datum for each.
+    // All names of WGS 84 get one definition, or PROJ might choose another shift of datum for each.
     system = wgs84;
     system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     definition->wkt = wkt_of(system);

@@ -18,32 +18,34 @@ namespace thiessen {
 /// order its authority states. Copies are cheap and share the definition.
 class Crs {
  public:
-  /// From `EPSG:32633` or another authority's code, WKT or PROJ. Opens no file and no connection.
-  /// Throws Error, naming `subject`, where the text is none of these, is longer than 64 KiB, is
-  /// unknown, is a pipeline, is of another body than the Earth, or is neither geographic nor
-  /// projected.
+  /// Reads a CRS from `EPSG:32633` or another authority's code, from WKT or from PROJ's notation.
+  /// Opens no file and no connection. Throws Error, naming `subject`, where the text is none of
+  /// these, is longer than 64 KiB, is unknown, is a pipeline, is of another body than the Earth, or
+  /// is neither geographic nor projected.
   static Crs from_text(std::string_view text, const Wording& subject);
   static Crs wgs84();
 
-  /// WKT 2 (2019).
+  /// The definition as WKT 2 (2019).
   const std::string& wkt() const;
-  /// `EPSG:32633`, or the CRS's name where it has no code; for messages.
+  /// The name for messages: `EPSG:32633`, or the CRS's own name where it has no code.
   const std::string& name() const;
-  /// What its coordinates count.
+  /// The kind of its coordinates: degrees or lengths, and their unit.
   CoordinateKind kind() const;
-  /// Longitude and latitude in degrees, and not easting and northing.
+  /// Whether it is geographic: its coordinates are longitude and latitude, rather than easting and
+  /// northing.
   bool geographic() const;
-  /// WGS 84 longitude and latitude in degrees.
+  /// Whether it is WGS 84 longitude and latitude in degrees.
   bool is_wgs84() const;
-  /// How many degrees the unit of a geographic CRS holds; 0 for a projected one.
+  /// Degrees in the unit of a geographic CRS; 0 for a projected one.
   double degrees_per_unit() const;
-  /// How long the unit of a projected CRS is in metres; 0 for a geographic one.
+  /// Metres in the unit of a projected CRS; 0 for a geographic one.
   double metres_per_unit() const;
-  /// The same CRS, used in this area: degrees of WGS 84, east possibly beyond 180. The operation
-  /// between its datum and another's is then the one for this area.
+  /// The same CRS for use in an area, given in degrees of WGS 84, whose east may lie beyond 180.
+  /// The operation between its datum and another's is then the one for this area.
   Crs over(const Box& area) const;
   const std::optional<Box>& area() const { return area_; }
-  /// Whether both place the same coordinates at the same points; names and axis order do not count.
+  /// Whether both CRSs place the same coordinates at the same points; names and axis order do not
+  /// count.
   bool same_as(const Crs& other) const;
 
   struct Definition;

@@ -60,12 +60,12 @@ CPLHTTPResult* refuse_to_fetch(const char*, CSLConstList, GDALProgressFunc, void
 }
 
 void set_options() {
-  // Spreadsheet cells come as their text, under the names in the first row.
+  // Cells of spreadsheets are read as their text, under the names in the first row.
   for (const char* sheet : {"XLSX", "ODS", "XLS"}) {
     CPLSetConfigOption(("OGR_" + std::string(sheet) + "_HEADERS").c_str(), "FORCE");
     CPLSetConfigOption(("OGR_" + std::string(sheet) + "_FIELD_TYPES").c_str(), "STRING");
   }
-  CPLSetConfigOption("OGR_ARC_STEPSIZE", "0.1");  // degrees: a circle's area to 5e-7
+  CPLSetConfigOption("OGR_ARC_STEPSIZE", "0.1");  // degrees; a circle's area is then right to 5e-7
   CPLSetConfigOption("GDAL_CONFIG_FILE", "/dev/null");
   CPLSetConfigOption("GDAL_DISABLE_READDIR_ON_OPEN", "YES");
   CPLSetConfigOption("OGR_SQLITE_LIST_VIRTUAL_OGR", "NO");

@@ -2,10 +2,10 @@
 
 namespace thiessen {
 
-/// Starts GDAL, once: only the drivers of the contract (GeoJSON, GeoPackage, Shapefile, FlatGeobuf,
-/// KML, spreadsheets, PostGIS), nothing fetched over a network, and no effect of the user's
-/// environment (variables of GDAL's and PROJ's own options are removed from it). Call it before
-/// threads start.
+/// Starts GDAL, once, with only the drivers that are promised (GeoJSON, GeoPackage, Shapefile,
+/// FlatGeobuf, KML, spreadsheets, PostGIS). Nothing is fetched over a network, and the user's
+/// environment has no effect, because variables of GDAL's and PROJ's own options are removed from
+/// it. Call it before threads start, since the environment is changed.
 void start_gdal();
 
 }  // namespace thiessen

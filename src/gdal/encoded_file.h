@@ -4,7 +4,7 @@
 
 namespace thiessen {
 
-/// A file as it is to lie on disk.
+/// A file as it is to be written to disk.
 struct EncodedFile {
   std::string name;  ///< its path: as asked for, or a side file's beside it
   std::string bytes;

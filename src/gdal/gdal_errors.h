@@ -5,7 +5,7 @@
 
 namespace thiessen {
 
-/// Keeps GDAL's messages to itself for as long as it lives, on this thread: nothing is printed.
+/// Catches GDAL's messages on this thread for as long as it lives, so that nothing is printed.
 class GdalErrors {
  public:
   GdalErrors();
@@ -14,11 +14,12 @@ class GdalErrors {
   GdalErrors& operator=(const GdalErrors&) = delete;
 
   bool failed() const { return failed_; }
-  /// The first error, else the first warning; on one line, without a full stop.
+  /// The first error, or the first warning where there is no error; on one line, without a full
+  /// stop.
   std::string text() const;
   const std::string& first_warning() const { return warning_; }
   void clear();
-  /// Called by GDAL.
+  /// Takes a message; GDAL calls it.
   void hear(bool error, const char* message);
 
  private:

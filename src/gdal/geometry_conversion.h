@@ -9,13 +9,13 @@
 
 namespace thiessen {
 
-/// The record of a geometry of GDAL's; curves are made straight lines.
+/// The record of a geometry of GDAL's; curves become straight lines.
 GeometryRecord record_of(const OGRGeometry* geometry);
 
-/// The same shape as GDAL has it; rings are closed.
+/// A shape as a geometry of GDAL's, with closed rings.
 std::unique_ptr<OGRMultiPolygon> ogr_shape(const MultiPolygon& shape);
 
-/// Every polygon within a geometry of GDAL's, with closed rings opened.
+/// Every polygon within a geometry of GDAL's, as rings that do not repeat the last point.
 MultiPolygon polygons_of(const OGRGeometry& geometry);
 
 }  // namespace thiessen

@@ -28,7 +28,8 @@ FieldType type_of(OGRFieldType type) {
   return type == OFTReal ? FieldType::real : FieldType::text;
 }
 
-/// GDAL parts a date's numbers by slashes: 2013/09/11 becomes 2013-09-11, as ISO 8601 has it.
+/// The date in the form of ISO 8601: GDAL separates its numbers by slashes, so 2013/09/11 becomes
+/// 2013-09-11.
 std::string iso_date(std::string text) {
   std::replace(text.begin(), text.begin() + std::min<std::ptrdiff_t>(10, std::ssize(text)), '/',
                '-');
@@ -65,7 +66,7 @@ using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 Dataset open(const std::string& file, const Opening& opening) {
   std::vector<const char*> drivers = opening.drivers;
   drivers.push_back(nullptr);
-  // Dates in GeoJSON are texts; GDAL would write them anew.
+  // Dates in GeoJSON are texts and must stay as written; GDAL would reformat them.
   static constexpr const char* options[] = {"DATE_AS_STRING=YES", nullptr};
   const bool geojson = opening.drivers.front() == std::string_view("GeoJSON");
   const GdalErrors errors;
@@ -88,7 +89,7 @@ std::string names_of(const std::vector<OGRLayer*>& layers) {
                             : names;
 }
 
-/// Sheets without a cell and folders without a placemark do not count.
+/// The layers of a dataset. Sheets without a cell and folders without a placemark do not count.
 std::vector<OGRLayer*> layers_of(GDALDataset& dataset) {
   std::vector<OGRLayer*> layers;
   for (OGRLayer* layer : dataset.GetLayers()) {
@@ -119,7 +120,8 @@ OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::strin
   return layers[0];
 }
 
-/// GDAL takes WGS 84 where it does not know the name, without a word.
+/// The CRS that a GeoJSON file names. It is read here because GDAL silently takes WGS 84 where it
+/// does not know the name.
 std::optional<Crs> crs_of(const std::string& file, const GeoJsonFindings& findings) {
   if (findings.crs == CrsMember::other) {
     throw Error(Message{file, 0, "its crs member is neither a name nor a link", {}});

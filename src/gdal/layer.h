@@ -14,12 +14,12 @@ namespace thiessen {
 
 /// A layer of a vector file, or a sheet of a spreadsheet, that GDAL reads: its fields as text, and
 /// the geometry of each row. Ids and numbers come as written: text stays text (leading zeros,
-/// dates), and a double prints in the shortest digits that read back to it.
+/// dates), and a double is printed in the shortest digits that read back to it.
 class Layer : public Table {
  public:
-  /// `layer` may be empty where the file has one layer; several and none named is an Error that
-  /// lists them and names `layer_setting`. Throws Error where the file cannot be opened by one of
-  /// the drivers of drivers.h, or is not whole.
+  /// Opens a layer of a file. `layer` may be empty where the file has one layer; if it has several,
+  /// an Error lists them and names `layer_setting`. Throws Error where the file cannot be opened by
+  /// one of the drivers of drivers.h, or is not whole.
   Layer(std::string file, const std::string& layer, const std::string& layer_setting);
   ~Layer() override;
 
@@ -27,18 +27,20 @@ class Layer : public Table {
   const std::vector<std::string>& header() const override;
   bool next(Row& row) override;
 
-  /// In the order of the header.
+  /// The types of the fields, in the order of the header.
   const std::vector<FieldType>& types() const;
   bool has_geometry() const;
-  /// Of the row last read.
+  /// The geometry of the row that was read last.
   const GeometryRecord& geometry() const;
-  /// The CRS that the file names. Throws Error where it is not one of the Earth.
+  /// The CRS that the file names; empty where it names none. Throws Error where it is not one of
+  /// the Earth.
   std::optional<Crs> crs() const;
-  /// GeoJSON without a `crs` member: WGS 84 by RFC 7946, and crs() is nothing.
+  /// Whether the file is GeoJSON without a `crs` member that can be used: it is then in WGS 84 by
+  /// RFC 7946, and crs() is empty.
   bool crs_implied() const;
-  /// GeoJSON, whose features are named by their path.
+  /// Whether the file is GeoJSON, whose features are named by their path in messages.
   bool is_geojson() const;
-  /// What was odd about the file: a `crs` link that was not followed.
+  /// What is odd about the file: a `crs` link that was not followed.
   const std::vector<std::string>& oddities() const;
 
   struct Opened;

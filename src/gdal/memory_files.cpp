@@ -15,7 +15,7 @@
 namespace thiessen {
 namespace {
 
-// GDAL never sees the user's name, which may hold anything.
+// GDAL is given this name rather than the user's, which may hold any characters.
 constexpr const char* stem = "cells";
 
 std::size_t name_begins(const std::string& path) {
@@ -23,7 +23,7 @@ std::size_t name_begins(const std::string& path) {
   return slash == std::string::npos ? 0 : slash + 1;
 }
 
-/// The extension with its dot; `.shp.zip` is one.
+/// The extension with its dot; `.shp.zip` counts as one.
 std::string extension_of(const std::string& path) {
   const std::string name = path.substr(name_begins(path));
   if (name.ends_with(".shp.zip")) return ".shp.zip";

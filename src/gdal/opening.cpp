@@ -50,7 +50,8 @@ const std::vector<Format>& formats() {
   throw Error(Message{file, 0, std::move(text), std::move(hint)});
 }
 
-/// `WFS:`, `http:` and the like, but not the letter of a drive.
+/// Whether a file's name looks like a connection: `WFS:`, `http:` and the like, but not the letter
+/// of a drive.
 bool looks_like_connection(std::string_view file) {
   const std::size_t colon = file.find(':');
   if (colon == std::string_view::npos || colon < 2) return false;
@@ -79,7 +80,8 @@ bool regular(const std::string& file) {
   return stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
 
-/// Archives may nest, but within them nothing but local files.
+/// Requires a file in an archive of this machine. Archives may nest, but within them only local
+/// files are read.
 void require_local_archive(const std::string& file) {
   constexpr std::array<std::string_view, 3> archives = {"/vsizip/", "/vsigzip/", "/vsitar/"};
   std::string_view rest = file;

@@ -5,18 +5,20 @@
 
 namespace thiessen {
 
-/// Which of GDAL's drivers may read a file, and under which name GDAL must be given it.
+/// Which of GDAL's drivers may read a file, and the name under which GDAL must be given it.
 struct Opening {
-  std::vector<const char*> drivers;  ///< none: a CSV, for all that is known
-  std::string name;                  ///< that GDAL cannot take for a connection
+  std::vector<const char*> drivers;  ///< empty where the file seems to be a CSV
+  std::string name;                  ///< in a form that GDAL cannot take for a connection
 };
 
-/// By the extension, or by the first bytes where that says nothing. Throws Error as read_by_gdal.
+/// Finds out how a file is to be opened: by its extension, or by its first bytes where the
+/// extension is not known. Throws Error as read_by_gdal does.
 Opening find_opening(const std::string& file);
 
-/// Whether `file` is for GDAL and not a CSV: by its extension, `PG:`, an archive's path, or what
-/// its first bytes say. Throws Error for what no command reads: a folder, a missing file, a URL, a
-/// connection other than PG:, a virtual file other than of a local archive, JSON as an argument.
+/// Whether `file` is read by GDAL rather than as a CSV: by its extension, `PG:`, an archive's path,
+/// or its first bytes. Throws Error for files that no command reads: a folder, a missing file, a
+/// URL, a connection other than PG:, a virtual file other than of a local archive, JSON as an
+/// argument.
 bool read_by_gdal(const std::string& file);
 
 }  // namespace thiessen

@@ -13,12 +13,12 @@
 namespace thiessen {
 namespace {
 
-/// What PROJ may choose from.
+/// The limits within which PROJ may choose.
 struct Allowed {
   std::optional<Box> area = {};
-  bool all_grids = false;  ///< also with grids that are not there
-  bool ballpark = false;   ///< also longitudes and latitudes as they are
-  bool grids = true;       ///< also operations that work no farther than a grid
+  bool all_grids = false;  ///< also operations with grids that are not installed
+  bool ballpark = false;   ///< also leaving longitudes and latitudes as they are
+  bool grids = true;       ///< also operations that work only as far as a grid
 };
 
 /// Chooses among PROJ's operations between two CRSs.
@@ -30,11 +30,11 @@ class Chooser {
         to_(proj_create(context_.get(), to.wkt().c_str())),
         to_degrees_(to.is_wgs84()) {}
 
-  /// `reach`: the operation has to work there.
+  /// The best operation that works in all of `reach`; empty where there is none.
   std::optional<OperationChoice> best(const Allowed& allowed,
                                       const std::optional<Box>& reach) const;
-  /// The first grid that is not there of the best operation that needs one and is more accurate
-  /// than this; empty: none.
+  /// The first grid that is not installed of the best operation that needs one and is more accurate
+  /// than `accuracy` metres; empty where there is none.
   std::string missing_grid(const std::optional<Box>& area, double accuracy) const;
 
  private:
@@ -48,7 +48,8 @@ class Chooser {
   bool to_degrees_;
 };
 
-/// Best first: those whose area of use holds most of the area, and of these the most accurate.
+/// The operations, best first: those whose area of use holds most of the area, and among these the
+/// most accurate.
 ProjList Chooser::candidates(const Allowed& allowed) const {
   PJ_CONTEXT* context = context_.get();
   const ProjFactory factory(proj_create_operation_factory_context(context, nullptr));
@@ -82,7 +83,7 @@ std::optional<OperationChoice> Chooser::best(const Allowed& allowed,
     const char* steps = proj_as_proj_string(context_.get(), usual.get(), PJ_PROJ_5, nullptr);
     if (steps == nullptr) continue;
     OperationChoice choice{steps, proj_get_name(chosen.get()), {}, {}};
-    // Where a grid is not there nothing comes of the text.
+    // Where a grid is not installed, PROJ makes no operation of the text.
     const ProjObject operation(proj_create(context_.get(), choice.steps.c_str()));
     if (!operation || !serves(operation.get(), reach)) continue;
     const double accuracy = proj_coordoperation_get_accuracy(context_.get(), chosen.get());
@@ -92,7 +93,8 @@ std::optional<OperationChoice> Chooser::best(const Allowed& allowed,
   return std::nullopt;
 }
 
-/// The corners of the area go to and fro: its grids, if any, reach so far.
+/// Whether the operation works in all of the area: its corners are transformed there and back,
+/// which fails where a grid does not reach so far.
 bool Chooser::serves(PJ* operation, const std::optional<Box>& area) const {
   if (!area || !to_degrees_) return true;
   for (const double x : {area->low.x, area->high.x}) {

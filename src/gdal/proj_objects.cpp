@@ -9,7 +9,7 @@
 namespace thiessen {
 namespace {
 
-/// The folders in which PROJ looks, as far as the environment names them.
+/// The folders that PROJ searches, for a message, as far as the environment names them.
 std::string searched_folders() {
   for (const char* name : {"PROJ_DATA", "PROJ_LIB"}) {
     const char* value = std::getenv(name);

@@ -20,11 +20,11 @@ using ProjObject = std::unique_ptr<PJ, DestroyProj>;
 using ProjList = std::unique_ptr<PJ_OBJ_LIST, DestroyProj>;
 using ProjFactory = std::unique_ptr<PJ_OPERATION_FACTORY_CONTEXT, DestroyProj>;
 
-/// A context that prints nothing and fetches nothing, whatever PROJ's own settings say.
+/// A PROJ context that prints nothing and fetches nothing, whatever PROJ's own settings say.
 ProjContext quiet_context();
 
-/// Throws Error where PROJ's database is missing or cannot be read, naming it. Cost: a few
-/// milliseconds, once.
+/// Requires PROJ's database. Throws Error where it is missing or cannot be read, naming it. Cost: a
+/// few milliseconds, once.
 void require_proj_database();
 
 }  // namespace thiessen

@@ -27,7 +27,8 @@ class GeoTiffWriter {
     GDALRegister_GTiff();
   }
 
-  // Left half written, it would be filled with empty tiles first.
+  // A file left half written is not completed on closing, because GDAL would first fill it with
+  // empty tiles.
   ~GeoTiffWriter() {
     if (dataset_) dataset_->MarkSuppressOnClose();
   }
@@ -51,7 +52,7 @@ class GeoTiffWriter {
     return *dataset_->GetRasterBand(1);
   }
 
-  /// A row of tiles at a time: `pixels(owners)` are those of these owners.
+  /// Writes a row of tiles at a time; `pixels(owners)` gives the pixels' values for their owners.
   template <typename Pixels>
   void write(GDALRasterBand& band, GDALDataType type, const OwnerRows& owners, Pixels&& pixels) {
     int tile_columns = 0;
@@ -65,10 +66,10 @@ class GeoTiffWriter {
         throw std::logic_error("the pixels do not fill their rows");
       }
       const void* first = pixels(some);
-      // GDAL reads from the buffer, but asks for one that it may write.
+      // GDAL only reads from the buffer, but its interface asks for one that may be written to.
       check(band.RasterIO(GF_Write, 0, row, grid_.columns, rows, const_cast<void*>(first),
                           grid_.columns, rows, type, 0, 0, nullptr) == CE_None);
-      // Or GDAL would hold the tiles, up to a twentieth of the machine's memory.
+      // Without this, GDAL would hold the tiles, up to a twentieth of the machine's memory.
       check(band.FlushCache(false) == CE_None);
     }
   }

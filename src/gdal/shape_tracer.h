@@ -5,8 +5,8 @@
 
 namespace thiessen {
 
-/// What takes shapes whose edges are straight in one CRS to another: see ShapeTracer. Throws Error
-/// where no transformation of datum is known, naming both.
+/// Makes the ShapeTracer that maps shapes whose edges are straight in one CRS to another. Throws
+/// Error where no transformation of datum is known, naming both CRSs.
 ShapeTracer tracer_between(const Crs& from, const Crs& to, double chord_error, Course course);
 
 }  // namespace thiessen

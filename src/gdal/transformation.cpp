@@ -14,7 +14,7 @@ namespace {
 constexpr double metres_missed_at_most = 0.1;
 constexpr double metres_per_degree = 111320;
 
-/// How far b lies from a, in metres or nearly so; coordinates in `crs`.
+/// The distance from a to b in metres, or nearly so; coordinates are those of `crs`.
 double metres_apart(const Crs& crs, Point a, Point b) {
   if (!crs.geographic()) return std::hypot(b.x - a.x, b.y - a.y) * crs.metres_per_unit();
   const double degrees = crs.degrees_per_unit();
@@ -23,14 +23,15 @@ double metres_apart(const Crs& crs, Point a, Point b) {
   return std::hypot(east, (b.y - a.y) * degrees) * metres_per_degree;
 }
 
-/// Where a CRS is meant to be used, as its authority states it, in degrees.
+/// The area, in degrees, for which a CRS is meant, as its authority states it.
 struct AreaOfUse {
   double west = -180;
   double south = -90;
   double east = 180;
   double north = 90;
 
-  /// Neighbouring zones are often drawn in one; the other side of the Earth never is.
+  /// Whether a point lies within the area or 20 degrees of it: neighbouring zones are often drawn
+  /// in one, but the other side of the Earth never is.
   bool reaches(Point at) const {
     constexpr double margin = 20;
     const double width = west <= east ? east - west : east - west + 360;
@@ -59,7 +60,8 @@ struct Transformation::Proj {
   Crs to;
   std::optional<CoordinateOperation> operation;
   bool reversed = false;
-  std::optional<CoordinateOperation> degrees;  ///< of `from`, where WGS 84 is on neither side
+  std::optional<CoordinateOperation>
+      degrees;  ///< from `from` to degrees, where WGS 84 is on neither side
   AreaOfUse from_area;
   AreaOfUse to_area;
 
@@ -70,7 +72,7 @@ struct Transformation::Proj {
       operation->forth(points);
     }
   }
-  /// The way back, for a proof.
+  /// Transforms the points back, for the proof.
   void return_nearly(std::vector<Point>& points) const {
     if (reversed) {
       operation->forth(points);
@@ -78,7 +80,8 @@ struct Transformation::Proj {
       operation->back_nearly(points);
     }
   }
-  /// Longitudes and latitudes of `here`, which are `there` in `to`; none where they are not known.
+  /// Longitudes and latitudes of the points `here`, which are `there` in `to`; empty where they are
+  /// not known.
   std::vector<Point> degrees_of(const std::vector<Point>& here,
                                 const std::vector<Point>& there) const {
     if (from.is_wgs84()) return here;
@@ -94,7 +97,8 @@ struct Transformation::Proj {
 Transformation::Transformation(const Crs& from, const Crs& to)
     : proj_(std::make_unique<Proj>(Proj{from, to, {}, false, {}, {}, {}})) {
   if (from.same_as(to)) return;
-  // Both ways are one operation: PROJ is asked for the one to WGS 84, or else always for the same.
+  // Both directions must use one operation. PROJ is asked for the one to WGS 84, or where neither
+  // side is WGS 84 always for the same of the two.
   proj_->reversed = from.is_wgs84() || (!to.is_wgs84() && to.wkt() < from.wkt());
   const std::optional<Box>& area = from.area() ? from.area() : to.area();
   proj_->operation.emplace(proj_->reversed ? to : from, proj_->reversed ? from : to, area);

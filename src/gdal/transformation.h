@@ -12,13 +12,14 @@ namespace thiessen {
 
 /// Takes points from one CRS to another, vertex by vertex, by one operation for all (see
 /// CoordinateOperation): the best for the area over which either CRS is used.
-/// Every answer is proved: a point lies outside the projection's area where the way back misses it
-/// by more than 0.1 m (within the area it misses by less than 1 mm), or where it is further than 20
-/// degrees from the area for which the CRS is made: projections give finite nonsense there. Not
-/// safe for two threads at once.
+///
+/// Every answer is proved, because projections give finite nonsense outside their area. A point
+/// lies outside the projection's area where the inverse misses it by more than 0.1 m (within the
+/// area it misses by less than 1 mm), or where it is farther than 20 degrees from the area for
+/// which the CRS is made. Not safe for two threads at once.
 class Transformation : public Mapping {
  public:
-  /// Throws Error where no transformation of datum is known, naming both.
+  /// Throws Error where no transformation of datum is known, naming both CRSs.
   Transformation(const Crs& from, const Crs& to);
   ~Transformation() override;
   Transformation(Transformation&&) noexcept;
@@ -26,11 +27,12 @@ class Transformation : public Mapping {
 
   CoordinateKind from() const override;
   CoordinateKind to() const override;
-  /// The same CRS on both sides.
+  /// Whether both sides are the same CRS.
   bool identity() const override;
-  /// Cost: up to four projections a point.
+  /// Transforms all points in place, with proof. Cost: up to four projections a point.
   std::vector<bool> apply(std::vector<Point>& points) const override;
-  /// Cost: a projection a point; there is no way back.
+  /// Transforms all points in place without proof. Cost: one projection a point, because the
+  /// inverse is not computed.
   void apply_unproved(std::vector<Point>& points) const override;
   /// By which operation the points go; null for the same CRS on both sides.
   const OperationChoice* choice() const;

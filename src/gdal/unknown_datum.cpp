@@ -20,7 +20,7 @@ bool may_stay(const Crs& crs) {
   return on_sphere(crs) || on_modern_ellipsoid(crs);
 }
 
-/// `+ellps=bessel`, EPSG:4004 and the like name an ellipsoid, and no datum.
+/// Whether a CRS names an ellipsoid but no datum, as `+ellps=bessel` and EPSG:4004 do.
 bool unnamed_datum(const Crs& crs) {
   const char* name = crs.definition().system.GetAttrValue("DATUM");
   const std::string lower = name == nullptr ? "" : lower_case(name);

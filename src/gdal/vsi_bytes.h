@@ -7,11 +7,11 @@
 
 namespace thiessen {
 
-/// The bytes of a file as GDAL names it, which may stand in an archive.
+/// The bytes of a file under the name that GDAL gives it; the file may stand in an archive.
 class VsiBytes final : public ByteSource {
  public:
-  /// `name` is the file as GDAL is given it, `file` as messages name it. Throws Error where it
-  /// cannot be opened.
+  /// Opens a file. `name` is the file as GDAL is given it, `file` as messages name it. Throws Error
+  /// where it cannot be opened.
   VsiBytes(const std::string& file, const std::string& name);
   ~VsiBytes() override;
   VsiBytes(const VsiBytes&) = delete;

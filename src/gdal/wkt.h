@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// The record of a WKT text; nothing where it is none.
+/// The geometry record of a WKT text; empty where the text is not WKT.
 std::optional<GeometryRecord> record_of_wkt(const std::string& wkt);
 
 }  // namespace thiessen
