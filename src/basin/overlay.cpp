@@ -121,7 +121,7 @@ Overlay::Presence Overlay::presence_at_start() const {
   for (std::size_t e = 0; e < edges_.size(); ++e) longest += rounding * length(e);
   Presence change_since_start;
   std::optional<PlaceIndex> start;
-  double way = 0;  // of the last crossing
+  double way = 0;  // along the ring to the last crossing
   double way_to_edge = 0;
   std::size_t edge = 0;
   const auto end_stretch = [&](double end) {

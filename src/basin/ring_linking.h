@@ -6,6 +6,7 @@
 
 namespace thiessen {
 
+/// A directed straight edge of a boundary.
 struct DirectedEdge {
   Point from;
   Point to;

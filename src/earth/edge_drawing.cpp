@@ -61,7 +61,7 @@ double size_of(const Box& frame) {
 }  // namespace
 
 bool may_come_near(const Box& frame, Point centre, double radius) {
-  const double stretch = 1.01;  // of latitudes from the sphere to the ellipsoid
+  const double stretch = 1.01;  // more than latitudes stretch from the sphere to the ellipsoid
   const double south = centre.y - stretch * radius;
   const double north = centre.y + stretch * radius;
   if (south > frame.high.y || north < frame.low.y) return false;

@@ -15,7 +15,7 @@ namespace thiessen {
 
 /// The far side of a network that is small against the Earth: the surroundings of its antipode.
 /// Distances to its places hardly differ there, their shortest paths come from all sides, and
-/// Newton's method does not converge. The cells of the outermost places meet there in a tree of
+/// Newton's method may fail to converge. The cells of the outermost places meet there in a tree of
 /// edges, which differs from the sphere's: along the cut locus, 130 km from end to end at the
 /// equator, paths from the north and from the south are equally long. The tree is found by cutting
 /// ears: of three cells side by side the middle one ends where its two edges meet, if no other

@@ -31,7 +31,7 @@ class GnomonicChart {
   Direction centre_;
   Direction east_;
   Direction north_;
-  double square_sine_;  // of the centre's conformal latitude
+  double square_sine_;  // square of the sine of the centre's conformal latitude
   // These are the coefficients of the square of the sphere's scale, in powers of the difference
   // between the square of the sine of the conformal latitude and its value at the centre.
   double scale_;

@@ -74,7 +74,7 @@ class SphereTessellation {
   PlaceIndex pole_;
   StereographicChart chart_;
   Tessellation<2> tessellation_;
-  std::vector<PlaceIndex> place_of_;  // by point; the pole for the infinite one
+  std::vector<PlaceIndex> place_of_;  // by point; the infinite point stands for the pole
   std::vector<PlaceIndex> cell_of_;
   std::vector<std::vector<PlaceIndex>> neighbours_;
 };

@@ -67,8 +67,8 @@ Seam seam_of(const MultiPolygon& shape) {
 /// The edges of a shape that is cut at the antimeridian, without its seam.
 std::vector<DirectedEdge> edges_without_seam(const MultiPolygon& shape) {
   std::vector<DirectedEdge> edges;
-  std::map<double, int> northward;  // by latitude on the antimeridian: northward edges that begin
-                                    // minus those that end
+  // By latitude on the antimeridian: northward edges that begin there minus those that end there.
+  std::map<double, int> northward;
   for_each_edge(shape, [&](Point a, Point b) {
     if (a.y == b.y && std::abs(a.y) == 90) return;
     if (a.x == b.x && std::abs(a.x) == 180) {
