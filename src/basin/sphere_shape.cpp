@@ -57,8 +57,8 @@ class SphereShape::Simplifying {
   struct RunPoint {
     Direction direction;
     Point in_chart;
-    double
-        area;  ///< between the chart's centre and the true edge, from the run's beginning to here
+    /// From the chart's centre to the true edge, from the beginning of the run to this point.
+    double area;
   };
 
   static double to_right(Point from, Point to, Point p) {

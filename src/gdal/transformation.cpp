@@ -60,8 +60,7 @@ struct Transformation::Proj {
   Crs to;
   std::optional<CoordinateOperation> operation;
   bool reversed = false;
-  std::optional<CoordinateOperation>
-      degrees;  ///< from `from` to degrees, where WGS 84 is on neither side
+  std::optional<CoordinateOperation> degrees;  ///< from `from`, if neither side is WGS 84
   AreaOfUse from_area;
   AreaOfUse to_area;
 

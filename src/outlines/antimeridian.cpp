@@ -226,8 +226,7 @@ class Cutting {
   Cover west_;
   Cover north_;  // along the north pole
   Cover south_;
-  std::map<double, int>
-      crossings_;  // by latitude: eastward crossings of the antimeridian minus westward ones
+  std::map<double, int> crossings_;  // by latitude: eastward ones minus westward ones
 
   bool started_ = false;  // whether the ring at hand has begun
   int strip_ = 0;
