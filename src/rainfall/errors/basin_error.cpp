@@ -7,10 +7,10 @@
 namespace thiessen {
 namespace {
 
-/// Of the mean distance of two points in a square, in its side (E. Borel, 1924).
+/// The mean distance between two points of a square, as a share of its side (E. Borel, 1924).
 constexpr double mean_distance_in_square = 0.521405433164721;
 
-/// A few thousand gauges that come to weigh now and then are remembered.
+/// How many gauges are remembered that weigh only where others are silent: this bounds the memory.
 constexpr std::size_t remembered = 4096;
 
 }  // namespace

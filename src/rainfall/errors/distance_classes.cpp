@@ -23,8 +23,8 @@ struct Pair {
   bool counts = false;
 };
 
-/// A gauge's readings less their mean, over their standard deviation; empty where they are too few
-/// or all the same.
+/// A gauge's readings less their mean, divided by their standard deviation. Empty where the gauge
+/// has too few readings or all are the same.
 std::vector<float> standardised(const StepSample& sample, std::size_t site) {
   double sum = 0;
   std::size_t count = 0;
@@ -65,7 +65,7 @@ void measure(std::span<const float> a, std::span<const float> b, Pair& pair) {
       sums[k] = counts[k] = 0;
     }
   };
-  constexpr std::size_t run = 64;  // so that floats add up few
+  constexpr std::size_t run = 64;  // short, for sums of floats lose digits as they grow
   for (std::size_t begin = 0; begin < a.size(); begin += run) {
     const std::size_t end = std::min(a.size(), begin + run);
     std::size_t t = begin;
@@ -89,7 +89,7 @@ void measure(std::span<const float> a, std::span<const float> b, Pair& pair) {
   pair.semivariance = sum / (2 * count);
 }
 
-/// 1, 2, 3, 4, 6, 8, 12 ...
+/// How far apart along the order of gauges pairs are taken: 1, 2, 3, 4, 6, 8, 12 ...
 std::vector<std::size_t> spread_lags(std::size_t gauges) {
   std::vector<std::size_t> lags;
   for (std::size_t lag = 1; lag < gauges; lag *= 2) {
@@ -126,8 +126,9 @@ std::vector<DistanceClass> classes_of(const std::vector<Pair>& pairs, const Site
     double semivariance = 0;
     double pairs = 0;
   };
-  // By their share of the longest, so that the unit does not show; in halves of classes, so that
-  // rounding does not on lattices.
+  // Classes are counted from the longest distance, so that the unit does not matter. The longest
+  // distance lies in the middle of a class, so that on a lattice of gauges rounding does not part
+  // equal distances.
   double longest = 0;
   for (const Pair& pair : pairs) {
     if (pair.counts) longest = std::max(longest, square_distance(sites[pair.a], sites[pair.b]));
@@ -137,7 +138,7 @@ std::vector<DistanceClass> classes_of(const std::vector<Pair>& pairs, const Site
   for (const Pair& pair : pairs) {
     if (!pair.counts) continue;
     const double distance = std::sqrt(square_distance(sites[pair.a], sites[pair.b]));
-    // Two places that space cannot tell apart are in a class below all others.
+    // Two places may have the same point in space; such pairs form a class below all others.
     const double octave = distance > 0 ? std::log2(distance / longest) : -2200;
     Sum& sum = sums[static_cast<int>(std::floor(classes_an_octave * octave + 0.5))];
     sum.distance += distance;
@@ -196,7 +197,8 @@ DistanceClasses distance_classes(const StepSample& sample, const Sites& sites, u
                 std::to_string(least_steps) + " steps at which both report: " +
                 std::to_string(static_cast<int>(least_pairs)) + " are needed"};
   }
-  // Less than floats tell: the same readings everywhere, to a factor and a constant.
+  // A semivariance below the accuracy of floats means that all gauges read the same, to a factor
+  // and a constant.
   if (largest < 1e-12) return {{}, "all gauges read alike at all steps"};
   return result;
 }

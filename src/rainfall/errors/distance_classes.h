@@ -8,31 +8,34 @@
 
 namespace thiessen {
 
-/// Pairs of gauges about as far apart.
+/// What the pairs of gauges that are about equally far apart have in common.
 struct DistanceClass {
-  double distance;      ///< their mean
-  double semivariance;  ///< half the mean square difference of their readings, standardised
-  double pairs;         ///< how many
+  double distance;      ///< their mean distance
+  double semivariance;  ///< half the mean square difference of standardised readings
+  double pairs;         ///< their number
 };
 
-/// What a sample of a series tells of how readings differ with distance.
+/// The empirical variogram of a sample of a series, or why there is none.
 struct DistanceClasses {
-  std::vector<DistanceClass> classes;  ///< in rising order
+  std::vector<DistanceClass> classes;  ///< the nearest pairs first
   std::string shortfall;  ///< why there are none, as in "4 time steps ...: 10 are needed"
 };
 
-/// What there must be to fit a variogram to.
+/// The least numbers of gauges and of steps to which a variogram can be fitted.
 inline constexpr std::size_t least_gauges = 5;
 inline constexpr std::size_t least_steps = 10;
 
-/// Each gauge's readings are standardised by their own mean and standard deviation over the steps
-/// that it reports, so that what lasts (a wetter hill) is no difference; then half the mean square
-/// difference of two gauges over the steps that both report, `least_steps` at least, is 1 less
-/// their correlation. Distances are parted in classes, four to each doubling.
+/// Sorts pairs of gauges into classes by distance and measures how their readings differ.
 ///
-/// `sample`: a column for each site. With up to 200 gauges every pair counts; with more, pairs of
-/// 1, 2, 3, 4, 6, 8, 12 ... gauges apart along the sites' order, so that all distances are there,
-/// near ones more: 20,000 at most. Cost: so many times the sample's steps, 1 nanosecond each.
+/// Each gauge's readings are standardised by their own mean and standard deviation over the steps
+/// at which it reports, so that what lasts (a wetter hill) is not a difference. Then half the mean
+/// square difference of two gauges, over the steps at which both report (`least_steps` at least),
+/// is 1 less their correlation. There are four classes to each doubling of the distance.
+///
+/// `sample` has a column for each site. Where there are at most 20,000 pairs (200 gauges) every
+/// pair counts. Else the pairs are those 1, 2, 3, 4, 6, 8, 12 ... gauges apart in the order of the
+/// sites, 20,000 at most: so all distances occur, and near ones more often. Cost: 1 nanosecond for
+/// each pair and step of the sample.
 DistanceClasses distance_classes(const StepSample& sample, const Sites& sites, unsigned threads);
 
 }  // namespace thiessen

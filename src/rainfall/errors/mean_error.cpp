@@ -97,7 +97,7 @@ MeanError::Squares MeanError::squares(const RainfallError& error, unsigned threa
     }
   }
   result.of_mean = error.mean_squares(mean_change);
-  for (std::size_t b = 0; b < basins; ++b) result.mean[b] /= count[b];  // NaN where there is none
+  for (std::size_t b = 0; b < basins; ++b) result.mean[b] /= count[b];  // NaN without any step
   return result;
 }
 

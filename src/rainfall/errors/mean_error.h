@@ -16,45 +16,53 @@ namespace thiessen {
 
 class RainfallError;
 
-/// The standard error of the mean rainfall over a series, by basin, in one pass.
+/// The standard error of each basin's mean rainfall over a whole series, gathered in one pass.
 ///
-/// As RainfallError has it of one step, but with the variance that near gauges' mean differences
-/// tell, over the steps that both report: so what cancels from step to step cancels here, and what
-/// lasts does not. Two gauges count where they report together at half as many steps or more as the
-/// two that do so most often. What of the mean differences' squares the scatter of single steps
-/// explains, were steps independent, comes and goes: it counts with the mean square for the weights
-/// of a step, in the mean over a sample of them. The rest lasts, and counts with that for the mean
-/// of these weights: where now this gauge is silent and now that, its error cancels in part.
+/// The model is RainfallError's, but the field is here the mean over all steps. Its variance is
+/// estimated from the mean differences of near gauges, taken over the steps at which both report.
+/// So errors that cancel from step to step cancel in the result, and errors that last (a hill that
+/// is always wetter) stay in it. A pair of gauges counts if both report at no fewer than half
+/// as many steps as the pair that reports together most often.
 ///
-/// Cost of a step: six differences a gauge. In the end: RainfallError's, and a hundred of its
-/// steps. Memory: 100 bytes a gauge, and the sample.
+/// The variance has two parts. The passing part is what the scatter of single steps explains, if
+/// the steps are independent of each other. It is multiplied by the mean square of the error for
+/// the weights of a step (see RainfallError::mean_squares), averaged over a sample of the steps.
+/// The lasting part is the rest. It is multiplied by the mean square for the mean of these steps'
+/// weights: where one gauge is silent now and another then, a gauge's lasting error cancels in
+/// part.
+///
+/// Cost of a step: six differences a gauge. Cost of the result: that of a RainfallError and of a
+/// hundred of its steps. Memory: 100 bytes a gauge, and the sample.
 class MeanError {
  public:
-  /// The rainfall and the weighing must outlive it.
+  /// The rainfall and the weighing must outlive this object.
   MeanError(const ArealRainfall& rainfall, const Weighing& weighing);
 
+  /// Takes the next step's readings, one for each station, NaN where it is silent.
   void add(std::span<const double> readings);
-  /// By basin, in the readings' unit; NaN where it cannot be had. Does not depend on `threads`.
+  /// The standard errors by basin, in the readings' unit; NaN where there is none. They do not
+  /// depend on `threads`.
   std::vector<double> result(unsigned threads);
-  /// Why the result has no figures at all; empty where it has.
+  /// Says why the result has no figures at all; empty where it has some.
   const std::string& shortfall() const { return shortfall_; }
 
  private:
   struct Pair {
     std::uint32_t a;
     std::uint32_t b;
-    double sum = 0;  // of b's readings less a's, where both report
-    double squares = 0;
-    std::size_t steps = 0;
+    double sum = 0;         // of the differences b - a, over the steps at which both report
+    double squares = 0;     // of the same differences
+    std::size_t steps = 0;  // at which both report
   };
 
   void add_pairs();
-  /// The variance of the mean field, and how much of it comes and goes.
+  /// The variance of the mean field, and the passing part of it.
   struct Variance {
     FieldVariance whole;
     double passing;
   };
-  /// By basin, the mean square for the weights of a step, in the mean, and for the mean weights.
+  /// Mean squares of the error by basin, in units of the field's variance: the average of those for
+  /// the weights of single steps, and the one for the mean of these weights.
   struct Squares {
     std::vector<double> mean;
     std::vector<double> of_mean;

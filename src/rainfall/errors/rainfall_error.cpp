@@ -22,7 +22,7 @@ constexpr std::size_t most_points = 4096;
 constexpr std::size_t sampled_steps = 2000;
 constexpr std::size_t sampled_bytes = std::size_t{16} << 20;
 
-/// Longer than any distance between two gauges, or a gauge and a basin.
+/// A distance that is longer than any between two gauges, or between a gauge and a basin.
 double longest_distance(const Weighing& weighing) {
   if (weighing.yardstick().metric == Metric::geodesic) return 2.1 * mean_radius;
   Box box = weighing.frame();
@@ -30,7 +30,7 @@ double longest_distance(const Weighing& weighing) {
   return std::hypot(box.width(), box.height());
 }
 
-/// Weights by basin, and in each by site, each once.
+/// Weights sorted by basin, and within a basin by site, with one entry for each site.
 class WeightsOfBasins {
  public:
   WeightsOfBasins(const std::vector<CellWeight>& weights, std::size_t basins, const Sites& sites)
@@ -49,7 +49,8 @@ class WeightsOfBasins {
  private:
   void merge(std::size_t basin) {
     const auto weights = std::span(sorted_).subspan(first_[basin], count_[basin]);
-    // Those of one site by weight, so that the order of the cells does not show.
+    // Weights of one site are sorted too, so that their sum does not depend on the order of the
+    // cells.
     std::sort(weights.begin(), weights.end(), [](const SiteWeight& a, const SiteWeight& b) {
       return a.site != b.site ? a.site < b.site : a.weight < b.weight;
     });
@@ -63,8 +64,8 @@ class WeightsOfBasins {
     count_[basin] = kept;
   }
 
-  std::vector<std::size_t> first_;  // by basin
-  std::vector<std::size_t> count_;
+  std::vector<std::size_t> first_;  // by basin: where its weights begin in sorted_
+  std::vector<std::size_t> count_;  // by basin: how many it has
   std::vector<SiteWeight> sorted_;
 };
 

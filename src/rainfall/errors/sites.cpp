@@ -14,7 +14,7 @@
 namespace thiessen {
 namespace {
 
-/// The nearest of what it is shown, as many as are wanted.
+/// Keeps the nearest of the sites that it is shown, as many as are wanted.
 class Nearest {
  public:
   explicit Nearest(std::size_t count) : count_(count) {}
@@ -26,7 +26,7 @@ class Nearest {
     std::pop_heap(kept_.begin(), kept_.end());
     kept_.pop_back();
   }
-  /// None farther than this can be among them.
+  /// The distance beyond which no site can be among the nearest any more.
   double reach() const {
     return kept_.size() < count_ ? std::numeric_limits<double>::infinity()
                                  : std::sqrt(kept_.front().first);
@@ -68,7 +68,8 @@ std::vector<std::vector<std::uint32_t>> Sites::nearest_others(std::size_t count)
   if (size() < 2 || count == 0) return all;
   const PlaceTree tree(at_);
   for (std::uint32_t site = 0; site < size(); ++site) {
-    // The search is short where some near ones are known: those of near numbers.
+    // The search is shorter if some near sites are known before it: sites with near numbers are a
+    // good guess.
     const std::size_t begin = std::max<std::size_t>(site, count) - count;
     const std::size_t end = std::min(size(), std::size_t{site} + count + 1);
     Nearest guess(count);
@@ -80,7 +81,8 @@ std::vector<std::vector<std::uint32_t>> Sites::nearest_others(std::size_t count)
     tree.search(
         [&](const Ball& ball) {
           const double nearer = std::min(reach, nearest.reach());
-          // Rounding of the ball's centre and radius may not cost a neighbour.
+          // The margin keeps a neighbour from being lost to rounding of the ball's centre and
+          // radius.
           return length(ball.centre - at_[site]) > (nearer + ball.radius) * (1 + 1e-12);
         },
         [&](PlaceIndex p) {

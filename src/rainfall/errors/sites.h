@@ -14,22 +14,22 @@ inline double square_distance(Direction a, Direction b) {
   return dot(a - b, a - b);
 }
 
-/// Places in space, numbered from 0 in an order that their positions alone decide: along Hilbert's
-/// curve, so that those of near numbers are mostly near.
+/// The places of a network as points in space. They are numbered from 0 along Hilbert's curve: this
+/// order depends on their positions alone, and places with near numbers are mostly near each other.
 class Sites {
  public:
-  /// Requires fewer than 2^32 places, different ones. Cost: n log n.
+  /// Requires fewer than 2^32 places, all different. Cost: n log n.
   Sites(std::span<const Point> places, Metric metric);
 
   std::size_t size() const { return at_.size(); }
   Direction operator[](std::uint32_t site) const { return at_[site]; }
   std::span<const Direction> all() const { return at_; }
-  /// The site of a place, and the place of a site.
+  /// The site of the place with this number.
   std::uint32_t of_place(std::size_t place) const { return site_of_[place]; }
   std::uint32_t place_of(std::uint32_t site) const { return place_of_[site]; }
 
-  /// Up to `count` other sites for each, the nearest first, those equally near by their numbers.
-  /// Cost: log n each where places lie scattered; at worst n.
+  /// For each site up to `count` other sites, the nearest first; equally near ones are in the order
+  /// of their numbers. Cost: log n for each site where places lie scattered, n at worst.
   std::vector<std::vector<std::uint32_t>> nearest_others(std::size_t count) const;
 
  private:

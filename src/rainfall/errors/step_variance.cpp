@@ -10,7 +10,8 @@ namespace {
 constexpr std::size_t looked_at = 12;
 constexpr std::size_t taken = 3;
 constexpr std::size_t least_reporting = 5;
-/// The degrees of freedom of a larger network are told by so many of its sites.
+/// In a larger network the degrees of freedom are computed from this many of its sites and scaled,
+/// for the cost is the square of the number of pairs.
 constexpr std::size_t most_told = 256;
 
 }  // namespace
@@ -43,7 +44,7 @@ FieldVariance StepVariance::of(std::span<const double> readings) const {
     squares += w * difference * difference;
     expected += 2 * w * semivariance;
   };
-  std::uint32_t last_alone = 0;  // of the reporting ones before, one that has none near
+  std::uint32_t last_alone = 0;  // the last reporting site if none of its near sites reports
   bool any_alone = false;
   for (std::uint32_t site = 0; site < readings.size(); ++site) {
     const double reading = readings[site];
@@ -102,8 +103,9 @@ std::vector<StepVariance::Pair> StepVariance::pairs_of_all(std::size_t sites) co
   return pairs;
 }
 
-// Of a sum of squares of normal differences: twice the square of its mean over its variance, which
-// is twice the sum of the squares of all their covariances.
+// The degrees of freedom of a weighted sum of squares of normal differences are twice the square of
+// its mean over its variance. That variance is twice the sum of the squares of all their
+// covariances.
 double StepVariance::degrees_of_all() const {
   const std::size_t told = std::min(sites_.size(), most_told);
   const std::vector<Pair> pairs = pairs_of_all(told);

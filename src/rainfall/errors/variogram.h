@@ -9,40 +9,41 @@
 
 namespace thiessen {
 
-/// How readings differ with distance: half the mean square difference of two gauges' readings, in
-/// units of the field's variance, which is 1 less their correlation.
+/// A variogram: how readings differ with distance. It is half the mean square difference of two
+/// gauges' readings, in units of the field's variance, and so 1 less their correlation.
 ///
-/// nugget + sill x (1 - exp(-(d / range)^exponent)), with an exponent of (0, 2]: 1 is the
-/// exponential, 2 the Gaussian; or nugget + sill x (1.5 u - 0.5 u^3), u = d / range up to 1: the
-/// spherical. All are valid in space for any nugget, sill and range that are not negative: no mean
-/// square of any sum of readings is negative. Source: J.-P. Chiles, P. Delfiner, Geostatistics,
-/// 2012, section 2.5.
+/// The stable shape is nugget + sill x (1 - exp(-(d / range)^exponent)) with an exponent in (0, 2]:
+/// 1 is the exponential model, 2 the Gaussian. The spherical shape is nugget + sill x (1.5 u - 0.5
+/// u^3) for u = d / range up to 1. Both are valid in space for all nuggets, sills and ranges that
+/// are not negative: the variance of a weighted sum of readings never comes out negative. Source:
+/// J.-P. Chiles, P. Delfiner, Geostatistics, 2012, section 2.5.
 struct VariogramModel {
   enum class Shape { stable, spherical };
 
   Shape shape = Shape::stable;
-  double nugget = 0;  ///< what remains at no distance: gauges' errors, and rain smaller than gaps
-  double sill = 0;    ///< what distance adds
+  double nugget = 0;  ///< the limit at distance 0: gauges' errors, rain on a finer scale
+  double sill = 0;    ///< the most that distance adds to the nugget
   double range = 1;   ///< in the unit of distances
   double exponent = 1;
 
-  /// From 0 to 1: sill x this is what distance adds.
+  /// The share of the sill that this distance adds to the nugget, from 0 to 1.
   double rise(double distance) const;
-  /// Of two different gauges.
+  /// The variogram between two different gauges at this distance.
   double operator()(double distance) const { return nugget + sill * rise(distance); }
 };
 
-/// A model in a table of 128 straight pieces an octave of the distance's square, so that a look-up
-/// takes neither a root nor a power: 2 nanoseconds. Accuracy: 5e-6 of the model, but for distances
-/// within 1e-6 of the longest, which have the nugget and a straight rise. Memory: 80 kB.
+/// A variogram model tabulated in the distance's square, with 128 straight pieces an octave: a
+/// look-up takes neither a root nor a power, and 2 nanoseconds. Accuracy: 5e-6 of the model. Only
+/// distances within 1e-6 of the longest are less accurate: they have the nugget and a straight
+/// rise. Memory: 80 kB.
 class Variogram {
  public:
-  /// `longest`: beyond all distances that are asked for but a few, which cost more.
+  /// `longest` is a distance that few look-ups exceed; those that do cost more.
   Variogram(const VariogramModel& model, double longest);
 
   const VariogramModel& model() const { return model_; }
-  /// Of two different gauges, or of a gauge and a point: a point has no error of its own, but the
-  /// nugget is the gauge's.
+  /// The variogram between two different gauges, or between a gauge and a point: a point has no
+  /// error of its own, and the nugget is then the gauge's.
   double operator()(Direction a, Direction b) const { return at_square(square_distance(a, b)); }
   double at_square(double square) const {
     const std::size_t i = piece_of(square) - first_;
@@ -53,7 +54,7 @@ class Variogram {
 
  private:
   static constexpr unsigned piece_bits = 7;
-  static constexpr unsigned shift = 52 - piece_bits;  // of a double's mantissa
+  static constexpr unsigned shift = 52 - piece_bits;  // leaves these bits of the mantissa
 
   static std::size_t piece_of(double square) {
     return std::bit_cast<std::uint64_t>(square) >> shift;

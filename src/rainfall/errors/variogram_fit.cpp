@@ -20,7 +20,7 @@ struct Fit {
   double misfit = std::numeric_limits<double>::infinity();
 };
 
-/// The best nugget and sill for the model's rise.
+/// Solves for the nugget and the sill that fit best with the model's range and exponent.
 Fit with_linear_solved(VariogramModel model, const std::vector<Weighted>& classes) {
   double w = 0, g = 0, gg = 0, y = 0, gy = 0, yy = 0;
   for (const Weighted& c : classes) {
@@ -53,7 +53,7 @@ Fit with_linear_solved(VariogramModel model, const std::vector<Weighted>& classe
   return best;
 }
 
-/// A stretch of ranges and exponents.
+/// The ranges and exponents that a grid covers.
 struct Window {
   double low_range, high_range;
   double low_exponent, high_exponent;
@@ -111,8 +111,8 @@ Fit best_of_shape(VariogramModel::Shape shape, const std::vector<Weighted>& clas
 VariogramModel fit_variogram(std::span<const DistanceClass> classes) {
   double largest = 0;
   for (const DistanceClass& c : classes) largest = std::max(largest, c.semivariance);
-  // What a class says of itself, the first time; then what the model says, which is not misled by a
-  // class that is low by chance.
+  // The first round weighs a class by its own semivariance. The next rounds take the model's value,
+  // which is not misled by a class that is low by chance.
   const auto weight = [&](const DistanceClass& c, double semivariance) {
     const double floored = std::max(semivariance, 1e-3 * largest);
     return c.pairs / (floored * floored);
