@@ -8,18 +8,18 @@
 
 namespace thiessen {
 
-/// Areal rainfall by Thiessen's cells. The weighing must outlive it. Safe for several threads at
-/// once. What it gives depends on the readings alone, not on what it remembers. Cost of a step: its
-/// gap policy's (CellRetessellation, FullNetwork).
+/// Areal rainfall by Thiessen's cells. The weighing must outlive this object. Safe for several
+/// threads at once. The result depends on the readings alone, not on what is remembered from
+/// earlier steps. Cost of a step: that of its gap policy (CellRetessellation, FullNetwork).
 class ArealRainfall : public WeighedRainfall {
  public:
-  /// Of the method, among those of src/rainfall/methods.
+  /// The name of this method, beside the names of those in src/rainfall/methods.
   static constexpr const char* name = "thiessen";
 
   ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);
 
-  /// What silent gauges hand over: those that it retessellates with, or made when they are first
-  /// asked for.
+  /// What silent gauges hand over. These are the handovers that retessellation uses; where another
+  /// policy uses none they are made when they are first asked for.
   const Handovers& handovers() const { return cells_->handovers(); }
 
  private:

@@ -9,7 +9,8 @@
 namespace thiessen {
 namespace {
 
-// From the place after the widest gap in longitude, eastward to the one before it.
+// The box that leaves out the widest gap in longitude: it begins at the place east of the gap and
+// goes eastward to the place west of it.
 Box shorter_way_round(std::span<const Point> places) {
   std::vector<double> longitudes;
   Box box;
@@ -41,8 +42,8 @@ Box on_earth(Box box) {
   return box;
 }
 
-/// The box's outline. On the Earth no edge is longer than a quarter of a turn: a longer one would
-/// be taken to go the other way round.
+/// The box's outline, in edges of at most `longest`. On the Earth an edge of more than half a turn
+/// would be taken to go the other way round, so none is longer than a quarter.
 Ring outline(const Box& box, double longest) {
   const int pieces = std::max(1, static_cast<int>(std::ceil(box.width() / longest)));
   const auto x = [&](int i) {

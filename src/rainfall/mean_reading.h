@@ -11,7 +11,7 @@
 
 namespace thiessen {
 
-/// How many of the stations report. `readings` has one entry a station of the network.
+/// How many of the stations report. `readings` has one entry for each station of the network.
 inline std::size_t count_reporting(std::span<const StationIndex> stations,
                                    std::span<const double> readings) {
   return static_cast<std::size_t>(
@@ -19,7 +19,7 @@ inline std::size_t count_reporting(std::span<const StationIndex> stations,
                     [&](StationIndex s) { return !std::isnan(readings[index(s)]); }));
 }
 
-/// The mean of those of the stations that report; NaN where none does.
+/// The mean reading of the stations that report; NaN where none does.
 inline double mean_reading(std::span<const StationIndex> stations,
                            std::span<const double> readings) {
   if (stations.size() == 1) return readings[index(stations.front())];
@@ -35,7 +35,7 @@ inline double mean_reading(std::span<const StationIndex> stations,
                     : sum.value() / static_cast<double>(count);
 }
 
-/// The same of every place of a network.
+/// The mean reading at every place of a network; NaN where no station at the place reports.
 inline std::vector<double> readings_by_place(const Network& network,
                                              std::span<const double> readings) {
   std::vector<double> means(network.places().size());

@@ -8,7 +8,7 @@
 namespace thiessen {
 namespace {
 
-// One position for all that mean the same.
+// Gives all coordinates that mean the same point one form, so that they compare as equal.
 Point canonical(Point p, Metric metric) {
   if (metric == Metric::geodesic) {
     if (p.x == -180) p.x = 180;

@@ -26,9 +26,9 @@ struct Station {
   std::size_t line = 0;  ///< in its file, from 1: the line (CSV) or the feature's number
 };
 
-/// The gauges of a study and the places they stand at: stations of equal coordinates (-0 is 0, -180
-/// degrees of longitude 180, and at a pole all longitudes are one) share a place. Places are
-/// numbered in the order of their first stations. Cost: n log n.
+/// The gauges of a study and the places they stand at. Stations of equal coordinates share a place:
+/// -0 equals 0, -180 degrees of longitude equal 180, and at a pole all longitudes are equal. Places
+/// are numbered in the order of their first stations. Cost: n log n.
 class Network {
  public:
   /// Requires coordinates in the exact range of predicates.h.
@@ -37,7 +37,7 @@ class Network {
   const std::vector<Station>& stations() const { return stations_; }
   const std::vector<Point>& places() const { return places_; }
   PlaceIndex place_of(StationIndex station) const { return place_of_[index(station)]; }
-  /// In file order.
+  /// The stations at a place, in the order of their file.
   std::span<const StationIndex> stations_at(PlaceIndex place) const;
 
  private:

@@ -25,7 +25,7 @@ NetworkCells::NetworkCells(const Network& network, const ReportingStations& repo
   share_cells(place_of_station, stations);
 }
 
-// Places that rounding cannot tell apart have one cell together.
+// Places that rounding cannot tell apart have one cell together: their stations all share it.
 void NetworkCells::share_cells(const std::vector<PlaceIndex>& place_of_station,
                                const std::vector<StationIndex>& stations) {
   std::vector<std::pair<PlaceIndex, StationIndex>> in_cells;

@@ -10,18 +10,21 @@
 
 namespace thiessen {
 
-/// The cells of a network's gauges, or of those that report. A cell belongs to a place with a gauge
-/// that does, or to several that rounding cannot tell apart.
+/// The cells of a network's gauges, or of those that report. A cell belongs to one place at which a
+/// gauge reports, or to several such places that rounding cannot tell apart.
 class NetworkCells {
  public:
-  /// `reports` has one entry a station. The network must outlive it. Cost: Yardstick::diagram's.
+  /// `reports` has one entry for each station. The network must outlive this object. Cost: that of
+  /// Yardstick::diagram.
   NetworkCells(const Network& network, const ReportingStations& reports, const Yardstick& yardstick,
                const Box& frame, unsigned threads);
 
   bool any() const { return !first_.empty(); }
-  /// Its places are those of the network at which a gauge reports, in their order.
+  /// The diagram of the cells. Its places are those of the network at which a gauge reports, in the
+  /// same order.
   const Diagram& diagram() const { return diagram_; }
-  /// The stations that share a cell, in file order; none where a place has no cell of its own.
+  /// The stations that share a cell, in the order of their file; none where a place has no cell of
+  /// its own.
   std::span<const StationIndex> stations_of(PlaceIndex cell) const {
     const std::size_t first = first_[index(cell)];
     return std::span(stations_).subspan(first, first_[index(cell) + 1] - first);

@@ -12,15 +12,16 @@
 
 namespace thiessen {
 
-/// Which stations of a network report, or which of its places: a bit each. The two are types of
-/// their own, for a network has fewer places than stations as soon as two gauges share one.
+/// Which stations of a network report, or which of its places, in one bit each. Stations and places
+/// have types of their own here, for a network has fewer places than stations as soon as two gauges
+/// share one.
 template <typename Index>
 class Reporting {
  public:
   Reporting() = default;
-  /// So many, and whether they report: all of them or none.
+  /// Makes `count` entries, all of which report or none.
   Reporting(std::size_t count, bool report) : bits_(count, report) {}
-  /// By index.
+  /// Makes one entry for each bit, in the order of the indices.
   Reporting(std::initializer_list<bool> bits) : bits_(bits) {}
   explicit Reporting(std::vector<bool> bits) : bits_(std::move(bits)) {}
 
@@ -28,7 +29,7 @@ class Reporting {
   bool empty() const { return bits_.empty(); }
   bool operator[](Index i) const { return bits_[index(i)]; }
   void set(Index i, bool reports) { bits_[index(i)] = reports; }
-  /// Whether one does. Cost: linear.
+  /// Whether at least one reports. Cost: linear.
   bool any() const { return std::find(bits_.begin(), bits_.end(), true) != bits_.end(); }
 
   friend bool operator==(const Reporting& a, const Reporting& b) = default;
@@ -46,10 +47,10 @@ class Reporting {
 using ReportingStations = Reporting<StationIndex>;
 using ReportingPlaces = Reporting<PlaceIndex>;
 
-/// The stations whose readings are numbers. `readings`: by station, NaN where it is silent.
+/// The stations that report. `readings` has one entry for each station, NaN where it is silent.
 ReportingStations reporting_stations(std::span<const double> readings);
 
-/// The places at which a station's reading is a number.
+/// The places at which at least one station reports.
 ReportingPlaces reporting_places(const Network& network, std::span<const double> readings);
 
 }  // namespace thiessen

@@ -10,7 +10,8 @@
 namespace thiessen {
 namespace {
 
-/// How much of a basin the full network gives to gauges that report.
+/// The share of a basin that the full network gives to gauges that report. It is exactly 1 where
+/// all report, whatever the weights add up to.
 double coverage(const BasinWeights& full, std::span<const double> readings) {
   LongSum sum;
   bool whole = true;

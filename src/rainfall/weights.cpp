@@ -39,7 +39,8 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
   for (const Basin& basin : basins) areas_.push_back(area_of(basin, *surface_));
 }
 
-// Calls take(b, clipper, reporting) for every basin, with one clipper a worker.
+// Calls take(b, clipper, reporting) for every basin. Each worker has a clipper of its own, for a
+// clipper is not safe for several threads.
 template <typename Take>
 void Weighing::for_each_basin(const ReportingStations& reports, unsigned threads,
                               const Take& take) const {

@@ -20,14 +20,13 @@ struct StationWeight {
   double weight;  ///< that area's share of the basin, in (0, 1]
 };
 
-/// The weights of one basin, positive ones only, in the order of the stations. They add up to 1
-/// within 2e-13.
+/// The positive weights of one basin, in the order of the stations. They add up to 1 within 2e-13.
 struct BasinWeights {
   double area = 0;
   std::vector<StationWeight> stations;
 };
 
-/// Adds a cell's area in equal shares to the stations that share it.
+/// Adds a cell's area to a basin, in equal shares for the stations that share the cell.
 void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area);
 
 template <typename Part>
@@ -44,8 +43,8 @@ struct StationCell {
   MultiPolygon shape;
 };
 
-/// Tessellates a network, or those of its gauges that report, and weighs them in the basins.
-/// The network and the basins must outlive it. Safe for several threads at once.
+/// Tessellates a network, or those of its gauges that report, and weighs the gauges in the basins.
+/// The network and the basins must outlive this object. Safe for several threads at once.
 class Weighing {
  public:
   Weighing(const Network& network, const std::vector<Basin>& basins, const Yardstick& yardstick);
@@ -57,13 +56,13 @@ class Weighing {
   const Surface& surface() const { return *surface_; }
   double basin_area(std::size_t basin) const { return areas_[basin]; }
 
-  /// The weights in every basin, by basin. `reports` has one entry a station; a place whose
-  /// stations report in part belongs to those that do. Empty weights where none reports. Cost: the
-  /// tessellation's n log n, and what CellClipper takes for each basin.
+  /// The weights of the reporting gauges, by basin. `reports` has one entry for each station; where
+  /// only some of a place's stations report, the place belongs to those. Where no gauge reports the
+  /// weights are empty. Cost: n log n for the tessellation, and that of CellClipper for each basin.
   std::vector<BasinWeights> weights(const ReportingStations& reports, unsigned threads) const;
 
-  /// The same with the shapes of the cells, by basin, in the order of the stations; stations at one
-  /// place have each the whole shape and their share of its area.
+  /// The cells of the reporting gauges with their shapes, by basin, in the order of the stations.
+  /// Stations at one place each have the whole shape and their share of its area.
   std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
                                               unsigned threads) const;
 
