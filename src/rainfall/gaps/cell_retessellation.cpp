@@ -15,7 +15,8 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// Of weights by basin, the first of each basin, then the second of each.
+/// Puts weights that are ordered by basin in turn: the first of each basin, then the second of
+/// each.
 std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
   std::vector<std::pair<std::size_t, CellWeight>> turns;
   turns.reserve(weights.size());
@@ -32,7 +33,7 @@ std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
   return result;
 }
 
-/// Sorts weights by basin, then by cell, and makes one of those of the same cell.
+/// Sorts weights by basin, then by cell, and adds up those of the same basin and cell.
 void merge(std::vector<CellWeight>& weights) {
   std::stable_sort(weights.begin(), weights.end(), [](const CellWeight& a, const CellWeight& b) {
     return std::pair(a.basin, a.cell) < std::pair(b.basin, b.cell);
@@ -108,7 +109,7 @@ std::vector<BasinRainfall> CellRetessellation::rainfall(const State& state,
   return result;
 }
 
-/// The weights of the cells that report, by basin, then by cell.
+/// Gives the weights of the cells that report, by basin, then by cell.
 std::vector<CellWeight> CellRetessellation::weights(const State& state) const {
   std::vector<CellWeight> weights;
   for (const CellWeight& full : handovers_.full()) {

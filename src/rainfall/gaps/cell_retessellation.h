@@ -11,13 +11,15 @@
 
 namespace thiessen {
 
-/// The cells of the gauges that report. Gauges at places that rounding cannot tell apart share a
-/// cell. Cost of a step: its gauges, the full network's weights and the silent cells' neighbours;
-/// for each component of silent cells that is not remembered also Handovers::of.
+/// Retessellation for Thiessen's method: the weights of a step are those of the cells of the gauges
+/// that report. Gauges at places that rounding cannot tell apart share a cell.
+///
+/// Cost of a step: its gauges, the full network's weights and the silent cells' neighbours; and,
+/// for each component of silent cells that is not remembered, Handovers::of.
 class CellRetessellation : public Retessellation {
  public:
-  /// The handovers must outlive it; `remembered_bytes` of them are remembered. Without
-  /// `counts_gauges` values have 0 gauges, which is cheaper.
+  /// The handovers must outlive this object; up to `remembered_bytes` of them are remembered.
+  /// Without `counts_gauges` the values have 0 gauges, which is cheaper.
   CellRetessellation(const Handovers& handovers, std::size_t remembered_bytes, bool counts_gauges);
 
   const std::vector<BasinWeights>& full_weights() const override { return full_; }
@@ -29,11 +31,11 @@ class CellRetessellation : public Retessellation {
   std::vector<double> cell_readings(std::span<const double> readings) const override;
 
  private:
-  /// What the cells read and hand over at one time.
+  /// What the cells read at one step, and what the silent ones hand over.
   struct State {
-    std::vector<double> of_cell;  ///< the mean of those in the cell that report; NaN: none does
+    std::vector<double> of_cell;  ///< by cell: the mean of its stations that report; NaN: none
     std::vector<std::shared_ptr<const Handover>> handovers;
-    bool any = false;
+    bool any = false;  ///< whether any cell reports
   };
 
   State state_of(std::span<const double> readings) const;
@@ -45,8 +47,9 @@ class CellRetessellation : public Retessellation {
   mutable HandoverCache remembered_;
   bool counts_gauges_;
   std::vector<BasinWeights> full_;
-  /// The full network's weights of cells, first one of each basin, then the next of each: sums that
-  /// do not wait for each other.
+  /// The full network's weights of cells: the first one of each basin, then the second of each, and
+  /// so on. In this order an addition need not wait for the one before it, for they are to
+  /// different sums.
   std::vector<CellWeight> full_in_turn_;
 };
 

@@ -10,25 +10,25 @@
 
 namespace thiessen {
 
-/// Weighs gauges by the parts of the basins that their cells hold.
+/// Weighs gauges by the parts of the basins that lie in their cells.
 class CellWeigher : public Weigher {
  public:
-  /// How much a retessellation keeps and counts.
+  /// What a retessellation remembers and counts.
   struct Keeping {
-    std::size_t remembered_bytes;  ///< of handovers
-    bool counts_gauges;            ///< else 0 of them
+    std::size_t remembered_bytes;  ///< the bound for remembered handovers
+    bool counts_gauges;            ///< else values have 0 gauges
   };
 
-  /// The weighing must outlive it.
+  /// The weighing must outlive this object.
   CellWeigher(const Weighing& weighing, const Keeping& keeping, unsigned threads)
       : weighing_(weighing), keeping_(keeping), threads_(threads) {}
 
   const Network& network() const override { return weighing_.network(); }
-  /// Cost: as Weighing::weights.
+  /// The weights by basin when every gauge reports. Cost: that of Weighing::weights.
   std::vector<BasinWeights> full_weights() const override;
   std::unique_ptr<const Retessellation> retessellation() const override;
 
-  /// Made when they are first asked for.
+  /// The handovers of the network, which are made when they are first asked for.
   const Handovers& handovers() const;
 
  private:

@@ -9,11 +9,12 @@
 
 namespace thiessen {
 
-/// What a policy is built on that keeps the full network's weights, basin by basin. Its cells are
-/// the network's places. Cost of a step: the full network's weights.
+/// The base of policies that use the full network's weights and no tessellation of the gauges that
+/// report. They decide basin by basin. The cells of their accounts are the network's places. Cost
+/// of a step: the number of the full network's weights.
 class FullNetwork : public GapPolicy {
  public:
-  /// The weigher must outlive it.
+  /// The weigher must outlive this object.
   explicit FullNetwork(const Weigher& weigher)
       : network_(weigher.network()), full_(weigher.full_weights()) {}
 
@@ -27,24 +28,24 @@ class FullNetwork : public GapPolicy {
   std::vector<double> cell_readings(std::span<const double> readings) const override;
 
  protected:
-  /// What the full network's weights of one basin come to with a step's readings.
+  /// The full network's weights of one basin, summed up over the gauges that report at a step.
   struct Reporting {
-    std::size_t gauges;  ///< with weight, that report
-    bool complete;       ///< whether all do, and there is one
-    double share;        ///< sum of their weights
-    double sum;          ///< of weight x reading
+    std::size_t gauges;  ///< number that have weight and report
+    bool complete;       ///< whether all with weight report, and there is at least one
+    double share;        ///< sum of the reporting gauges' weights
+    double sum;          ///< sum of their weight x reading
   };
   static Reporting reporting(const BasinWeights& full, std::span<const double> readings);
 
   const Network& network() const { return network_; }
 
  private:
-  /// The value of one basin; NaN: none.
+  /// The value of one basin; NaN where the policy gives none.
   virtual double value(const Reporting& reporting) const = 0;
-  /// The weights that it is made with.
+  /// The weights that the value of one basin is made with; none where there is no value.
   virtual BasinWeights weights(const BasinWeights& full,
                                std::span<const double> readings) const = 0;
-  /// The account's change of the full network's weights.
+  /// The changes of the full network's weights, for the account.
   virtual std::vector<CellWeight> change(std::span<const double> readings) const = 0;
 
   const Network& network_;

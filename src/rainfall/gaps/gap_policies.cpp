@@ -10,8 +10,8 @@
 namespace thiessen {
 namespace {
 
-/// Calls `use` with the policy's class. A new policy is a class and a line here; the compiler tells
-/// of one that is forgotten.
+/// Calls `use` with the class of a policy. A new policy needs a class and a line here; the compiler
+/// warns of one that is forgotten.
 template <typename Use>
 auto with_policy(Gaps gaps, const Use& use) {
   switch (gaps) {

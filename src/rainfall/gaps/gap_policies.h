@@ -7,11 +7,11 @@
 
 namespace thiessen {
 
-/// The name that the policy's class gives itself.
+/// The name of a policy, which its class gives itself.
 const char* name_of(Gaps gaps);
 
-/// Makes the policy for what the weigher weighs. The weigher must outlive it. Cost: the full
-/// network's weights, and to retessellate what the weigher keeps for it.
+/// Makes a policy for the gauges that the weigher weighs. The weigher must outlive it. Cost: the
+/// full network's weights; for retessellation also what the weigher keeps for it.
 std::unique_ptr<const GapPolicy> gap_policy(Gaps gaps, const Weigher& weigher);
 
 }  // namespace thiessen

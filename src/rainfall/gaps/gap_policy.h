@@ -9,16 +9,18 @@
 
 namespace thiessen {
 
-/// What a time step with silent gauges gets. Each is a class in this folder, which says it in full.
+/// The policies for time steps with silent gauges. Each is a class in this folder, which says what
+/// it does.
 enum class Gaps { retessellate, renormalise, strict };
 
-/// In the order in which they are offered.
+/// All policies, in the order in which they are offered.
 inline constexpr std::array all_gaps{Gaps::retessellate, Gaps::renormalise, Gaps::strict};
 
-/// Says which values a step gets when some of its gauges are silent. Where none is all policies
-/// agree: the value is the sum of the full network's weights x readings. Safe for several threads
-/// at once; what a policy gives depends on the readings alone. `readings`: one a station of the
-/// network, NaN where it is silent.
+/// Decides which values a step gets when some of its gauges are silent. Where none is silent all
+/// policies agree: the value is the sum of the full network's weights x readings.
+///
+/// Safe for several threads at once; the result depends on the readings alone. `readings` has one
+/// entry for each station of the network, NaN where it is silent.
 class GapPolicy {
  public:
   GapPolicy() = default;
@@ -26,24 +28,25 @@ class GapPolicy {
   GapPolicy& operator=(const GapPolicy&) = delete;
   virtual ~GapPolicy() = default;
 
-  /// Whether a step's values are those of a network that never had its silent gauges. Only then
-  /// what a gauge is worth is what its leaving changes (see Influence).
+  /// Whether the values of a step equal those of a network without the gauges that are silent then.
+  /// Only in that case is a gauge's worth the change that its leaving makes (see Influence).
   virtual bool leaves_silent_out() const = 0;
 
-  /// The weights where every gauge reports, by basin.
+  /// The weights by basin when every gauge reports.
   virtual const std::vector<BasinWeights>& full_weights() const = 0;
 
-  /// By basin, without coverage, which is no matter of the policy.
+  /// The values of a step by basin. The coverage is left at 0, for it does not depend on the
+  /// policy.
   virtual std::vector<BasinRainfall> at(std::span<const double> readings) const = 0;
-  /// The same, and what the values are made of.
+  /// The values of a step by basin, and the account of what they are made of.
   virtual std::vector<BasinRainfall> at(std::span<const double> readings,
                                         CellAccount& account) const = 0;
   /// The weights that the values are made with, by basin; a basin without a value has none.
   virtual std::vector<BasinWeights> weights_at(std::span<const double> readings) const = 0;
 
-  /// The full network's weights of the account's cells, by basin, then by cell.
+  /// The full network's weights of the cells that an account speaks of, by basin, then by cell.
   virtual std::vector<CellWeight> full_cells() const = 0;
-  /// The account's readings.
+  /// The readings that an account would hold: one for each cell.
   virtual std::vector<double> cell_readings(std::span<const double> readings) const = 0;
 };
 

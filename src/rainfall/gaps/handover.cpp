@@ -14,10 +14,11 @@
 namespace thiessen {
 namespace {
 
-/// Of a region's area, in a chart: its shapes are right to a hundredth of this.
+/// The share of a region's area by which its shares in a chart may miss it. A chart's shapes are
+/// right to a hundredth of this.
 constexpr double most_astray = 1e-4;
 
-/// The nodes that only bend an edge between two cells, in rising order.
+/// The nodes that only bend an edge between two cells and end none, in rising order.
 std::vector<Point> bends_of(const Diagram& diagram) {
   struct Passing {
     std::uint8_t chords = 0;
@@ -125,8 +126,9 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
   return handover;
 }
 
-// Where the ground is small against the Earth. Each region's shares are scaled to its area, which
-// is known.
+// Shares the component's ground in one chart, which is possible on the Earth where the ground is
+// small against it; else returns false. The shares of each region are scaled so that they add up to
+// its area, which is known.
 bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
                                const Take& take) const {
   if (weighing_.yardstick().metric == Metric::planar) return false;
@@ -160,7 +162,7 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
     is_right = is_right && std::abs(whole - region.area) <= most_astray * region.area;
     for (CellShare& share : shares) share.area *= region.area / whole;
   });
-  // A sliver may be less than a chart's rounding.
+  // A sliver may be smaller than the rounding in a chart; then the ground is shared without one.
   if (!is_right) return false;
   for (const auto& [region, shares] : all) take(*region, shares);
   return true;

@@ -15,45 +15,47 @@
 
 namespace thiessen {
 
-/// What cells next to a component of silent ones take over, by basin, then by cell.
+/// The weights that the cells next to a component of silent cells take over, by basin, then by
+/// cell.
 using Handover = std::vector<CellWeight>;
 
-/// Who gets the ground of silent gauges.
+/// Tells which gauges get the ground of silent ones.
 ///
 /// When cells fall silent, each of their connected components leaves its ground to the reporting
-/// cells next to it and to no others, whatever else is silent: going straight from a point to its
-/// new owner one is in silent cells all the way, and so in one component. Hence the weights of
-/// those that report are the full network's, and one handover more for each component.
+/// cells next to it and to no others, whatever else is silent. The reason: the straight way from a
+/// point to its new owner runs through silent cells until it reaches the owner's cell, and so
+/// through one component. Hence the weights of the gauges that report are the full network's
+/// weights plus one handover for each component.
 class Handovers {
  public:
-  /// Tessellates the full network and clips its cells to the basins. The weighing must outlive it.
-  /// Memory: the cells' vertices within the basins.
+  /// Tessellates the full network and clips its cells to the basins. The weighing must outlive this
+  /// object. Memory: the vertices of the cells within the basins.
   Handovers(const Weighing& weighing, unsigned threads);
 
   const NetworkCells& cells() const { return cells_; }
   const CellAdjacency& adjacency() const { return adjacency_; }
   /// The full network's weights, by basin, then by cell.
   const std::vector<CellWeight>& full() const { return full_; }
-  /// Whether a cell has a part in any basin, in the full network.
+  /// Whether a cell of the full network has a part in any basin.
   bool has_ground(PlaceIndex cell) const { return !regions_[index(cell)].empty(); }
-  /// The weights by station: what Weighing::weights gives where all report.
+  /// The full network's weights by station, as Weighing::weights gives them when all report.
   std::vector<BasinWeights> full_weights() const;
 
-  /// The component's handover: a function of its cells alone. Empty where no cell is next to it.
-  /// `component`: in rising order. The weights of a basin add up to those that its cells have in
-  /// the full network, to 1e-13. Safe for several threads at once. Cost: the tessellation of the
-  /// cells next to it, and the vertices of its own.
+  /// The handover of a component, which depends on its cells alone; empty where no cell is next to
+  /// it. Requires `component` in rising order. In each basin the weights add up to what the
+  /// component's cells have in the full network, to 1e-13. Safe for several threads at once. Cost:
+  /// the tessellation of the cells next to the component, and the vertices of its own.
   Handover of(std::span<const PlaceIndex> component) const;
 
  private:
-  /// A cell's ground in a basin.
+  /// The part of a cell that lies in a basin.
   struct Region {
     std::uint32_t basin;
     Basin ground;
     double area;
-    std::optional<SphereShape> shape;  // on the Earth, the same for charts
+    std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
   };
-  /// What a component's regions leave to each of its heirs, region by region.
+  /// Takes the shares of a component's heirs in one of its regions; it is called region by region.
   using Take = std::function<void(const Region&, const std::vector<CellShare>&)>;
 
   template <typename Visit>

@@ -7,7 +7,7 @@
 namespace thiessen {
 namespace {
 
-// A node, a bucket, the counters of the pointer.
+// An entry takes a node and a bucket of the map, and the counters of the shared pointer.
 constexpr std::size_t bytes_of_an_entry = 160;
 
 std::size_t bytes_of(std::span<const PlaceIndex> component, const Handover& handover) {
@@ -23,7 +23,7 @@ HandoverCache::Singles::~Singles() {
 const Handover* HandoverCache::Singles::keep(PlaceIndex cell,
                                              std::unique_ptr<const Handover> handover) {
   const Handover* known = nullptr;
-  // Another thread may have been faster.
+  // If another thread has kept the cell's handover before, that one stays.
   if (!of_cell_[index(cell)].compare_exchange_strong(known, handover.get(),
                                                      std::memory_order_acq_rel))
     return known;
@@ -37,7 +37,7 @@ HandoverCache::HandoverCache(const Handovers& handovers, std::size_t bytes)
       generation_bytes_(bytes / 2 / shard_count / 2) {}
 
 std::shared_ptr<const Handover> HandoverCache::of_single(PlaceIndex cell) {
-  // Kept to the end: nobody counts who uses it.
+  // It is kept to the end, so its users need not be counted.
   const auto uncounted = [](const Handover* handover) {
     return std::shared_ptr<const Handover>(std::shared_ptr<const Handover>(), handover);
   };

@@ -13,18 +13,19 @@
 
 namespace thiessen {
 
-/// Remembers handovers by their components, those that were asked for lately, within a bound of
-/// memory. Safe for several threads at once; what it gives depends on the component alone.
+/// Remembers the handovers of the components that were asked for lately, within a bound of memory.
+/// Safe for several threads at once; the result depends on the component alone.
 class HandoverCache {
  public:
-  /// The handovers must outlive it.
+  /// The handovers must outlive this object.
   HandoverCache(const Handovers& handovers, std::size_t bytes);
 
   std::shared_ptr<const Handover> of(std::span<const PlaceIndex> component);
 
  private:
-  /// The commonest components, found without a search: computed once, and kept to the end while
-  /// they are within half of the bound.
+  /// The handovers of components of one cell, which are the commonest and are found without a
+  /// search. Each is computed once and kept to the end, while all of them are within half of the
+  /// bound.
   class Singles {
    public:
     explicit Singles(std::size_t cells) : of_cell_(cells) {}
@@ -51,8 +52,8 @@ class HandoverCache {
   };
   using Generation = std::unordered_map<Component, std::shared_ptr<const Handover>, Hash, Equal>;
 
-  /// When the young are too many they become the old, and the old are forgotten but for those asked
-  /// for since.
+  /// A part of the cache with a lock of its own. When the young generation is full it becomes the
+  /// old one, and the old one is forgotten except for those that have been asked for since.
   struct Shard {
     std::mutex mutex;
     Generation young;
@@ -71,7 +72,7 @@ class HandoverCache {
   const Handovers& handovers_;
   Singles singles_;
   std::atomic<std::size_t> singles_bytes_left_;
-  std::size_t generation_bytes_;  // of a shard
+  std::size_t generation_bytes_;  // the bound for one generation of a shard
   std::array<Shard, shard_count> shards_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace thiessen {
 
-/// The full network's weights of the gauges that report, scaled so that they add up to 1. A basin
+/// Scales the full network's weights of the gauges that report so that they add up to 1. A basin
 /// where none of its gauges reports has no value.
 class Renormalisation : public FullNetwork {
  public:

@@ -8,9 +8,9 @@ namespace thiessen {
 
 class Weigher;
 
-/// A step's values are those of a network of the gauges that report and no others: by their
-/// tessellation, or by whatever else the method is. How that is done without weighing each step's
-/// gauges from the start is the method's own affair (CellRetessellation, MethodRetessellation).
+/// Gives a step the values of a network that consists of the gauges that report and no others: by
+/// their tessellation, or by another method. It is left to each method how to do this without
+/// weighing the gauges of each step from the start (CellRetessellation, MethodRetessellation).
 class Retessellation : public GapPolicy {
  public:
   static constexpr const char* name = "retessellate";

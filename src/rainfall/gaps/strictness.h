@@ -8,7 +8,8 @@
 
 namespace thiessen {
 
-/// No value where any gauge is silent that has weight in the basin; else the full network's.
+/// Gives a basin no value where any gauge that has weight in it is silent; else the value by the
+/// full network's weights.
 class Strictness : public FullNetwork {
  public:
   static constexpr const char* name = "strict";
@@ -21,7 +22,7 @@ class Strictness : public FullNetwork {
  private:
   double value(const Reporting& reporting) const override;
   BasinWeights weights(const BasinWeights& full, std::span<const double> readings) const override;
-  /// Nothing: what has a value has the full network's weights.
+  /// There are no changes: a basin with a value has the full network's weights.
   std::vector<CellWeight> change(std::span<const double>) const override { return {}; }
 };
 

@@ -9,8 +9,8 @@
 
 namespace thiessen {
 
-/// Gives gauges their weights in the basins, by their cells or by another method. It is what the
-/// gap policies are made from; each takes the one answer that it needs, once.
+/// Gives gauges their weights in the basins, by their cells or by another method. Gap policies are
+/// made from a weigher; each takes the one answer that it needs, once.
 class Weigher {
  public:
   Weigher() = default;
@@ -19,9 +19,10 @@ class Weigher {
   virtual ~Weigher() = default;
 
   virtual const Network& network() const = 0;
-  /// The weights where every gauge reports, by basin.
+  /// The weights by basin when every gauge reports.
   virtual std::vector<BasinWeights> full_weights() const = 0;
-  /// Weighs the gauges of each step that report, whichever they are. The weigher must outlive it.
+  /// Makes the policy that weighs the gauges of each step that report, whichever they are. The
+  /// weigher must outlive it.
   virtual std::unique_ptr<const Retessellation> retessellation() const = 0;
 };
 
