@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// A place's part in a basin, or at a point.
+/// The weight of a place in a basin, or at a point.
 struct PlaceWeight {
   PlaceIndex place;
   double weight;
@@ -15,17 +15,17 @@ struct PlaceWeight {
   friend bool operator==(const PlaceWeight&, const PlaceWeight&) = default;
 };
 
-/// A way to weigh gauges in basins: areal rainfall is the sum of weight x reading. Gauges at one
-/// place are one, with the mean of those that report.
+/// A way to weigh gauges in basins; areal rainfall is then the sum of weight x reading. Gauges at
+/// one place count as one, with the mean reading of those that report.
 class AreaMethod {
  public:
-  /// By basin, the places that weigh, in their order; the weights are positive and add up to 1. A
-  /// basin that the method has no value for has none.
+  /// The places that weigh in each basin, in rising order. The weights are positive and add up to
+  /// 1. A basin for which the method has no value has no weights.
   using Weights = std::vector<std::vector<PlaceWeight>>;
 
   virtual ~AreaMethod() = default;
-  /// The weights where these places report and no others; one entry a place. A function of
-  /// `reports` alone. Safe for several threads at once.
+  /// The weights when exactly these places report. `reports` has one entry for each place, and the
+  /// result depends on it alone. Safe for several threads at once.
   virtual Weights weights(const ReportingPlaces& reports) const = 0;
 };
 

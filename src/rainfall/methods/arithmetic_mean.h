@@ -5,17 +5,17 @@
 
 namespace thiessen {
 
-/// The mean of the gauges inside a basin, or on its edge; none inside: no value.
+/// The mean of the gauges inside a basin or on its edge. A basin without such a gauge has no value.
 class ArithmeticMean : public AreaMethod {
  public:
   static constexpr const char* name = "arithmetic";
 
-  /// Cost: as Containment for each place in a basin's box.
+  /// Finds the places in each basin. Cost: that of Containment for each place in a basin's box.
   explicit ArithmeticMean(const Weighing& weighing);
   Weights weights(const ReportingPlaces& reports) const override;
 
  private:
-  std::vector<std::vector<std::size_t>> inside_;  // by basin, places in their order
+  std::vector<std::vector<std::size_t>> inside_;  // by basin: its places in rising order
 };
 
 }  // namespace thiessen

@@ -20,7 +20,7 @@ struct Edge {
   double x_at(double y) const { return low.x + (y - low.y) / (high.y - low.y) * (high.x - low.x); }
 };
 
-/// Those of a part that rows can cross, from south to north.
+/// The edges of a part that rows can cross, from south to north.
 std::vector<Edge> edges_of(const Polygon& part) {
   std::vector<Edge> edges;
   const auto add = [&](const Ring& ring) {
@@ -52,8 +52,8 @@ double area_of(const Polygon& part, const Surface& surface) {
   return std::max(0.0, sum.value());
 }
 
-/// The parallel that halves a strip's area on a sphere: cos(c) = cos(middle) cos(half), c being the
-/// distance from the nearer pole.
+/// The latitude that halves a strip's area on a sphere: cos(c) = cos(middle) cos(half), where c is
+/// the distance from the nearer pole.
 double halving_latitude(double south, double north) {
   const double middle = south + (north - south) / 2;
   const double from_pole = (90 - std::abs(middle)) * degree;
@@ -64,7 +64,7 @@ double halving_latitude(double south, double north) {
   return std::clamp(middle - std::copysign((c - from_pole) / degree, middle), south, north);
 }
 
-/// Some strips of equal height that cover a part.
+/// Divides the box of a part into strips of equal height.
 class Rows {
  public:
   Rows(const Box& box, std::size_t count, const Yardstick& yardstick, const Surface& surface)
@@ -75,7 +75,7 @@ class Rows {
         surface_(surface) {}
 
   std::size_t count() const { return count_; }
-  /// Where the row of a strip runs.
+  /// The latitude or y at which the row of a strip runs.
   double at(std::size_t row) const {
     return yardstick_.metric == Metric::geodesic
                ? halving_latitude(south_of(row), south_of(row + 1))
@@ -100,8 +100,8 @@ class Rows {
   const Surface& surface_;
 };
 
-/// Calls take(row, crossings) for every row that edges cross; the part lies between the first and
-/// the second crossing, the third and the fourth ...
+/// Calls take(row, crossings) for every row that edges cross. The part lies between the first and
+/// the second crossing, between the third and the fourth, and so on.
 template <typename Take>
 void for_each_row(const std::vector<Edge>& edges, const Rows& rows, Take&& take) {
   struct Crossing {
@@ -109,7 +109,7 @@ void for_each_row(const std::vector<Edge>& edges, const Rows& rows, Take&& take)
     std::size_t edge;
   };
   const auto by_x = [](const Crossing& a, const Crossing& b) { return a.x < b.x; };
-  std::vector<Crossing> crossings;  // nearly in order from the row before
+  std::vector<Crossing> crossings;  // of the row before, hence nearly in order
   std::size_t next = 0;
   for (std::size_t row = 0; row < rows.count(); ++row) {
     throw_if_interrupted();
@@ -123,12 +123,12 @@ void for_each_row(const std::vector<Edge>& edges, const Rows& rows, Take&& take)
   }
 }
 
-/// Puts a point wherever an equal share of the area is behind.
+/// Sets a point each time that an equal share of the area lies behind.
 class Pacing {
  public:
   explicit Pacing(double share) : share_(share), next_(share / 2) {}
 
-  /// Goes straight on over ground of so much area.
+  /// Goes straight from one point to another over ground of this area.
   void go(double area, Point from, Point to) {
     const double begin = gone_.value();
     gone_.add(area);
@@ -169,8 +169,8 @@ class BasinPoints {
   }
 
  private:
-  /// As many as make the ground of a point square; and where the part fills little of its box, so
-  /// many that two cross it wherever it is.
+  /// The number of rows for a part: as many as make the ground of a point square. Where the part
+  /// fills little of its box there are more, so that two rows cross it wherever it is.
   std::size_t rows_for(const Box& box, double area) const {
     constexpr double metres_a_degree = mean_radius * degree;
     const double side =
@@ -217,7 +217,7 @@ class BasinPoints {
   const Yardstick& yardstick_;
   std::unique_ptr<Surface> surface_;
   std::vector<double> areas_;  // by part
-  double share_ = 0;           // of a point
+  double share_ = 0;           // the area that a point stands for
 };
 
 }  // namespace

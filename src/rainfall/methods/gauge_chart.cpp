@@ -11,7 +11,8 @@
 namespace thiessen {
 namespace {
 
-/// Keeps the direction that is farthest from a place, the first by coordinates of equally far ones.
+/// Keeps the centre that is farthest from its nearest place. Of equally far ones it keeps the first
+/// by coordinates, so that the order of the places does not matter.
 class Farthest {
  public:
   void consider(Direction centre, Direction place) {
@@ -33,7 +34,7 @@ Direction across(Direction a, Direction b) {
   return unit(cross(a, std::abs(a.z) < 0.5 ? Direction{0, 0, 1} : Direction{1, 0, 0}));
 }
 
-/// The middle of the largest circle of the sphere without a place in it.
+/// The centre of the largest circle on the sphere that has no place inside.
 Direction middle_of_gap(std::span<const Point> places) {
   const SphereTessellation sphere(places);
   const Tessellation<2>& chart = sphere.tessellation();
@@ -49,7 +50,7 @@ Direction middle_of_gap(std::span<const Point> places) {
     });
     return *farthest.centre();
   }
-  // One circle holds them all.
+  // Without a triangle all places lie on one circle.
   std::vector<PlaceIndex> ring{sphere.pole()};
   for (const PointId p : chart.along_line()) ring.push_back(sphere.place(p));
   if (ring.size() == 1) return -1.0 * sphere.direction(ring[0]);

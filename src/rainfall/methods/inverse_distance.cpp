@@ -13,7 +13,8 @@ namespace {
 
 constexpr float at_the_point = std::numeric_limits<float>::infinity();
 
-/// Adds the weights of the neighbours that report, the first 12, made to add up to 1.
+/// Takes the first 12 neighbours of a point that report, and adds their weights, scaled to add up
+/// to 1.
 template <typename Neighbour>
 class Shares {
  public:
@@ -67,7 +68,8 @@ void InverseDistance::keep_neighbours(Points& points) const {
   }
 }
 
-// By the nearest one's distance, so that no unit of length is too large or too small for a float.
+// Weights are relative to the nearest gauge's distance, so that no unit of length makes them too
+// large or too small for a float.
 void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
                             std::span<Neighbour> weighed) const {
   constexpr double accuracy = 1;  // metres, of geodesics longer than 1,000 km

@@ -13,23 +13,25 @@
 
 namespace thiessen {
 
-/// Inverse distance squared: at a point each of the 12 nearest gauges that report weighs as 1 / d^2
-/// (all where there are fewer), and a gauge at the point has all the weight (D. Shepard, A
-/// two-dimensional interpolation function for irregularly-spaced data, 1968); the mean over
-/// `points` points of a basin.
+/// Inverse distance weighting with the square of the distance, averaged over `points` points of a
+/// basin.
 ///
-/// Distances are in the plane, or geodesics on WGS 84 to 1e-7 of themselves. For each point its 24
-/// nearest gauges are kept, so that those that are silent have others in their stead; where that is
-/// not enough the rest are looked for. Accuracy: 1e-7 of each weight, for they are kept as floats.
-/// Memory: 210 bytes a point. Cost: 2.5 microseconds a point, once; then for each set of reporting
-/// gauges 50 nanoseconds a point of the basins that a silent gauge weighs in.
+/// At a point each of the 12 nearest gauges that report has a weight in proportion to 1 / d^2 (all
+/// gauges where there are fewer). A gauge at the point itself has all the weight. Source: D.
+/// Shepard, A two-dimensional interpolation function for irregularly-spaced data, 1968.
+///
+/// Distances are those of the plane, or geodesics on WGS 84 to 1e-7 of their length. The 24 nearest
+/// gauges of each point are kept, so that others can stand in for silent ones; where 24 are too few
+/// the rest of the network is searched. Accuracy: 1e-7 of each weight, for weights are kept as
+/// floats. Memory: 210 bytes a point. Cost: 2.5 microseconds a point, once; then, for each set of
+/// reporting gauges, 50 nanoseconds a point of the basins in which a silent gauge weighs.
 class InverseDistance : public AreaMethod {
  public:
   static constexpr const char* name = "idw";
 
   static constexpr std::size_t neighbours = 12;
 
-  /// The weighing must outlive it.
+  /// The weighing must outlive this object.
   InverseDistance(const Weighing& weighing, std::size_t points, unsigned threads);
   Weights weights(const ReportingPlaces& reports) const override;
 
@@ -39,12 +41,12 @@ class InverseDistance : public AreaMethod {
   /// A gauge near a point.
   struct Neighbour {
     PlaceIndex place;
-    float weight;  ///< the square of the nearest one's distance by that of this; infinite at it
+    float weight;  ///< (the nearest gauge's distance / its own)^2; infinite at the point
   };
-  /// The points of a basin.
+  /// The points of a basin and the gauges near them.
   struct Points {
     std::vector<Point> at;
-    std::vector<Neighbour> near;  ///< for each point so many as are kept, the nearest first
+    std::vector<Neighbour> near;  ///< kept_ for each point, the nearest first
     std::vector<PlaceWeight> full;
   };
 

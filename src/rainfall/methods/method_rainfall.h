@@ -11,11 +11,11 @@
 
 namespace thiessen {
 
-/// Areal rainfall by a method other than the cells. Cost of a step: its gap policy's
+/// Areal rainfall by a method other than Thiessen's cells. Cost of a step: that of its gap policy
 /// (MethodRetessellation, FullNetwork).
 class MethodRainfall : public WeighedRainfall {
  public:
-  /// The weighing must outlive it.
+  /// The weighing must outlive this object.
   MethodRainfall(const Weighing& weighing, std::unique_ptr<const AreaMethod> method,
                  const ArealRainfallSettings& settings)
       : WeighedRainfall(std::make_shared<const MethodWeigher>(weighing, std::move(method),
@@ -23,10 +23,11 @@ class MethodRainfall : public WeighedRainfall {
                         settings) {}
 };
 
-/// Several methods at once: for each basin its value by each of them, in their order.
+/// Areal rainfall by several methods at once. Each basin has one value by each method, in the order
+/// of the methods.
 class SeveralMethods : public StepRainfall {
  public:
-  /// Requires at least one, all of the same basins.
+  /// Requires at least one method, and the same basins for all.
   explicit SeveralMethods(std::vector<std::unique_ptr<const StepRainfall>> methods)
       : methods_(std::move(methods)) {}
 

@@ -10,7 +10,7 @@
 namespace thiessen {
 namespace {
 
-/// What the stations at a place say: how many report, and their mean.
+/// The stations at a place at one step: how many report, and their mean reading.
 struct PlaceReading {
   double mean = 0;
   std::size_t reporting = 0;

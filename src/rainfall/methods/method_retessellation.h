@@ -11,12 +11,13 @@
 
 namespace thiessen {
 
-/// A method anew among the gauges that report. Its cells are the network's places. Cost of a step:
-/// its gauges and the weights; and what the method takes for a set of reporting gauges that is not
+/// Retessellation for a method other than Thiessen's cells: the method is applied anew to the
+/// gauges that report. The cells of its accounts are the network's places. Cost of a step: its
+/// gauges and the weights; and the method's own cost for each set of reporting gauges that is not
 /// remembered.
 class MethodRetessellation : public Retessellation {
  public:
-  /// The weigher and the method must outlive it.
+  /// The weigher and the method must outlive this object.
   MethodRetessellation(const MethodWeigher& weigher, const AreaMethod& method,
                        std::size_t remembered_bytes);
 

@@ -10,11 +10,12 @@
 
 namespace thiessen {
 
-/// Weighs gauges by a method other than the cells. Gauges at one place share its weight: those that
-/// report, or in the full network's weights all of them.
+/// Weighs gauges by a method other than Thiessen's cells. Gauges at one place share its weight:
+/// those that report, or all of them in the full network's weights.
 class MethodWeigher : public Weigher {
  public:
-  /// The weighing must outlive it. `remembered_bytes`: of weights.
+  /// The weighing must outlive this object. `remembered_bytes` bounds the weights that are
+  /// remembered.
   MethodWeigher(const Weighing& weighing, std::unique_ptr<const AreaMethod> method,
                 std::size_t remembered_bytes);
 
@@ -22,9 +23,10 @@ class MethodWeigher : public Weigher {
   std::vector<BasinWeights> full_weights() const override;
   std::unique_ptr<const Retessellation> retessellation() const override;
 
-  /// The method's weights where every place reports.
+  /// The method's weights when every place reports.
   AreaMethod::Weights full_places() const;
-  /// A place's weight in equal shares to its stations that report; one entry a station.
+  /// Divides the weight of each place in equal shares among its stations that report.
+  /// `stations_report` has one entry for each station.
   std::vector<BasinWeights> by_station(const AreaMethod::Weights& weights,
                                        const ReportingStations& stations_report) const;
 

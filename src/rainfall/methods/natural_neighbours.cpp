@@ -26,8 +26,9 @@ class NaturalNeighbours::Workplace {
   explicit Workplace(const NaturalNeighbours& all)
       : all_(all), natural_(*all.natural_), sums(all.weighing_.network().places().size()) {}
 
-  /// Where these places report, the weights at a point, and whether it is in the hull. Requires
-  /// that one does; the tessellation is of those that report.
+  /// Finds the weights at a point when these places report, and tells whether the point is in the
+  /// hull. Requires that at least one place reports, and that the tessellation is of those that
+  /// report.
   bool find(const ChartPoint& at, Point position, const ReportingPlaces& reports,
             std::vector<PlaceWeight>& weights) {
     weights.clear();
@@ -41,7 +42,7 @@ class NaturalNeighbours::Workplace {
   }
 
   void begin_anew() { natural_.begin_anew(); }
-  /// Does `work` with the tessellation of those that report.
+  /// Does `work` while the tessellation is of the places that report.
   template <typename Work>
   void with(const ReportingPlaces& reports, Work&& work) {
     std::vector<PointId> silent;
@@ -99,7 +100,7 @@ NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t point
 
 NaturalNeighbours::~NaturalNeighbours() = default;
 
-// Returns how many points are outside.
+// Returns how many points are outside the hull.
 std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workplace) const {
   const ReportingPlaces reports(weighing_.network().places().size(), true);
   std::vector<PlaceWeight> weights;

@@ -14,37 +14,39 @@
 
 namespace thiessen {
 
-/// Sibson's natural neighbours (see NaturalWeights), the mean over `points` points of a basin;
-/// outside the gauges' hull the nearest gauge (see NearestGauges).
+/// Sibson's natural neighbour interpolation (see NaturalWeights), averaged over `points` points of
+/// a basin. A point outside the gauges' hull has the value of the nearest gauge (see
+/// NearestGauges).
 ///
-/// For each point its neighbours in the full network are kept, and its weights are those as long as
-/// all of them report. The others are found again, in the tessellation without the silent gauges,
-/// which are deleted and taken back. Memory: 170 bytes a point, and for each thread a copy of the
-/// tessellation. Cost: 0.5 microseconds a point, once; then for each set of reporting gauges as
-/// much for each point next to a silent one, and a look at the points of the basins that have any.
+/// For each point the neighbours in the full network are kept; its weights hold as long as all of
+/// these report. For the other points they are found again in the tessellation without the silent
+/// gauges, which are deleted from it and taken back afterwards. Memory: 170 bytes a point, and a
+/// copy of the tessellation for each thread. Cost: 0.5 microseconds a point, once; then, for each
+/// set of reporting gauges, as much for each point next to a silent gauge, and a look at every
+/// point of the basins that have such points.
 class NaturalNeighbours : public AreaMethod {
  public:
   static constexpr const char* name = "natural";
 
-  /// The weighing must outlive it.
+  /// The weighing must outlive this object.
   NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads);
   ~NaturalNeighbours() override;
   Weights weights(const ReportingPlaces& reports) const override;
 
-  /// By basin, the share of its points outside the full network's hull.
+  /// The share of each basin's points that lie outside the full network's hull.
   const std::vector<double>& shares_outside() const { return shares_outside_; }
 
  private:
-  /// The points of a basin; those of the i-th begin at first[i] in `neighbours`.
+  /// The points of a basin. The neighbours of the i-th point begin at first[i] in `neighbours`.
   struct Points {
     std::vector<Point> positions;
     std::vector<ChartPoint> at;
     std::vector<std::uint32_t> first{0};
     std::vector<PlaceWeight> neighbours;
     std::vector<PlaceWeight> full;
-    std::vector<PlaceIndex> all;  ///< that are a neighbour of any of the points
+    std::vector<PlaceIndex> all;  ///< places that are a neighbour of any of the points
   };
-  /// What a thread works with.
+  /// What one thread works with: a copy of the tessellation, and memory that is used again.
   class Workplace;
 
   std::size_t keep_neighbours(Points& points, Workplace& workplace) const;

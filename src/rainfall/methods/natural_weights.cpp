@@ -41,8 +41,8 @@ bool NaturalWeights::find(const ChartPoint& point, std::vector<NaturalWeight>& w
   return find_on_edge(point.at, ends[0], ends[1], weights);
 }
 
-// Of an edge of the hull, or a piece of the line, that has the point on it; or the point is off the
-// line's end.
+// Finds the weights on an edge of the hull, or on a piece of the line, that the point lies on. It
+// returns false if the point lies beyond an end of the line.
 bool NaturalWeights::find_on_edge(Point point, PointId a, PointId b,
                                   std::vector<NaturalWeight>& weights) const {
   for (const PointId p : {a, b}) {

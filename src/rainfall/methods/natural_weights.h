@@ -10,39 +10,43 @@
 
 namespace thiessen {
 
-/// A gauge's part at a point.
+/// The weight of a gauge at a point.
 struct NaturalWeight {
   PointId gauge;
   double weight;
 };
 
-/// Sibson's coordinates of points among gauges: a gauge weighs as the area that the point, if it
-/// were a gauge, would take from its cell (R. Sibson, A brief description of natural neighbour
-/// interpolation, 1981). In the plane the weighted positions give back the point.
+/// Sibson's natural neighbour coordinates of points among gauges: the weight of a gauge is the area
+/// that the point, if it were a gauge, would take from the gauge's cell (R. Sibson, A brief
+/// description of natural neighbour interpolation, 1981). In the plane the weighted mean of the
+/// gauges' positions is the point itself.
 ///
-/// Planar: the topology is exact. Geodesic: that of the conformal sphere, and areas are the
-/// sphere's; see GaugeChart. On an edge of the hull, and between gauges that are all on one line,
-/// the two on either side weigh, linearly; it is what the coordinates tend to there. At a gauge it
-/// has all the weight. Outside the hull, so anywhere off the line of gauges that are on one, there
-/// are none.
-/// Accuracy: planar 1e-12 (see the test); geodesic, against the areas of the ellipsoid's own cells,
+/// Planar: the topology is exact. Geodesic: the topology is that of the conformal sphere and areas
+/// are the sphere's; see GaugeChart. On an edge of the hull, and between gauges that all lie on one
+/// line, the two gauges on either side weigh, linearly with distance: this is the limit of the
+/// coordinates there. At a gauge, that gauge has all the weight. Outside the hull there are no
+/// weights, and so none anywhere off the line if all gauges lie on one.
+///
+/// Accuracy: planar 1e-12 (see the test). Geodesic, against the areas of the ellipsoid's own cells:
 /// 1e-4 where gauges are 100 km apart, and in proportion to that distance. Cost: 0.3 microseconds a
-/// point where the one before is near. One for each thread; a copy is independent.
+/// point that lies near the point before. Not safe for several threads: each needs an object of its
+/// own, and a copy is independent.
 class NaturalWeights {
  public:
-  /// Gauges on one point of the chart get one number.
+  /// Numbers the gauges; those on one point of the chart get the same number.
   NaturalWeights(std::span<const ChartPoint> gauges, bool is_of_earth);
 
-  /// The number of each gauge.
+  /// The number of each gauge, in the order in which they were given.
   const std::vector<PointId>& numbers() const { return numbers_; }
 
-  /// Forgets where the last point was, on which the last bits of weights may depend.
+  /// Forgets where the last point was, for the last bits of weights may depend on it.
   void begin_anew() { last_ = no_vertex; }
-  /// False, and no weights, outside the hull. They add up to 1.
+  /// Finds the weights at a point, which add up to 1. Outside the hull it returns false and gives
+  /// none.
   bool find(const ChartPoint& point, std::vector<NaturalWeight>& weights);
 
-  /// Does `work` without some of the gauges, which are back afterwards. `silent`: numbers, each
-  /// once. Cost: the deletions', and on the sphere its vertices'.
+  /// Does `work` while some gauges are deleted; they are back afterwards. `silent` holds their
+  /// numbers, each once. Cost: that of the deletions, and on the sphere that of all vertices.
   template <typename Work>
   void without(std::span<const PointId> silent, Work&& work) {
     {
@@ -66,7 +70,7 @@ class NaturalWeights {
   std::vector<Direction> directions_;  // by number
   PlaneStolenAreas plane_;
   SphereStolenAreas sphere_;
-  VertexId last_ = no_vertex;  // where the last point was
+  VertexId last_ = no_vertex;  // near the last point, where the next search begins
   Trial<2>::Changes changes_;
   ConflictZone<2> zone_;
   std::vector<StolenArea> stolen_;

@@ -28,7 +28,7 @@ void NearestGauges::find(Point from, std::size_t count, const ReportingPlaces& r
     return dot(way, way);
   };
   const auto is_wanted = [&](PlaceIndex p) { return reports.empty() || reports[p]; };
-  // As many places as are wanted bound the distance from the start.
+  // Any places, if they are as many as are wanted, bound the distance of the search from its start.
   double farthest = HUGE_VAL;
   std::erase_if(near, [&](const Near& n) { return !is_wanted(n.place); });
   if (near.size() >= count) {

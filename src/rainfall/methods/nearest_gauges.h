@@ -12,23 +12,25 @@
 
 namespace thiessen {
 
-/// Finds the places nearest to a point, by straight distance: in the plane, or through the Earth
-/// between points of the ellipsoid, which ranks places as their geodesics do but where these differ
-/// by less than 30 metres at 1,000 km (see chord_bounds.h), a thousandth of that at 100. Of places
-/// equally near that with the lesser coordinates comes first. Safe for several threads at once.
+/// Finds the places nearest to a point by straight distance: in the plane, or through the Earth
+/// between points of the ellipsoid. The latter ranks places as their geodesics do, unless these
+/// differ by less than 30 metres at 1,000 km (see chord_bounds.h), or a thousandth of that at 100
+/// km. Of equally near places the one with the lesser coordinates comes first. Safe for several
+/// threads at once.
 class NearestGauges {
  public:
-  /// Requires at least one place, different ones.
+  /// Requires at least one place, and all places different.
   NearestGauges(std::span<const Point> places, Metric metric);
 
   struct Near {
     PlaceIndex place;
-    double square;  ///< of the distance
+    double square;  ///< square of the distance
   };
 
-  /// Up to `count` places of those that report, the nearest first. `reports`: by place; empty: all
-  /// do. `near`: what was found for a point near by, or anything; replaced. Cost: log n and the
-  /// count where places lie scattered and most of them report.
+  /// Finds up to `count` of the places that report, the nearest first. `reports` has one entry for
+  /// each place; if it is empty, all report. `near` receives the result; if it holds what was found
+  /// for a point near by, the search is faster, but it may hold anything. Cost: log n and the
+  /// count, where places lie scattered and most of them report.
   void find(Point from, std::size_t count, const ReportingPlaces& reports,
             std::vector<Near>& near) const;
 

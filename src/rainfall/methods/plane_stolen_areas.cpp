@@ -10,7 +10,7 @@ namespace thiessen {
 namespace {
 
 constexpr double unit = 0x1p-53;
-constexpr double largest_error = 2e-13;  // of what is taken
+constexpr double largest_error = 2e-13;  // as a share of all that is taken
 
 /// A number and a bound on its error.
 struct Bounded {
@@ -24,12 +24,12 @@ struct Bounded {
   }
 };
 
-/// Of an in-circle determinant, whose vectors may be rounded.
+/// The bound of an in-circle determinant covers the rounding of its vectors too.
 Bounded bounded(const Estimate& lift) {
   return {lift.value, 16 * unit * lift.magnitude};
 }
 
-/// A lift over two areas, each right to 25 units.
+/// A lift divided by two areas, each of which is right to 25 units.
 Bounded over(const Bounded& lift, double left, double right) {
   const double value = lift.value / (left * right);
   return {value, std::abs(lift.error / (left * right)) + 64 * unit * std::abs(value)};
@@ -44,7 +44,7 @@ Bounded lift_of(const Corner& a, const Corner& b, const Corner& c) {
   return bounded(determinant::in_circle(seen(a.from_x), seen(b.from_x), seen(c.from_x)));
 }
 
-/// Of q's square and p's.
+/// The square of q's distance from x less that of p's.
 template <typename Corner>
 Bounded difference_of_squares(const Corner& p, const Corner& q) {
   const double step_x = q.position.x - p.position.x;
@@ -57,7 +57,8 @@ Bounded difference_of_squares(const Corner& p, const Corner& q) {
 
 }  // namespace
 
-// Returns a bound on the sums' errors. Terms that may be more than `limit` off are exact.
+// Returns a bound on the errors of all sums. Terms whose bound is above `limit` are computed
+// exactly.
 double PlaneStolenAreas::add_all(const Structure<2>& structure, const ConflictZone<2>& zone,
                                  Point x, double limit) {
   const Topology<2>& topology = structure.topology();
@@ -160,7 +161,8 @@ void PlaneStolenAreas::find(const Structure<2>& structure, const ConflictZone<2>
   double total = 0;
   for (const double sum : sums_) total += sum;
   if (!(error <= largest_error * total)) {
-    // The total may be wrong too; the terms are exact then, or few enough are not.
+    // The total itself may be wrong; then all terms are computed exactly. Else only those are whose
+    // errors would add up to too much.
     const bool is_known = error <= total / 2;
     const double terms = 4 * static_cast<double>(corners_.size());
     add_all(structure, zone, x, is_known ? largest_error * total / 2 / terms : -1);

@@ -16,7 +16,7 @@ double spherical_area(Direction a, Direction b, Direction c) {
   const double volume = dot(a, cross(b - a, c - a));
   const double rest = 1 + dot(a, b) + dot(b, c) + dot(c, a);
   const double t = volume / rest;
-  // The series of the arc tangent, to 1e-17.
+  // For small angles the series of the arc tangent is right to 1e-17.
   constexpr double small = 0.01;
   if (rest > 0 && std::abs(t) < small)
     return 2 * t * (1 - t * t * (1. / 3 - t * t * (1. / 5 - t * t / 7)));

@@ -8,8 +8,8 @@
 
 namespace thiessen {
 
-/// Adds up what places count for at the points of a basin, one basin after the other. Cost: that of
-/// the places touched.
+/// Adds up the weights of places at the points of a basin, for one basin after the other. Cost: the
+/// number of places that weigh.
 class WeightSums {
  public:
   explicit WeightSums(std::size_t places) : sum_(places, 0), is_touched_(places, false) {}
@@ -22,8 +22,8 @@ class WeightSums {
     sum_[index(place)] += weight;
   }
 
-  /// The weights of the basin, made to add up to 1, and begins the next. Less than 1e-14 of it is
-  /// rounding, and left out.
+  /// Gives the basin's weights, scaled to add up to 1, and begins the next basin. Weights of 1e-14
+  /// and less are rounding and left out.
   std::vector<PlaceWeight> take() {
     constexpr double rounding = 1e-14;
     std::sort(touched_.begin(), touched_.end());

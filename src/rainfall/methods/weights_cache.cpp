@@ -6,7 +6,7 @@ namespace thiessen {
 namespace {
 
 std::size_t bytes_of(const ReportingPlaces& reports, const AreaMethod::Weights& weights) {
-  constexpr std::size_t bytes_of_an_entry = 160;  // a node, a bucket, the counters of the pointer
+  constexpr std::size_t bytes_of_an_entry = 160;  // a node, a bucket, the pointer's counters
   std::size_t bytes = bytes_of_an_entry + reports.size() / 8;
   for (const auto& basin : weights)
     bytes += sizeof(std::vector<PlaceWeight>) + basin.capacity() * sizeof(PlaceWeight);

@@ -12,10 +12,10 @@
 namespace thiessen {
 
 /// Remembers a method's weights for the sets of reporting places that were asked for lately, within
-/// a bound of memory. Safe for several threads at once; what it gives depends on the set alone.
+/// a bound of memory. Safe for several threads at once; the result depends on the set alone.
 class WeightsCache {
  public:
-  /// The method must outlive it.
+  /// The method must outlive this object.
   WeightsCache(const AreaMethod& method, std::size_t bytes)
       : method_(method), generation_bytes_(bytes / 2) {}
 
@@ -32,8 +32,8 @@ class WeightsCache {
   const AreaMethod& method_;
   std::size_t generation_bytes_;
   std::mutex mutex_;
-  // When the young are too many they become the old, and the old are forgotten but for those asked
-  // for since.
+  // When the young generation is full it becomes the old one, and the old one is forgotten except
+  // for the sets that have been asked for since.
   Generation young_;
   Generation old_;
   std::size_t young_bytes_ = 0;
