@@ -73,7 +73,7 @@ void DatedReadings::warn_of_none() {
                  "no time step is in the range: the first is " + quoted(first_, longest_time) +
                      ", the last " + quoted(last_, longest_time),
                  ""});
-  first_.clear();  // once is enough
+  first_.clear();  // so that the warning comes only once
 }
 
 }  // namespace thiessen

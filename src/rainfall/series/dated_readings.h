@@ -10,25 +10,25 @@
 
 namespace thiessen {
 
-/// What a table's times have to be, and which of them count.
+/// What the times of a table have to be, and which of them count.
 struct StepTimes {
   TimeRange range;
-  TimePrecision least = TimePrecision::year;  ///< that a time must say
+  TimePrecision least = TimePrecision::year;  ///< least precision of a time
 };
 
-/// The time of a step. Throws Error, with file and line (0 where it is not known), where it is not
-/// ISO 8601, or is less precise than `least`.
+/// Parses the time of a step. Throws Error, with file and line (0 where it is not known), if the
+/// time is not ISO 8601 or is less precise than `least`.
 IsoTime time_of_step(std::string_view text, TimePrecision least, const std::string& file,
                      std::size_t line);
 
-/// Of other readings the steps whose times are in a range.
+/// Readings that pass on only the steps of other readings whose times are in a range.
 ///
-/// Every step is read, and those whose time is wrong are reported together with what else is wrong
-/// in the file, at its end, in place of the steps that follow the first of them. Where the file has
-/// steps but none is in the range, that is a warning.
+/// Every step is read. Steps whose time is wrong are reported at the end of the file, together with
+/// what else is wrong in it; none of the steps that follow the first of them is passed on. A file
+/// that has steps but none in the range gets a warning.
 class DatedReadings : public Readings {
  public:
-  /// `file` is for messages; `warnings` must outlive this.
+  /// `file` is for messages. `warnings` must outlive this object.
   DatedReadings(std::unique_ptr<Readings> all, std::string file, StepTimes wanted,
                 Warnings& warnings);
 
@@ -45,9 +45,9 @@ class DatedReadings : public Readings {
   StepTimes wanted_;
   Warnings& warnings_;
   Complaints complaints_;
-  bool any_ = false;   ///< in the range
-  std::string first_;  ///< time of all
-  std::string last_;   ///< time before the first in the range
+  bool any_ = false;   ///< whether any step is in the range
+  std::string first_;  ///< first time of all
+  std::string last_;   ///< last time before the first in the range
 };
 
 }  // namespace thiessen

@@ -6,8 +6,9 @@
 namespace thiessen {
 namespace {
 
-/// Each bit changes half of the others, wherever it stands (the last steps of SplitMix64: G. L.
-/// Steele, D. Lea and C. H. Flood, Fast splittable pseudorandom number generators, 2014).
+/// Mixes bits so that each changes half of the others, wherever it stands (the last steps of
+/// SplitMix64: G. L. Steele, D. Lea and C. H. Flood, Fast splittable pseudorandom number
+/// generators, 2014).
 std::uint64_t mixed(std::uint64_t bits) {
   bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9u;
   bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBu;

@@ -8,15 +8,17 @@
 
 namespace thiessen {
 
-/// Numbers the different sets of reporting gauges, from 1, in the order in which they come. Memory:
-/// some 50 bytes a set, whatever its size: two sets are taken for one where 128 bits of hash agree.
+/// Numbers the different sets of reporting gauges from 1, in the order in which they come. A set is
+/// known by 128 bits of hash: two sets with the same hash are taken for one. Memory: some 50 bytes
+/// a set, whatever its size.
 class GaugePatterns {
  public:
   struct Pattern {
     std::size_t number;
     bool is_fresh;  ///< not seen before
   };
-  /// `readings`: one a station, NaN where it is silent.
+  /// Gives the number of a step's set. `readings` has one entry for each station, NaN where it is
+  /// silent.
   Pattern of(std::span<const double> readings);
 
  private:

@@ -13,7 +13,7 @@
 namespace thiessen {
 namespace {
 
-/// Different for different periods of one length.
+/// A number for a period, which differs for different periods of one length.
 int number_of(const IsoTime& time, TimePrecision every) {
   const int month = every >= TimePrecision::month ? time.month : 0;
   const int day = every >= TimePrecision::day ? time.day : 0;

@@ -14,7 +14,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto worth_telling = std::chrono::milliseconds(150);
 constexpr std::size_t block_bytes = std::size_t{16} << 20;
 
-/// Some steps, whose memory is used again.
+/// A block of steps, whose memory is used again for the next block.
 class Block {
  public:
   void read(Readings& readings, std::size_t most) {
@@ -29,7 +29,7 @@ class Block {
   }
   std::size_t count() const { return count_; }
   RainStep& operator[](std::size_t i) { return steps_[i]; }
-  /// How many steps such as its first may be in a block. Requires one that is computed.
+  /// How many steps of the first one's size a block may hold. Requires that the first is computed.
   std::size_t affordable() const {
     const RainStep& step = steps_.front();
     const std::size_t bytes = sizeof step + step.readings.size() * sizeof(double) +
@@ -49,8 +49,8 @@ std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, cons
                           const std::function<void(const RainStep&)>& take) {
   Block block;
   Block ahead;
-  // Blocks grow as long as they take no time worth telling, so that slow steps are told soon; in
-  // large ones threads wait less for each other.
+  // Small blocks let slow steps be handed on soon; in large ones threads wait less for each other.
+  // So blocks grow as long as they take no time worth telling.
   std::size_t most = std::min(std::size_t{2} * std::max(1u, work.threads), work.steps_in_a_block);
   const auto compute = [&] {
     const auto begin = Clock::now();

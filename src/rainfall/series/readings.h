@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// What the gauges read at one time. A silent gauge's reading is NaN.
+/// What the gauges read at one time; NaN where a gauge is silent.
 struct TimeStep {
   std::string time;  ///< as the file writes it
   std::span<const double>
@@ -15,14 +15,16 @@ struct TimeStep {
   std::size_t line = 0;  ///< where the time first came; 0 where that is not known
 };
 
-/// A table of readings, a time step after the other, in the order in which the times first came.
+/// A table of readings, read one time step after the other in the order in which the times first
+/// came.
 class Readings {
  public:
   virtual ~Readings() = default;
-  /// Fills `step`; false at the end. Throws Error where the input is bad.
+  /// Reads the next step into `step`; returns false at the end. Throws Error where the input is
+  /// bad.
   virtual bool next(TimeStep& step) = 0;
-  /// How much of the input is read, from 0 to 1; NaN where its length is not known. For the thread
-  /// that reads: another asks WatchedReadings.
+  /// The share of the input that has been read, from 0 to 1; NaN where its length is not known.
+  /// Only the thread that reads may ask; other threads ask WatchedReadings.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
 };
 

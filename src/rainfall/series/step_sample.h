@@ -6,28 +6,30 @@
 
 namespace thiessen {
 
-/// Steps of a series of unknown length, evenly spaced over it, within a bound of memory: every
-/// step while there is room, then every second, every fourth, and so on. Which are kept depends on
-/// their number alone. At least half of the room is filled where the series is that long.
+/// A sample of the steps of a series of unknown length, evenly spaced over it, within a bound of
+/// memory: every step while there is room, then every second, every fourth, and so on. Which steps
+/// are kept depends on their number alone. At least half of the room is filled if the series is
+/// that long.
 ///
-/// The spacing is a power of 2: of hourly steps it meets at least three times of the day. Memory: 8
-/// bytes a reading kept, and as much again for a moment while it grows. Cost of a step: its gauges
-/// where it is kept, else nothing; what is dropped later adds as much once.
+/// The spacing is a power of 2, so in a series of hourly steps it meets at least three times of the
+/// day. Memory: 8 bytes for each reading that is kept, and as much again for a moment while it
+/// grows. Cost of a step: its gauges where it is kept, else nothing; dropping it later costs as
+/// much once.
 class StepSample {
  public:
-  /// `most`: steps that are held at once, at least 2.
+  /// `most` is the number of steps that are held at once, at least 2.
   StepSample(std::size_t stations, std::size_t most);
 
-  /// The next step: readings one a station, NaN where it is silent.
+  /// Takes the next step, with one reading for each station, NaN where it is silent.
   void add(std::span<const double> readings);
 
   std::size_t steps() const { return stations_ == 0 ? 0 : readings_.size() / stations_; }
   std::size_t stations() const { return stations_; }
-  /// The readings of a step that is kept, in the order of time.
+  /// The readings of a step that is kept; such steps are numbered in the order in which they came.
   std::span<const double> operator[](std::size_t step) const {
     return std::span(readings_).subspan(step * stations_, stations_);
   }
-  /// How many steps of the series there are from one that is kept to the next.
+  /// The number of steps of the series from one that is kept to the next.
   std::size_t spacing() const { return spacing_; }
 
  private:
@@ -37,10 +39,10 @@ class StepSample {
   std::size_t most_;
   std::size_t spacing_ = 1;
   std::size_t seen_ = 0;
-  std::vector<double> readings_;  // a row a step
+  std::vector<double> readings_;  // a row for each step
 };
 
-/// As many steps as a number of bytes has room for, but no more than `most` and at least 2.
+/// The number of steps that fit in `bytes`, but no more than `most` and no fewer than 2.
 std::size_t steps_within(std::size_t bytes, std::size_t stations, std::size_t most);
 
 }  // namespace thiessen

@@ -11,7 +11,8 @@
 
 namespace thiessen {
 
-/// Other readings, of which any thread may ask how much is read, or done, while another reads them.
+/// Passes on other readings. While one thread reads them, any other may ask how much is read or
+/// done.
 class WatchedReadings : public Readings {
  public:
   explicit WatchedReadings(std::unique_ptr<Readings> all) : all_(std::move(all)) {}
@@ -23,7 +24,7 @@ class WatchedReadings : public Readings {
     return more;
   }
   double share_read() const override { return share_.load(std::memory_order_relaxed); }
-  /// The share of all that the first `steps` of those read are.
+  /// The share of the input that the first `steps` steps make up, if steps are of equal length.
   double share_of(std::size_t steps) const {
     const auto read = static_cast<double>(steps_.load(std::memory_order_relaxed));
     return read > 0 ? share_read() * std::min(1.0, static_cast<double>(steps) / read) : 0;
