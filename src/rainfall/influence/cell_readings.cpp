@@ -11,7 +11,7 @@
 namespace thiessen {
 namespace {
 
-// Steps that one thread takes together: their values share lines of memory.
+// One thread takes this many steps together, for their values share lines of memory.
 constexpr std::size_t steps_together = 16;
 
 }  // namespace
@@ -34,7 +34,7 @@ void CellReadings::take_up(std::size_t step, std::span<const double> readings) {
     const auto stations = cells_.stations_of(PlaceIndex{cell});
     if (stations.empty()) continue;
     double first = 0;
-    LongSum above_first;  // so that the mean of equal readings is that reading
+    LongSum above_first;  // so that equal readings have exactly their own mean
     std::size_t count = 0;
     for (const StationIndex s : stations) {
       const double reading = readings[index(s)];

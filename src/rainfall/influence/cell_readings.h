@@ -11,27 +11,27 @@
 
 namespace thiessen {
 
-/// What the cells read in a block of steps, each cell's steps side by side, and which of them are
-/// silent together.
+/// What the cells read in a block of steps, and which of them are silent together. The steps of a
+/// cell lie side by side in memory.
 class CellReadings {
  public:
-  /// The cells must outlive it.
+  /// The cells and their adjacency must outlive this object.
   CellReadings(const NetworkCells& cells, const CellAdjacency& adjacency)
       : cells_(cells), adjacency_(adjacency) {}
 
-  /// Takes up a block in place of the one before; its rows are looked at only here. Cost: the
-  /// stations of every step, and the neighbours of silent cells.
+  /// Takes up a block in place of the one before. The rows are not looked at after this call. Cost:
+  /// the stations of every step, and the neighbours of silent cells.
   void take_up(StepRows rows, unsigned threads);
 
   std::size_t steps() const { return steps_.size(); }
-  /// By step: the mean of the cell's stations that report, NaN where none does.
+  /// The readings of a cell by step: the mean of its stations that report, NaN where none does.
   std::span<const double> of(PlaceIndex cell) const {
     return std::span(values_).subspan(index(cell) * steps(), steps());
   }
-  /// How many stations report at a step, of the whole network.
+  /// How many stations of the whole network report at a step.
   std::size_t reporting(std::size_t step) const { return steps_[step].reporting; }
-  /// The connected component of silent cells that a silent one belongs to at a step, in rising
-  /// order.
+  /// The connected component of silent cells that a cell belongs to at a step, in rising order.
+  /// Requires that the cell is silent then.
   const std::vector<PlaceIndex>& component_of(PlaceIndex silent, std::size_t step) const {
     return steps_[step].components[component_[index(silent) * steps() + step]];
   }
@@ -48,7 +48,7 @@ class CellReadings {
   const CellAdjacency& adjacency_;
   std::vector<Step> steps_;
   std::vector<double> values_;            // by cell, then by step
-  std::vector<std::uint32_t> component_;  // the same; of silent cells
+  std::vector<std::uint32_t> component_;  // by cell, then by step; only for silent cells
 };
 
 }  // namespace thiessen

@@ -106,7 +106,7 @@ const Handover& Influence::handover_of(PlaceIndex cell) {
   return *handover;
 }
 
-// Whatever else is silent, and however many stations report in the cell.
+// This handles any step, whatever else is silent and however many stations report in the cell.
 void Influence::take_step(PlaceIndex cell, std::size_t step, Bench& bench) {
   const auto stations = handovers_.cells().stations_of(cell);
   bench.here.clear();
@@ -125,7 +125,7 @@ void Influence::take_step(PlaceIndex cell, std::size_t step, Bench& bench) {
   }
 }
 
-// The silent ones beside the cell, and what they hand over.
+// Finds the silent components beside the cell, and what they hand over.
 void Influence::find_components(PlaceIndex cell, std::size_t step, Bench& bench) {
   bench.beside.clear();
   bench.handed_over.clear();
@@ -139,7 +139,7 @@ void Influence::find_components(PlaceIndex cell, std::size_t step, Bench& bench)
   }
 }
 
-// The cell's weights at the step: its own, and what is handed to it.
+// Finds the cell's weights at the step: its own, and those that are handed to it.
 void Influence::find_moments(PlaceIndex cell, Bench& bench) const {
   bench.moments.clear();
   for (const Part& part : cells_[index(cell)].parts) {
@@ -181,7 +181,7 @@ void Influence::find_changes(PlaceIndex cell, std::size_t step, Bench& bench) {
   add(*remembered_.of(bench.component), 1);
 }
 
-// Without one of the cell's stations that report its mean is that of the others.
+// When one of several reporting stations is left out, the cell's mean becomes that of the others.
 void Influence::share(PlaceIndex cell, std::size_t step, const Moment& moment,
                       const std::vector<std::size_t>& here) {
   const auto stations = handovers_.cells().stations_of(cell);

@@ -15,50 +15,54 @@ namespace thiessen {
 /// What a gauge is worth to a basin: how much the areal rainfall changes when it is left out.
 struct GaugeInfluence {
   StationIndex station;
-  double weight;       ///< the full network's; 0: it weighs only where others are silent
+  double weight;       ///< in the full network; 0: it weighs only where others are silent
   double rms_change;   ///< root mean square of the changes, in the readings' unit; NaN: no value is
                        ///< left without it in any step
   double mean_change;  ///< their mean: above 0 where the values without it are higher
 };
 
-/// How much a basin's areal rainfall changes when a gauge is left out, over a series of steps.
+/// How much a basin's areal rainfall changes over a series of steps when a gauge is left out.
 ///
-/// The change of a step is the value without the gauge's reading less the value with it, both of
-/// the tessellation of the gauges that report (Retessellation): one deletion, taken back. All
-/// steps count in which both values can be had: where the gauge itself is silent the change is 0,
-/// where it alone reports there is none. That is what comparing the series with the one computed
-/// from a file without the gauge's column gives: to 1e-12 of the largest reading in a plane, on the
-/// Earth to what silent gauges' values are good for (2e-11 in Colorado, 1e-7 where gauges are 100
-/// km apart), for ground that the gauge has no part in is handed over in another chart without it.
+/// The change of a step is the value without the gauge's reading less the value with it. Both are
+/// of the tessellation of the gauges that report (Retessellation), so the change is that of one
+/// deletion, taken back. All steps count at which both values exist: where the gauge itself is
+/// silent the change is 0, and where it alone reports there is none.
 ///
-/// With a gauge its cell falls silent, and with it the silent components beside it become one: what
-/// that hands over, less what they did, is who gets the cell's ground (see Handovers). The change
-/// is the sum of weight x (their reading - the gauge's own). Where all its neighbours report, a
-/// step costs a multiplication for each of them and each basin; where some are silent their common
-/// handover is looked up, and computed where it is not remembered. Of several stations that report
-/// in a cell, one's leaving moves the cell's mean and nothing else. So readings that are all the
-/// same change by 0.
+/// The same comes out if the series is compared with one computed from a file without the gauge's
+/// column. In a plane the two agree to 1e-12 of the largest reading. On the Earth they agree as far
+/// as the values of silent gauges are accurate (2e-11 in Colorado, 1e-7 where gauges are 100 km
+/// apart), for without the gauge's column ground that it has no part in is handed over in another
+/// chart.
 ///
-/// Every cell's sums are formed in the order of the steps, so they do not depend on the threads.
-/// Memory: the block of steps, and the sums: 48 bytes for each basin and gauge that weighs in it.
+/// When a gauge is left out its cell falls silent, and it joins the silent components beside it
+/// into one. What the joint component hands over, less what its parts did, tells who gets the
+/// cell's ground (see Handovers). The change is the sum of weight x (the new owner's reading - the
+/// gauge's own). Where all neighbours report, a step costs one multiplication for each of them and
+/// each basin. Where some are silent, the joint handover is looked up, and computed if it is not
+/// remembered. If several stations report in a cell, leaving one out moves the cell's mean and
+/// nothing else. So the change is 0 where all readings are the same.
+///
+/// The sums of a cell are formed in the order of the steps, so they do not depend on the threads.
+/// Memory: the block of steps, and 48 bytes for each basin and gauge that weighs in it.
 class Influence {
  public:
-  /// The handovers must outlive it. `remembered_bytes`: of handovers.
+  /// The handovers must outlive this object. `remembered_bytes` bounds the handovers that are
+  /// remembered.
   Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads);
 
-  /// The next steps of the series.
+  /// Takes the next steps of the series.
   void add(StepRows rows);
 
-  /// By basin, in the order of the stations: those that weigh in the basin in the full network, or
-  /// in a step that counts.
+  /// The influences by basin, in the order of the stations. They are those of stations that weigh
+  /// in the basin in the full network or in a step that counts.
   std::vector<std::vector<GaugeInfluence>> result() const;
 
  private:
-  /// Of changes, in a range that no square leaves.
+  /// The sums of a station's changes. Long doubles have a range that no square leaves.
   struct Sums {
     long double changes = 0;
     long double squares = 0;
-    bool weighs = false;  ///< in the full network, or in a step that counts
+    bool weighs = false;  ///< whether it weighs in the full network or a step that counts
 
     void add(double change) {
       weighs = true;
@@ -66,31 +70,31 @@ class Influence {
       squares += static_cast<long double>(change) * change;
     }
   };
-  /// A cell's part in one basin.
+  /// The part of a cell in one basin, over all steps.
   struct Part {
     std::uint32_t basin;
-    double weight;           ///< the full network's
+    double weight;           ///< in the full network
     std::vector<Sums> sums;  ///< by station of the cell
   };
   struct Cell {
     std::vector<Part> parts;                   ///< by basin
-    std::shared_ptr<const Handover> handover;  ///< of the cell alone
+    std::shared_ptr<const Handover> handover;  ///< when the cell alone falls silent
   };
-  /// A cell's part in one basin at one step.
+  /// The part of a cell in one basin at one step.
   struct Moment {
     std::uint32_t basin;
     double weight;
-    double change;  ///< where the cell falls silent
+    double change;  ///< of the basin's value if the cell falls silent
   };
-  /// What a thread works in.
+  /// What one thread works with; its memory is used again.
   struct Bench {
     std::vector<double> gaps;    // by step: NaN where the cell or one next to it is silent, else 0
     std::vector<double> change;  // by step
     std::vector<const std::vector<PlaceIndex>*> beside;        // the silent components
-    std::vector<std::shared_ptr<const Handover>> handed_over;  // by these
+    std::vector<std::shared_ptr<const Handover>> handed_over;  // by those components
     std::vector<PlaceIndex> component;
     std::vector<Moment> moments;
-    std::vector<std::size_t> here;  // stations of the cell that report, by their place in it
+    std::vector<std::size_t> here;  // positions in the cell of its stations that report
   };
 
   void count_alone();

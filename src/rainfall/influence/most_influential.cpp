@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t steps_in_a_block = 64;
 constexpr std::size_t remembered_bytes = std::size_t{64} << 20;
 
-/// How many reporting cells with ground have silent neighbours.
+/// The number of cells that report, have ground and have a silent neighbour: each needs a handover
+/// of several cells.
 std::size_t cells_beside_gaps(const Handovers& handovers, std::span<const double> readings) {
   const CellAdjacency& adjacency = handovers.adjacency();
   ReportingPlaces report(adjacency.cells(), false);
@@ -34,7 +35,8 @@ std::size_t cells_beside_gaps(const Handovers& handovers, std::span<const double
   return count;
 }
 
-/// Sets of reporting gauges that come again cost nothing.
+/// How many steps to go on at a time so that about `most_handovers` are computed. Sets of reporting
+/// gauges that come again cost nothing, so each counts once.
 std::size_t spacing(const Handovers& handovers, const StepSample& sample,
                     std::size_t most_handovers) {
   GaugePatterns patterns;

@@ -8,20 +8,23 @@
 
 namespace thiessen {
 
-/// The gauge whose leaving changes a basin's rainfall most.
+/// The gauge of a basin that changes its rainfall most when it is left out.
 struct MostInfluential {
   StationIndex station;
-  double rms_change;  ///< see GaugeInfluence; 0: no gauge's leaving is known to change anything
+  double rms_change;  ///< see GaugeInfluence; 0: no gauge is known to change anything
 };
 
 struct SampledInfluence {
   std::vector<MostInfluential> gauges;  ///< by basin
-  std::size_t steps;                    ///< that were looked at
+  std::size_t steps;                    ///< number that were looked at
 };
 
-/// Looks at all steps of a sample, or, where their gaps are too many, at every second, third and so
-/// on of them, so that about `most_handovers` handovers of several cells are computed, beyond one
-/// for each cell that has ground. Of equally influential gauges it takes the first.
+/// Finds the most influential gauge of each basin in a sample of steps; of equal ones it takes the
+/// first.
+///
+/// It looks at all steps of the sample or, where they have too many gaps, at every second, third
+/// and so on, so that about `most_handovers` handovers of several cells are computed, beside one
+/// for each cell that has ground.
 SampledInfluence most_influential(const Handovers& handovers, const StepSample& sample,
                                   std::size_t most_handovers, unsigned threads);
 

@@ -7,7 +7,7 @@
 namespace thiessen {
 namespace {
 
-/// Some steps, whose memory is used again.
+/// A block of steps, whose memory is used again for the next block.
 class Block {
  public:
   void read(Readings& readings, std::size_t most) {
