@@ -5,11 +5,11 @@
 
 namespace thiessen {
 
-/// Whether RAINFALL is `.dly` files: a name that ends so, or a folder.
+/// Whether RAINFALL consists of `.dly` files: its name ends so, or it is a folder.
 bool is_dly(const std::string& rainfall);
 
-/// The file itself, or all `.dly` files of the folder in the order of their names. Throws Error
-/// where there are none, or the folder cannot be read.
+/// Gives the file itself, or all `.dly` files of the folder in the order of their names. Throws
+/// Error if there are none, or if the folder cannot be read.
 std::vector<std::string> dly_files(const std::string& rainfall);
 
 }  // namespace thiessen

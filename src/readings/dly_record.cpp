@@ -16,7 +16,8 @@ constexpr std::size_t quality_column = 6;
 constexpr std::size_t all_columns = head_columns + 31 * day_columns;
 constexpr std::size_t flags = day_columns - value_columns;
 
-// Rain has been measured day after day since the 18th century.
+// A year outside this range is taken for a fault: rain has been measured daily since the 18th
+// century.
 constexpr std::size_t first_year = 1700;
 constexpr std::size_t last_year = 2299;
 

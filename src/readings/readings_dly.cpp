@@ -45,7 +45,7 @@ DlyReadings::DlyReadings(DlySource source, std::size_t memory)
 bool DlyReadings::next(TimeStep& step) {
   if (done_) return false;
   if (!scanned_) {
-    done_ = true;  // unless all goes well, there is no step
+    done_ = true;  // if an exception comes, no step follows it
     scan();
     begin_blocks();
     done_ = false;
@@ -235,7 +235,7 @@ void DlyReadings::load(const DlyRecord& record, StationIndex station, std::uint3
 }
 
 void DlyReadings::refuse_change() const {
-  if (!source_.findings.complaints().empty()) return;  // it was so before, and is told
+  if (!source_.findings.complaints().empty()) return;  // the scan found it and it will be reported
   throw Error(
       {source_.findings.file(), lines_.place().line, "the file changes while it is read", ""});
 }

@@ -16,7 +16,7 @@
 
 namespace thiessen {
 
-/// Where `.dly` files lie, and what is to be done with what failed a check of quality.
+/// Where `.dly` files lie, and whether values that failed a check of quality are kept.
 struct DlySource {
   std::string name;                ///< as the user named it: a file or a folder
   std::vector<std::string> files;  ///< in the order in which messages name them
@@ -25,11 +25,12 @@ struct DlySource {
   bool keep_flagged = false;
 };
 
-/// Rain (PRCP) in the `.dly` files of GHCN-Daily: see open_dly_readings.
+/// Reads rain (PRCP) from the `.dly` files of GHCN-Daily: see open_dly_readings.
 ///
-/// The files are read twice: once to check them, and to find where in them the months ascend; then
-/// a block of months at a time, from each such stretch that has some of them. So one file is open
-/// at a time, and memory holds a block, and 40 bytes a stretch: one for a file as NOAA writes it.
+/// The files are read twice. The first pass checks them and finds the stretches in which the months
+/// ascend. The second reads a block of months at a time, from each stretch that has some of them.
+/// So only one file is open at a time. Memory: a block, and 40 bytes a stretch; a file as NOAA
+/// writes it is one stretch.
 class DlyReadings : public Readings {
  public:
   static constexpr std::size_t usual_memory = std::size_t{32} << 20;
@@ -40,12 +41,13 @@ class DlyReadings : public Readings {
   double share_read() const override;
 
  private:
-  /// PRCP records of stations of the study whose months do not descend.
+  /// A stretch of a file whose PRCP records, of the study's stations, have months that do not
+  /// descend.
   struct Stretch {
     std::uint32_t file;
     CalendarMonth first;
     CalendarMonth last;
-    LinePlace next;  ///< what is not yet in a block
+    LinePlace next;  ///< where the part begins that is not yet in a block
   };
   struct Day {
     CalendarMonth month = {};
@@ -55,7 +57,7 @@ class DlyReadings : public Readings {
       return month < other.month || (month == other.month && day < other.day);
     }
   };
-  /// A station's month in the block.
+  /// The values of one station in one month of the block.
   struct MonthOfStation {
     std::uint32_t file;
     std::size_t line = 0;  ///< 0: no record
@@ -89,9 +91,9 @@ class DlyReadings : public Readings {
   Day last_;
   bool any_value_ = false;
 
-  std::vector<std::uint32_t> slots_;  ///< by station: which of the block's; none: it has no record
+  std::vector<std::uint32_t> slots_;    ///< by station: its slot in the block, or none
   std::vector<StationIndex> stations_;  ///< by slot
-  std::vector<MonthOfStation> block_;   ///< by month, then slot
+  std::vector<MonthOfStation> block_;   ///< by month, then by slot
   CalendarMonth block_begin_ = {};
   std::int32_t block_months_ = 0;
   Day today_;
@@ -101,15 +103,18 @@ class DlyReadings : public Readings {
   bool done_ = false;
 };
 
-/// The rain (PRCP) of a `.dly` file of GHCN-Daily, or of all `.dly` files of a folder, in
-/// millimetres. A step is a day, YYYY-MM-DD: every day of the months from the first to the last for
-/// which a station of the study has a record; a day without any value is a step of silent gauges,
-/// and where there is no value at all there is no step. A value that
-/// failed a check of quality is missing, unless the options keep it.
+/// Opens the rain (PRCP) of a `.dly` file of GHCN-Daily, or of all `.dly` files of a folder, in
+/// millimetres.
 ///
-/// Throws Error here where there is no such file, or an option is given that is for tables; from
-/// `next` where a line is cut, or has a bad number, a wrong month, a value on a day that the month
-/// lacks, a station's month twice, or an unknown station. See open_readings for the rest.
+/// A step is a day, YYYY-MM-DD. There is a step for every day from the first to the last of the
+/// months for which a station of the study has a record. A day without any value is a step of
+/// silent gauges; if there is no value at all, there are no steps. A value that failed a check of
+/// quality is missing, unless the options keep it.
+///
+/// Throws Error here if there is no such file, or if an option is given that is for tables. Throws
+/// Error from `next` if a line is cut, has a bad number or a wrong month, has a value on a day that
+/// the month lacks, gives a station's month twice, or is of an unknown station. See open_readings
+/// for the rest.
 std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
                                             std::span<const Station> stations,
                                             std::span<const std::string> passed_over,

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t names_listed = 10;
 constexpr std::size_t longest_field_shown = 80;
 
-/// "'A', 'B' and 3 more".
+/// Lists the names, as in "'A', 'B' and 3 more" where there are more than are shown.
 std::string list(const std::vector<std::string>& first, std::size_t count) {
   std::string all;
   for (const std::string& name : first) all += (all.empty() ? "" : ", ") + quoted(name);

@@ -15,43 +15,47 @@
 
 namespace thiessen {
 
-/// What is wrong or odd in a file of readings, gathered until its end.
+/// Gathers what is wrong or odd in a file of readings, and reports it at the end of the file.
 class ReadingsFindings {
  public:
   ReadingsFindings(std::string file, const ReadingsStations& stations, bool ignore_unknown,
                    Warnings& warnings);
 
-  /// Of the readings that follow, where they lie in several files: the lines are its.
+  /// Names the file of the readings that follow, where readings lie in several files. Line numbers
+  /// count in this file.
   void now_in(const std::string& file) { file_ = file; }
   const std::string& file() const { return file_; }
   void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
-  /// Where a field stands, for messages.
+  /// The line and the station of a field, for messages.
   struct Place {
     std::size_t line = 0;
     StationIndex station = {};
   };
 
-  /// Takes note of a plain reading, and of a gap; whether it was one of these. Else: see
-  /// note_oddity.
+  /// Takes note of a reading that is plain or a gap, and returns true. Returns false for any other;
+  /// that one has to be given to note_oddity.
   bool note(const Reading& reading, StationIndex station) {
     if (!(reading.amount <= absurd_reading)) return reading.kind == ReadingKind::missing;
     heard_[index(station)] = Heard::yes;
     return true;
   }
-  /// Takes note of what is wrong or odd about the field that was so read.
+  /// Takes note of a reading that is wrong (a complaint) or absurdly large (a warning). `field` is
+  /// its text, and `grammar` is the one that it was read with.
   void note_oddity(const Reading& reading, const Place& place, std::string_view field,
                    const ReadingGrammar& grammar);
-  /// A station that is in no list; each is told once. `text` and `hint` are the complaint's.
+  /// Takes note of a station that is in no list; each is reported once. `text` and `hint` are those
+  /// of the complaint.
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
                     const Wording& hint);
   void note_empty_time(std::size_t line);
-  /// The complaint of a time that is given before.
+  /// Makes the complaint that a time has been given before, in line `first_line`.
   Message time_twice(std::string_view time, std::size_t line, std::size_t first_line) const;
 
   Complaints& complaints() { return complaints_; }
   const Complaints& complaints() const { return complaints_; }
-  /// Throws the complaints, if there are any; else warns. `steps`: how many time steps there were.
+  /// Throws the complaints, if there are any; else gives the warnings. `steps` is the number of
+  /// time steps in the file.
   void conclude(std::size_t steps);
 
  private:
@@ -64,8 +68,9 @@ class ReadingsFindings {
   bool ignore_unknown_;
   Warnings& warnings_;
   Complaints complaints_;
-  /// Whether a station reads an amount at some time. No char, which could be a part of anything, so
-  /// that all else would have to be loaded anew after each note.
+  /// Whether a station has an amount at some time. The type is no char, for the compiler must
+  /// assume that a char may be part of any object, and would load everything else anew after each
+  /// note.
   enum class Heard : std::uint8_t { no, yes };
   std::vector<Heard> heard_;  ///< by station
   std::unordered_set<std::string> unknown_;

@@ -14,23 +14,25 @@ namespace thiessen {
 
 enum class ReadingKind : std::uint8_t { amount, missing, negative, not_a_number, out_of_range };
 
-/// What a field of rainfall says.
+/// The meaning of a field of rainfall.
 struct Reading {
-  double amount = std::numeric_limits<double>::quiet_NaN();  ///< NaN but for an amount
+  double amount = std::numeric_limits<double>::quiet_NaN();  ///< NaN unless the kind is an amount
   ReadingKind kind = ReadingKind::missing;
 };
 
-/// How the fields of rainfall are read: which texts and numbers mean a gap, which a trace (0).
+/// Tells how the fields of rainfall are read: which texts and numbers mean a gap, and which a trace
+/// (0).
 ///
-/// A gap always: an empty field, NA, N/A, NaN, null, -, and the numbers -999, -9999, -99.9; further
-/// ones, and the traces, come from the user and go before these. Blanks round a field do not count;
-/// numbers compare as numbers (-999.0 is -999), texts without case.
+/// An empty field, NA, N/A, NaN, null, - and the numbers -999, -9999 and -99.9 always mean a gap.
+/// Further texts for gaps, and those for traces, come from the user and are looked at first. Blanks
+/// round a field do not count. Numbers compare as numbers (-999.0 equals -999), texts without
+/// regard to case.
 class ReadingGrammar {
  public:
   ReadingGrammar(std::span<const std::string> missing, std::span<const std::string> trace,
                  DecimalMark mark);
 
-  /// `padded`: see Row.
+  /// Reads a field; see Row for `padded`.
   Reading read(std::string_view field, bool padded) const {
     const Parsed<double> number =
         padded ? parse_padded_number(field, mark_) : parse_number(field, mark_);
@@ -40,7 +42,8 @@ class ReadingGrammar {
     return read_special(trimmed(field));
   }
 
-  /// Whether the text would be a number with a decimal comma, and is none as things are.
+  /// Whether the text would be a number if decimal commas were read; false where they are read
+  /// already.
   bool wants_decimal_comma(std::string_view text) const;
 
  private:
@@ -57,7 +60,7 @@ class ReadingGrammar {
   Reading read_special(std::string_view text) const;
 
   DecimalMark mark_;
-  bool only_negative_ = true;  ///< every special number is below 0
+  bool only_negative_ = true;  ///< whether every special number is below 0
   std::vector<SpecialText> texts_;
   std::vector<SpecialNumber> numbers_;
 };

@@ -25,7 +25,7 @@ bool is_in_time_order(Table& table, std::size_t time_field) {
       if (!order.follows(time)) return false;
     }
   } catch (const Error&) {
-    // Whoever reads the rows meets it again, and reports it.
+    // The error is met again, and reported, when the rows are read.
   }
   return true;
 }

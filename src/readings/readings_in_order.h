@@ -11,17 +11,18 @@
 namespace thiessen {
 
 /// Whether the rows of each time stand together and no time comes back, as far as TimeOrder can
-/// tell: reads the whole table, but stops where it is not so. Of rows that cannot be read nothing
-/// is said.
+/// tell. Reads the whole table, or up to the row where this does not hold. Rows that cannot be read
+/// are not reported here.
 bool is_in_time_order(Table& table, std::size_t time_field);
 
-/// The pieces of a long table that is in such an order, read a time after the other.
+/// The pieces of a long table for which is_in_time_order is true, read one time after the other.
 class OrderedPieces : public ReadingsPieces {
  public:
   /// `rows` must outlive this object.
   explicit OrderedPieces(LongRows& rows) : rows_(rows) {}
 
-  /// Throws Error where the order is not what was found before: the file changes while it is read.
+  /// Gives the pieces in the order of the file. Throws Error if a time comes back after all, for
+  /// then the file changes while it is read.
   bool next(ReadingsPiece& piece) override;
   double share_given() const override { return rows_.source().table->share_read(); }
 

@@ -27,7 +27,7 @@ bool is_one_of(std::string_view text, Names names) {
                      [&](std::string_view name) { return equal_ignoring_case(text, name); });
 }
 
-/// Whether this follows a name to give its unit: "_mm", " (mm)", "[in]".
+/// Whether this text, at the end of a name, is a unit: "_mm", " (mm)", "[in]".
 bool is_unit_suffix(std::string_view rest) {
   constexpr std::string_view opening = "_-. ([";
   if (rest.empty() || opening.find(rest.front()) == std::string_view::npos) return false;
@@ -70,7 +70,8 @@ class LayoutFinder {
   LayoutFinder(const Table& table, const ReadingsStations& stations)
       : table_(table), stations_(stations) {}
 
-  /// The column that the user names, the same text before one that differs in case.
+  /// Finds the column that the user names; a name of the same case comes before one that differs in
+  /// case.
   std::size_t column_named(const std::string& name, const Wording& its_setting) const {
     const auto& header = table_.header();
     auto found = std::find(header.begin(), header.end(), name);

@@ -8,17 +8,18 @@
 
 namespace thiessen {
 
-/// Which columns of a table hold what, from 0.
+/// Which columns of a table hold what; columns are numbered from 0.
 struct ReadingsLayout {
   bool is_long = false;
   std::size_t time = 0;
-  std::size_t station = 0;  ///< of a long table, as the next
-  std::size_t value = 0;
+  std::size_t station = 0;  ///< only of a long table
+  std::size_t value = 0;    ///< only of a long table
 };
 
-/// Decides by the header whether the table is wide or long: see open_readings. Names of columns
-/// compare without case; the value's may bear a unit, as prcp_mm or "Rain (in)". Throws Error where
-/// a column that is named is not there, or a long table's columns are not to be found.
+/// Decides by the header whether a table is wide or long: see open_readings. Column names compare
+/// without regard to case; that of the value may have a unit, as in prcp_mm or "Rain (in)". Throws
+/// Error if a column that the user names is not there, or if the columns of a long table cannot be
+/// found.
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
                            const ReadingsOptions& options);
 

@@ -50,7 +50,7 @@ double LongReadings::share_read() const {
 }
 
 void LongReadings::begin() {
-  done_ = true;  // unless all goes well, there is no step
+  done_ = true;  // if an exception comes, no step follows it
   const std::unique_ptr<Table> again = rows_.again();
   if (again && is_in_time_order(*again, rows_.time_field())) {
     pieces_ = std::make_unique<OrderedPieces>(rows_);

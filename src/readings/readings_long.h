@@ -10,7 +10,7 @@
 
 namespace thiessen {
 
-/// Readings with a row for each time and station, in any order: see open_readings.
+/// Reads a long table, which has a row for each time and station, in any order: see open_readings.
 class LongReadings : public Readings {
  public:
   LongReadings(ReadingsSource source, const ReadingsLayout& layout);
@@ -25,10 +25,11 @@ class LongReadings : public Readings {
 
   LongRows rows_;
   std::unique_ptr<ReadingsPieces> pieces_;
-  ReadingsPiece piece_;  ///< the next step's first
+  ReadingsPiece piece_;  ///< the first piece of the next step
   bool has_piece_ = false;
   std::vector<double> readings_;
-  std::vector<std::size_t> lines_;  ///< by station: of its last reading at this time; 0: none
+  std::vector<std::size_t>
+      lines_;  ///< by station: the line of its last reading at this time; 0: none
   Complaints twice_;
   std::size_t steps_ = 0;
   bool done_ = false;

@@ -12,7 +12,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// Where the texts begin to differ; their common length where one begins with the other.
+/// The position at which the texts begin to differ; their common length if one begins with the
+/// other.
 std::size_t first_difference(std::string_view a, std::string_view b) {
   const std::size_t common = std::min(a.size(), b.size());
   std::size_t at = 0;

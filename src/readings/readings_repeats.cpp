@@ -44,7 +44,7 @@ void RepeatedTimes::read_again() {
       if (!trimmed(time).empty()) gather(time, row.line);
     }
   } catch (const Error&) {
-    // Whoever read the rows before met it too, and reports it.
+    // The reader of the rows met the error before, and reports it.
   }
 }
 

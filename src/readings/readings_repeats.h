@@ -12,25 +12,28 @@
 
 namespace thiessen {
 
-/// Finds the times that a wide table gives twice, in bounded memory. Nothing is kept as long as
-/// TimeOrder can tell that there are none; else all times are sorted at the end, read once more
-/// from the table or, where that is not possible, gathered as they come.
+/// Finds the times that a wide table gives twice, in bounded memory.
+///
+/// Where the table can be read once more, no times are kept. If TimeOrder cannot tell at the end
+/// that all times differ, they are then read again and sorted. Where the table cannot be read once
+/// more, times are gathered as they come.
 class RepeatedTimes {
  public:
   static constexpr std::size_t usual_memory = std::size_t{32} << 20;
 
-  /// `again`: the table once more (see Table::again), or nothing.
+  /// `again` is the table once more (see Table::again), or null where it cannot be read twice.
   RepeatedTimes(std::unique_ptr<Table> again, std::size_t time_field,
                 std::size_t memory = usual_memory);
 
-  /// Takes the next time.
+  /// Takes the next time and its line.
   void note(std::string_view time, std::size_t line);
   struct Repeat {
-    std::string_view time;  ///< valid until the next
+    std::string_view time;  ///< valid until the next call
     std::size_t line;
     std::size_t first_line;
   };
-  /// After all times: the next that is given before, in no order; false where there is none.
+  /// Finds the next time that has been given before, in no particular order; returns false if there
+  /// is none. Requires that all times have been taken.
   bool next(Repeat& repeat);
 
  private:
@@ -43,7 +46,7 @@ class RepeatedTimes {
   PieceSorter times_;
   bool begun_ = false;
   std::string time_;
-  std::size_t first_line_ = 0;  ///< of `time_`; 0: none yet
+  std::size_t first_line_ = 0;  ///< line of `time_`; 0: none yet
 };
 
 }  // namespace thiessen

@@ -15,19 +15,20 @@ namespace thiessen {
 struct LongRow {
   std::size_t line = 0;
   std::string_view time;      ///< valid until the next row
-  bool has_station = false;   ///< else the row's station is passed over
-  StationIndex station = {};  ///< if so
-  double amount = 0;          ///< NaN where silent
+  bool has_station = false;   ///< whether its station is of the study
+  StationIndex station = {};  ///< meaningful if it is
+  double amount = 0;          ///< NaN where it is silent
 };
 
-/// The rows of a long table. What is wrong or odd about them goes to the findings of the source.
+/// Reads the rows of a long table. What is wrong or odd about them goes to the findings of the
+/// source.
 class LongRows {
  public:
   LongRows(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(LongRow& row);
   ReadingsSource& source() { return source_; }
-  /// The table once more, see Table::again.
+  /// The table once more, or null where it cannot be read twice: see Table::again.
   std::unique_ptr<Table> again() const { return source_.table->again(); }
   std::size_t time_field() const { return layout_.time; }
 
@@ -37,8 +38,8 @@ class LongRows {
   ReadingsSource source_;
   ReadingsLayout layout_;
   Row row_;
-  std::string last_id_;  ///< the station field read last, and what it was found to be
-  ReadingsStations::Found last_found_;
+  std::string last_id_;                 ///< the station field that was read last
+  ReadingsStations::Found last_found_;  ///< what that field was found to be
 };
 
 }  // namespace thiessen

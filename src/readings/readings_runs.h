@@ -13,11 +13,12 @@
 
 namespace thiessen {
 
-/// A piece as bytes: its sizes, its time, its readings; for the memory and files of this process.
+/// Writes a piece as bytes: its sizes, its time, its readings. The bytes are only for the memory
+/// and the files of this process.
 void append_piece(std::string& bytes, const ReadingsPiece& piece);
 std::size_t bytes_of(const ReadingsPiece& piece);
 
-/// The beginning of those bytes.
+/// The sizes and lines with which the bytes of a piece begin.
 struct PieceHead {
   std::uint64_t first_line;
   std::uint64_t line;
@@ -37,11 +38,10 @@ class PieceRuns {
     std::uint64_t end;
   };
 
-  /// Begins the next run.
   void begin();
-  /// The bytes of a piece, added to the run. Throws Error where the disk is full.
+  /// Adds the bytes of a piece to the run. Throws Error if the disk is full.
   void add(std::string_view piece);
-  /// No more are added.
+  /// Ends the last run: no more pieces are added.
   void finish();
   bool empty() const { return runs_.empty(); }
   const std::vector<Run>& runs() const { return runs_; }
@@ -59,18 +59,20 @@ class PieceRunReader {
   /// `file` must outlive this object.
   PieceRunReader(const Descriptor& file, PieceRuns::Run run, std::size_t buffer_bytes);
 
-  /// Goes to the next piece, once that before has been taken; false at the end.
+  /// Goes to the next piece; returns false at the end. Requires that the piece before has been
+  /// taken.
   bool next();
   std::uint64_t first_line() const { return head_.first_line; }
   std::string_view time() const { return time_; }
-  /// The piece reached; its views are valid until `next` and as long as `readings` is left alone.
+  /// Takes the piece that was reached. Its views are valid until `next` and as long as `readings`
+  /// is not changed.
   ReadingsPiece take(std::vector<PieceReading>& readings);
 
  private:
   void read(char* into, std::size_t count);
 
   const Descriptor* file_;
-  PieceRuns::Run rest_;  ///< not yet in the buffer
+  PieceRuns::Run rest_;  ///< the part that is not yet in the buffer
   std::string buffer_;
   std::size_t at_ = 0;
   std::size_t filled_ = 0;

@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t smallest_buffer = std::size_t{4} << 10;
 constexpr std::size_t largest_buffer = std::size_t{256} << 10;
 
-/// Stable; takes comparisons for n log k where the items are k stretches that ascend.
+/// Sorts by merging the stretches that ascend already. It is stable, and takes n log k comparisons
+/// if there are k such stretches.
 template <typename Items, typename Before>
 void merge_stretches(Items& items, Before before) {
   std::vector<std::ptrdiff_t> ends;

@@ -11,7 +11,7 @@
 
 namespace thiessen {
 
-/// Sorts pieces of readings, however many, in bounded memory: by merging sorted runs of them from a
+/// Sorts any number of pieces of readings in bounded memory, by merging sorted runs of them from a
 /// temporary file. Pieces that tie come in the order in which they were added.
 ///
 /// Cost: n log n comparisons at most, and few where the pieces come in a few long stretches that
@@ -20,10 +20,11 @@ class PieceSorter : public ReadingsPieces {
  public:
   enum class Order : std::uint8_t { by_time, by_first_line };
 
-  /// `memory`: bytes of pieces that are held, and of the runs' buffers after them.
+  /// `memory` bounds the bytes of pieces that are held while they are added, and those of the runs'
+  /// buffers afterwards.
   PieceSorter(Order order, std::size_t memory) : order_(order), memory_(memory) {}
 
-  /// Before the first `next`.
+  /// Adds a piece. Requires that `next` has not been called.
   void add(const ReadingsPiece& piece);
   bool empty() const { return runs_.empty() && starts_.empty(); }
   bool next(ReadingsPiece& piece) override;
@@ -39,12 +40,12 @@ class PieceSorter : public ReadingsPieces {
 
   Order order_;
   std::size_t memory_;
-  std::string bytes_;                ///< of the pieces held
-  std::vector<std::size_t> starts_;  ///< of each in them
+  std::string bytes_;                ///< the bytes of the pieces held
+  std::vector<std::size_t> starts_;  ///< where each piece begins in them
   std::size_t given_ = 0;
   PieceRuns runs_;
   std::vector<PieceRunReader> readers_;
-  std::vector<std::size_t> heap_;  ///< of the readers, the one with the next piece first
+  std::vector<std::size_t> heap_;  ///< numbers of readers; the one with the next piece first
   std::vector<PieceReading> readings_;
   std::optional<std::size_t> taken_from_;  ///< the reader of the piece given last
   bool reading_ = false;

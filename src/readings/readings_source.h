@@ -9,7 +9,7 @@
 
 namespace thiessen {
 
-/// What both layouts read from and with.
+/// What tables of both layouts, wide and long, are read from and with.
 struct ReadingsSource {
   std::unique_ptr<Table> table;
   std::unique_ptr<const ReadingsStations>
@@ -17,7 +17,8 @@ struct ReadingsSource {
   ReadingGrammar grammar;
   ReadingsFindings findings;
 
-  /// The next row; false at the end, where the table's own complaints join those found here.
+  /// Reads the next row; returns false at the end. There the complaints of the table join those
+  /// found here.
   bool next(Row& row);
 };
 

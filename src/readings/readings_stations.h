@@ -11,18 +11,18 @@
 
 namespace thiessen {
 
-/// Which station a text of the rainfall names. Ids compare as text, exactly; where that finds none,
-/// once more without the blanks round the text.
+/// Finds the station that a text in the rainfall names. Ids are compared exactly as text; if that
+/// finds none, they are compared once more with the text's surrounding blanks left out.
 class ReadingsStations {
  public:
   enum class Standing : std::uint8_t {
     known,
-    passed_over,  ///< of the stations' file, but left out by the user's filter
+    passed_over,  ///< in the stations' file, but left out by the user's filter
     unknown,
   };
   struct Found {
     Standing standing = Standing::unknown;
-    StationIndex station = {};  ///< if known
+    StationIndex station = {};  ///< meaningful if known
   };
 
   /// The ids must outlive this object.

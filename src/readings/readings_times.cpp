@@ -61,7 +61,7 @@ void ReadingsTimes::grow() {
   for (std::size_t step = 0; step < lines_.size(); ++step) {
     const std::size_t hash = hash_of(text(step));
     std::size_t i = hash & mask;
-    while (slots_[i].number != 0) i = (i + 1) & mask;  // no two are the same: nothing to compare
+    while (slots_[i].number != 0) i = (i + 1) & mask;  // all differ, so texts need no comparison
     slots_[i] = {static_cast<std::uint32_t>(step + 1), tag_of(hash)};
   }
 }

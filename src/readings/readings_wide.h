@@ -9,11 +9,12 @@
 
 namespace thiessen {
 
-/// Readings with a row for each time and a column for each station, read a row at a time: see
-/// open_readings.
+/// Reads a wide table, which has a row for each time and a column for each station, a row at a
+/// time: see open_readings.
 class WideReadings : public Readings {
  public:
-  /// Throws Error where columns are of unknown stations, two are of one, or none is of any.
+  /// Throws Error if a column is of an unknown station and these are not ignored, if two columns
+  /// are of the same station, or if there is no column beside the time.
   WideReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
@@ -32,7 +33,7 @@ class WideReadings : public Readings {
 
   ReadingsSource source_;
   std::size_t time_field_;
-  std::vector<Column> columns_;  ///< those of known stations
+  std::vector<Column> columns_;  ///< the columns of known stations
   std::vector<double> readings_;
   RepeatedTimes repeated_;
   std::size_t steps_ = 0;

@@ -16,20 +16,21 @@ struct LinePlace {
   std::size_t line = 1;
 };
 
-/// The lines of plain files, from any line on, one file open at a time. Lines end in LF or CRLF.
+/// Reads the lines of plain files from any line on; one file is open at a time. Lines end in LF or
+/// CRLF.
 class SeekableLines {
  public:
   static constexpr std::size_t longest_line = std::size_t{4} << 10;
 
-  /// Goes to the line that begins there. Throws Error where the file cannot be opened, or is none
-  /// that can be read twice.
+  /// Goes to the line that begins at a place. Throws Error if the file cannot be opened, or cannot
+  /// be read twice.
   void go(const std::string& file, LinePlace place);
-  /// The next line, valid until the one after; none at the end. Throws Error where it is longer
-  /// than the limit or cannot be read, Interrupted where a signal came.
+  /// Reads the next line, which is valid until the one after it; none at the end. Throws Error if
+  /// the line is longer than the limit or cannot be read, and Interrupted if a signal came.
   std::optional<std::string_view> next();
-  /// Of the line read last.
+  /// The place of the line that was read last.
   LinePlace place() const { return place_; }
-  /// Whether it has a line end.
+  /// Whether the line that was read last has a line end.
   bool ends() const { return ends_; }
 
  private:
