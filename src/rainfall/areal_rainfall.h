@@ -13,7 +13,7 @@ namespace thiessen {
 /// earlier steps. Cost of a step: that of its gap policy (CellRetessellation, FullNetwork).
 class ArealRainfall : public WeighedRainfall {
  public:
-  /// The name of this method, beside the names of those in src/rainfall/methods.
+  /// The name of this method among those of src/rainfall/methods.
   static constexpr const char* name = "thiessen";
 
   ArealRainfall(const Weighing& weighing, const ArealRainfallSettings& settings, unsigned threads);

@@ -26,9 +26,9 @@ struct Station {
   std::size_t line = 0;  ///< in its file, from 1: the line (CSV) or the feature's number
 };
 
-/// The gauges of a study and the places they stand at. Stations of equal coordinates share a place:
-/// -0 equals 0, -180 degrees of longitude equal 180, and at a pole all longitudes are equal. Places
-/// are numbered in the order of their first stations. Cost: n log n.
+/// The gauges of a study and the places they stand at. Stations of equal coordinates share a place.
+/// Equal are also 0 and -0, longitudes of 180 and -180 degrees, and all longitudes at a pole.
+/// Places are numbered in the order of their first stations. Cost: n log n.
 class Network {
  public:
   /// Requires coordinates in the exact range of predicates.h.

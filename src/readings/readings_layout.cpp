@@ -70,8 +70,8 @@ class LayoutFinder {
   LayoutFinder(const Table& table, const ReadingsStations& stations)
       : table_(table), stations_(stations) {}
 
-  /// Finds the column that the user names; a name of the same case comes before one that differs in
-  /// case.
+  /// Finds the column that the user names. A column of exactly this name comes before one that
+  /// differs in case.
   std::size_t column_named(const std::string& name, const Wording& its_setting) const {
     const auto& header = table_.header();
     auto found = std::find(header.begin(), header.end(), name);

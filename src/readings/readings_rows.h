@@ -16,7 +16,7 @@ struct LongRow {
   std::size_t line = 0;
   std::string_view time;      ///< valid until the next row
   bool has_station = false;   ///< whether its station is of the study
-  StationIndex station = {};  ///< meaningful if it is
+  StationIndex station = {};  ///< only if has_station
   double amount = 0;          ///< NaN where it is silent
 };
 

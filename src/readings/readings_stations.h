@@ -22,7 +22,7 @@ class ReadingsStations {
   };
   struct Found {
     Standing standing = Standing::unknown;
-    StationIndex station = {};  ///< meaningful if known
+    StationIndex station = {};  ///< only if known
   };
 
   /// The ids must outlive this object.

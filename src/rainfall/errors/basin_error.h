@@ -51,7 +51,8 @@ class BasinError {
   double mean_square(std::span<const SiteWeight> change) const;
 
  private:
-  /// Sums of the variogram between one gauge and the rest of the basin's terms.
+  /// The variogram of one gauge, summed over the full network's gauges and averaged over the
+  /// points.
   struct Terms {
     double with_weights;  // the variogram to the full network's gauges, by their weights
     double with_points;   // the mean variogram to the basin's points

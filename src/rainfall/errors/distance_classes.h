@@ -8,7 +8,7 @@
 
 namespace thiessen {
 
-/// What the pairs of gauges that are about equally far apart have in common.
+/// A class of pairs of gauges that are about equally far apart.
 struct DistanceClass {
   double distance;      ///< their mean distance
   double semivariance;  ///< half the mean square difference of standardised readings

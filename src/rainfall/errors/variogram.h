@@ -54,7 +54,7 @@ class Variogram {
 
  private:
   static constexpr unsigned piece_bits = 7;
-  static constexpr unsigned shift = 52 - piece_bits;  // leaves these bits of the mantissa
+  static constexpr unsigned shift = 52 - piece_bits;  // drops the other bits of a mantissa
 
   static std::size_t piece_of(double square) {
     return std::bit_cast<std::uint64_t>(square) >> shift;

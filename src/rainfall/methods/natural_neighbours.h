@@ -58,10 +58,11 @@ class NaturalNeighbours : public AreaMethod {
   const Weighing& weighing_;
   GaugeChart chart_;
   NearestGauges nearest_;
-  std::unique_ptr<const NaturalWeights> natural_;   // of the full network
-  std::vector<std::vector<PlaceIndex>> places_of_;  // by the tessellation's number: one, but where
-                                                    // rounding does not tell them apart
-  std::vector<Points> points_;                      // by basin
+  std::unique_ptr<const NaturalWeights> natural_;  // of the full network
+  /// The places of each point of the tessellation, by its number: one place, or several that
+  /// rounding cannot tell apart.
+  std::vector<std::vector<PlaceIndex>> places_of_;
+  std::vector<Points> points_;  // by basin
   std::vector<double> shares_outside_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Workplace>> idle_;

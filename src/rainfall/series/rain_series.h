@@ -19,7 +19,7 @@ struct RainStep {
   std::size_t line = 0;               ///< see TimeStep
 };
 
-/// The means to compute a series with; the result does not depend on them.
+/// How a series is computed; the result does not depend on it.
 struct SeriesWork {
   unsigned threads = 1;
   std::size_t steps_in_a_block = 2048;  ///< at most, and at most 16 MB; two blocks are in memory
