@@ -17,7 +17,8 @@ bool is_well(Point at, double degrees_per_unit) {
          std::abs(at.x * degrees_per_unit) <= farthest_longitude;
 }
 
-/// `latitude 132.5 of station 'A-03' is outside [-90, 90]`, of a point that is not well.
+/// Words the fault of a point that is known not to be longitude and latitude, such as `latitude
+/// 132.5 of station 'A-03' is outside [-90, 90]`.
 std::string fault_of(Point at, const std::string& whose, double degrees_per_unit) {
   if (!(std::abs(at.y * degrees_per_unit) <= 90)) {
     return "latitude " + shortest_text(at.y) + " of " + whose + " is outside [-90, 90]";
@@ -25,13 +26,14 @@ std::string fault_of(Point at, const std::string& whose, double degrees_per_unit
   return "longitude " + shortest_text(at.x) + " of " + whose + " is outside [-540, 540]";
 }
 
-/// Whether a point is bad as it stands, and good the other way round.
+/// Whether a point is out of range as it stands, and would be in range with its two coordinates
+/// swapped.
 bool looks_swapped(Point at, double degrees_per_unit) {
   return std::abs(at.y * degrees_per_unit) > 90 && std::abs(at.y * degrees_per_unit) <= 360 &&
          std::abs(at.x * degrees_per_unit) <= 90;
 }
 
-/// Calls `see` with every point of the shape until it answers false.
+/// Calls `see` with every point of the shape, until `see` answers false.
 template <typename See>
 void each_point(const MultiPolygon& shape, See see) {
   const auto ring = [&](const Ring& points) {

@@ -11,42 +11,45 @@
 
 namespace thiessen {
 
-/// How far coordinates reach.
+/// The range that the coordinates of a file span, and how many of them can be degrees.
 struct Reach {
   double west = 0;
   double south = 0;
   double east = 0;
   double north = 0;
   std::size_t points = 0;
-  std::size_t not_degrees = 0;  ///< those that cannot be longitude and latitude
+  std::size_t not_degrees = 0;  ///< points that cannot be longitude and latitude
 
   void see(Point point);
-  /// Most of the points may be longitude and latitude.
+  /// Whether at least half of the points may be longitude and latitude.
   bool looks_like_degrees() const { return 2 * not_degrees <= points; }
-  /// `x from 3.5 to 9 and y from 40 to 41`
+  /// Words the range for a message: `x from 3.5 to 9 and y from 40 to 41`.
   std::string sentence() const;
 };
 
 Reach reach_of(const StationList& stations);
 Reach reach_of(const BasinList& basins);
 
-/// Each station's latitude lies in [-90, 90] and its longitude in [-540, 540]. For a
-/// geographic kind. Throws Error with every station that is not so, with a hint where the two look
-/// swapped.
+/// Requires stations of a geographic kind of coordinates to have latitudes in [-90, 90] and
+/// longitudes in [-540, 540] degrees. Throws Error with every station that has not, with a hint
+/// where longitude and latitude look swapped.
 void require_degrees(const StationList& stations, const CoordinateKind& kind);
-/// The same for the basins: the first such point of each.
+/// Requires the vertices of basins to be degrees as the stations have to be. Throws Error with the
+/// first bad vertex of each basin.
 void require_degrees(const BasinList& basins, const CoordinateKind& kind);
 
-/// Takes longitudes beyond 180 degrees round the Earth, with one warning. For a geographic kind.
+/// Brings longitudes beyond 180 degrees into [-180, 180] by whole turns, with one warning for all.
+/// Applies to a geographic kind of coordinates.
 void turn_longitudes(StationList& stations, const CoordinateKind& kind, Warnings& warnings);
 
-/// The longitudes of a plane of degrees, where distances do not go round the Earth: those that run
-/// from -180 to 180 must not stand beside others from 0 to 360.
+/// Checks the longitudes of a plane of degrees. Distances in a plane do not go round the Earth, so
+/// longitudes that run from -180 to 180 must not stand beside others from 0 to 360.
 class LongitudeRange {
  public:
-  /// `whose` is `station 'X'` or the like.
+  /// Takes a longitude into account. `whose` names its owner in messages: `station 'X'` or the
+  /// like.
   void see(double longitude, const std::string& whose, const std::string& file, std::size_t line);
-  /// Throws Error where both kinds were seen, naming the two that are farthest apart.
+  /// Throws Error where longitudes of both kinds were seen, naming the two that are farthest apart.
   void require_one_turn() const;
 
  private:

@@ -8,17 +8,17 @@
 
 namespace thiessen {
 
-/// Stations as their source has them.
+/// Stations as their source gives them, neither checked nor projected.
 struct StationList {
   std::string file;
   std::vector<Station> stations;
-  bool has_lines = false;  ///< Station::line is a line, and not a feature's number
+  bool has_lines = false;  ///< Station::line is a line of the file, and not a feature's number
 };
 
-/// Basins as their source has them, not yet mended.
+/// Basins as their source gives them, not yet mended.
 struct BasinList {
   std::string file;
-  std::vector<RawBasin> basins;  ///< in the order in which their ids first come
+  std::vector<RawBasin> basins;  ///< in the order in which their ids first appear
 };
 
 }  // namespace thiessen

@@ -24,7 +24,7 @@ Yardstick yardstick_of(const StudyParts& parts, double tolerance) {
   return {parts.metric, unit * unit, tolerance};
 }
 
-/// Takes the stations out of the parts, when all coordinates are seen to be in the exact range.
+/// Moves the stations out of the parts once all coordinates are known to lie in the exact range.
 std::vector<Station> in_exact_range(StudyParts& parts) {
   Complaints complaints;
   const std::string range(outside_exact_range);
@@ -78,7 +78,7 @@ Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, W
 void Study::warn_of_shared_places(Warnings& warnings) const {
   std::size_t shared = 0;
   for (std::uint32_t p = 0; p < network_.places().size(); ++p) {
-    std::vector<StationIndex> stations;  // of the file: what is opened is not there yet
+    std::vector<StationIndex> stations;  // a gauge that a what-if opens is not in the file yet
     for (const StationIndex s : network_.stations_at(PlaceIndex{p})) {
       if (index(s) + parts_->opened < network_.stations().size()) stations.push_back(s);
     }

@@ -12,17 +12,17 @@
 namespace thiessen {
 
 struct StudySettings {
-  double margin = 0;       ///< percent, by which the extent is grown where there are no basins
+  double margin = 0;       ///< percent by which the extent is grown where there are no basins
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
 };
 
-/// A study in memory: a network of gauges weighed in basins. It owns its parts.
+/// A study in memory: a network of gauges, and basins in which they are weighed. It owns its parts.
 class Study {
  public:
-  /// The stations of `parts` go into the network. Without basins the stations' extent becomes the
-  /// only one. Warns of stations that share a place and of a network on one line. Throws Error with
-  /// every coordinate outside the exact range of predicates.h, and where stations without extent
-  /// make no study area. Cost: n log n.
+  /// Moves the stations of `parts` into the network. Without basins the extent of the stations
+  /// becomes the only study area. Warns of stations that share a place and of a network on one
+  /// line. Throws Error with every coordinate outside the exact range of predicates.h, and where
+  /// stations without extent make no study area. Cost: n log n.
   Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, Warnings& warnings);
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;
@@ -31,7 +31,8 @@ class Study {
   const Network& network() const { return network_; }
   const Weighing& weighing() const { return weighing_; }
   const std::vector<Basin>& basins() const { return parts_->basins; }
-  /// How many square kilometres an area of the weighing is; 1 where the plane's unit is unknown.
+  /// How many square kilometres one unit of the weighing's areas is; 1 where the length of the
+  /// plane's unit is unknown, so that areas are shown as they are.
   double km2_per_area() const {
     const bool known = parts_->metric == Metric::geodesic || parts_->metres_per_unit.has_value();
     return known ? 1e-6 : 1.0;

@@ -37,7 +37,7 @@ bool is_finite(const MultiPolygon& shape) {
   });
 }
 
-/// The gauges, in the order given, when each has an id of its own and a place.
+/// Returns the gauges in the order given, once each is known to have an id of its own and a place.
 StationList checked(std::vector<Station> stations) {
   Complaints complaints;
   if (stations.empty()) complaints.add({"", 0, "there are no stations", ""});
@@ -48,7 +48,7 @@ StationList checked(std::vector<Station> stations) {
       complaints.add({"", 0, named(station) + " is there twice", "ids must differ"});
     if (!is_finite(station.position))
       complaints.add({"", 0, named(station) + " has a coordinate that is not finite", ""});
-    // Adding zero makes -0 the same place as 0.
+    // Adding zero turns -0 into 0, so that both are the same place.
     station.position = {station.position.x + 0.0, station.position.y + 0.0};
     station.line = 0;
   }
@@ -56,7 +56,8 @@ StationList checked(std::vector<Station> stations) {
   return {"", std::move(stations), false};
 }
 
-/// In a file a ring repeats its first point, and one that does not is told as open.
+/// Repeats the first point of a ring as its last, as rings in a file have it: an open ring would be
+/// reported as a fault.
 void close(Ring& ring) {
   if (!ring.empty() && ring.front() != ring.back()) ring.push_back(ring.front());
 }

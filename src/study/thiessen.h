@@ -13,53 +13,58 @@
 
 /// \file
 /// The library's face: Thiessen weights, cells and areal rainfall of data in memory. It owns what
-/// it is given, checks it, and refuses what it cannot use with the words of the program. Rooms
-/// below it only require what it checks.
+/// it is given, checks it, and refuses what it cannot use in the same words as the program. The
+/// rooms below it state requirements; the checks that keep them stand here.
 
 namespace thiessen {
 
 struct ThiessenInput {
-  /// Gauges; ids differ. Coordinates: of the plane, or WGS 84 longitude and latitude in degrees.
+  /// The gauges; no two have the same id. Their positions are coordinates of a plane, or WGS 84
+  /// longitude and latitude in degrees, as `metric` says.
   std::vector<Station> stations;
-  /// Study areas; none: the extent of the gauges. Rings run in any direction, and may repeat their
-  /// first point as their last. Basin::bulges are computed, not given.
+  /// The study areas. Where there are none, the extent of the gauges is the study area. Rings run
+  /// in any direction, and may repeat their first point as their last. Basin::bulges are computed,
+  /// not given.
   std::vector<Basin> basins;
   Metric metric = Metric::planar;
-  double metres_per_unit = 1;  ///< of the plane
-  double margin = 0;           ///< percent, by which the extent is grown
-  double tolerance = 0.1;      ///< metres that an edge of a cell may lie from the true one
+  double metres_per_unit = 1;  ///< length of the plane's unit, in metres
+  double margin =
+      0;  ///< percent by which the extent of the gauges is grown where there are no basins
+  double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
 };
 
-/// A network of gauges weighed in basins. Safe for several threads at once.
+/// A network of gauges, and the weight of each in every basin. Safe for several threads at once.
 class Thiessen {
  public:
-  /// Mends what can be mended (repeated points, spikes, rings that barely cross themselves), each
-  /// with a warning. Throws Error with every fault: no station, an id that is missing or there
-  /// twice, a coordinate that is no number, no degree where it has to be one, or outside the exact
-  /// range of predicates.h; a basin that has no area or crosses itself; stations without extent and
-  /// no basin. Cost: n log n in the stations and in the basins' vertices.
+  /// Checks the input, mends what can be mended (repeated points, spikes, rings that barely cross
+  /// themselves), each with a warning, and computes the weights. Throws Error with every fault: no
+  /// station, an id that is missing or given twice, a coordinate that is not a number, is no degree
+  /// where it has to be one, or lies outside the exact range of predicates.h; a basin that has no
+  /// area or crosses itself; stations without extent and no basin. Cost: n log n in the stations
+  /// and in the vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);
   ~Thiessen();
   Thiessen(Thiessen&&) noexcept;
   Thiessen& operator=(Thiessen&&) noexcept;
 
-  /// What was assumed, turned or mended.
+  /// Warnings of what was assumed, turned or mended in the input.
   const std::vector<Message>& warnings() const;
-  /// As they were given, longitudes in [-180, 180].
+  /// The gauges in the order in which they were given, with longitudes brought into [-180, 180].
   const std::vector<Station>& stations() const;
-  /// Mended: outer rings counter-clockwise, holes clockwise, no point repeated.
+  /// The basins after mending: outer rings counter-clockwise, holes clockwise, no point repeated.
   const std::vector<Basin>& basins() const;
 
-  /// By basin: the weights of all gauges. Areas are in square metres.
+  /// The weights of all gauges, for each basin. Areas are in square metres.
   const std::vector<BasinWeights>& weights() const;
-  /// The same of the gauges that report. `reports`: one entry a station. Throws Error where there
-  /// are more or fewer.
+  /// The weights of the gauges that report, for each basin. `reports` has one entry a station.
+  /// Throws Error where it has more or fewer.
   std::vector<BasinWeights> weights(const std::vector<bool>& reports) const;
-  /// By basin: the cells within it, in the coordinates of the study.
+  /// The cells of all gauges clipped to each basin, in the coordinates of the study.
   std::vector<std::vector<StationCell>> cells() const;
-  /// By basin: the areal rainfall of readings, one a station, NaN where a gauge is silent: its cell
-  /// is shared out among its neighbours. Throws Error where there are more or fewer readings.
-  /// Cost: the gauges and the weights; for silent gauges not met before, their neighbours' cells.
+  /// The areal rainfall of each basin for one reading a station. A gauge is silent where its
+  /// reading is NaN: its cell is then shared out among its neighbours. Throws Error where there are
+  /// more or fewer readings than stations. Cost: the gauges and the weights; for silent gauges not
+  /// met before, the cells of their neighbours too.
   std::vector<BasinRainfall> rainfall(std::span<const double> readings) const;
 
  private:
