@@ -10,26 +10,29 @@
 
 namespace thiessen {
 
-/// One cell to be written: a station's part of a basin.
+/// One cell to be written: the part of a basin that is a station's own.
 struct CellFeature {
   std::string station;
   std::optional<std::string> basin;  ///< nothing where the run has no basins
   double area_km2 = 0;               ///< (CRS units)^2 where the unit is unknown
   double weight = 0;
-  double rainfall = 0;            ///< NaN: no value. Written where CellFeatures::has_rainfall
-  std::size_t attribute_row = 0;  ///< which row of CellFeatures::attributes is the station's
+  double rainfall = 0;  ///< NaN: no value; written where CellFeatures::has_rainfall is set
+  std::size_t attribute_row = 0;  ///< the station's row in CellFeatures::attributes
   MultiPolygon shape;             ///< in the study's coordinates; outer rings counter-clockwise
 };
 
-/// The cells of one output. Neighbours share their edges vertex for vertex, with equal doubles.
+/// The cells of one output file. Neighbours share their edges vertex for vertex, with equal
+/// doubles, so that no gap or overlap can open between them.
 struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
-  const Attributes* attributes = nullptr;  ///< where every field of the station is carried along
+  const Attributes* attributes =
+      nullptr;  ///< not null: every field of the station is written with its cell
 };
 
-/// The names of the stations' attributes beside the cells' own fields (station, basin, area_km2,
-/// weight, rainfall): a name that is taken, case ignored, gets underscores.
+/// The names under which the stations' attributes are written beside the cells' own fields
+/// (station, basin, area_km2, weight, rainfall): a name that is taken, case ignored, gets
+/// underscores.
 std::vector<FieldName> attribute_fields(const CellFeatures& features);
 
 }  // namespace thiessen

@@ -8,12 +8,13 @@
 
 namespace thiessen {
 
-/// The cells as GeoJSON (RFC 7946), a feature a line, in their order. `shapes`: what each is to be
-/// drawn as, outer rings counter-clockwise, in WGS 84 longitude and latitude cut at the
-/// antimeridian or in a plane of its own; a cell without a shape has a null geometry. Cost: linear.
+/// The cells as GeoJSON (RFC 7946), one feature a line, in their order. `shapes` holds the geometry
+/// to write for each cell, outer rings counter-clockwise, in WGS 84 longitude and latitude cut at
+/// the antimeridian or in the coordinates of a plane; a cell without a shape has a null geometry.
+/// Cost: linear.
 ///
-/// This writer is our own: GDAL's knows one number of decimals for the whole file and writes 0.1 as
-/// 0.10000000000000001.
+/// This writer is our own because GDAL's has one number of decimals for the whole file and writes
+/// 0.1 as 0.10000000000000001.
 std::string cells_geojson(const CellFeatures& features, std::span<const MultiPolygon> shapes,
                           const VertexRounding& rounding);
 

@@ -7,8 +7,9 @@
 
 namespace thiessen {
 
-/// Of a table that has for each basin a column of its id, and one of its id and `suffix`: throws
-/// Error where one basin's id is another's with the suffix.
+/// Checks a table that has two columns for each basin, one named by its id and one by its id and
+/// `suffix`. Throws Error where one basin's id is another's with the suffix, as two columns would
+/// then have one name.
 void check_column_names(const std::vector<Basin>& basins, const std::string& suffix);
 
 }  // namespace thiessen

@@ -43,7 +43,8 @@ RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainForma
     file_.append(columns + '\n');
     return;
   }
-  // A method's name between the two keeps them apart.
+  // With several methods the method's name stands between id and suffix, so that no column can be
+  // mistaken for another.
   if (format_.errors && format_.methods.empty()) check_column_names(basins_, error_suffix);
   write_header();
 }

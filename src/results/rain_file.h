@@ -11,25 +11,27 @@
 namespace thiessen {
 
 struct RainFormat {
-  bool rows_for_basins =
-      false;  ///< a row a basin and step (the setting `long`), and not a column a basin
+  bool rows_for_basins = false;  ///< a row for each basin and step (the setting `long`), and not a
+                                 ///< column for each basin
   int decimals = 3;
-  /// That each basin has a value by, next to each other: in columns `<basin id>_<method>`, or rows
-  /// for basins that have a column `method`. Empty: there is one, which is not named.
+  /// The methods by which each basin has a value. They stand next to each other, in columns `<basin
+  /// id>_<method>`, or in rows for basins that have a column `method`. Empty where there is only
+  /// one method, which is then not named.
   std::vector<std::string> methods = {};
-  bool patterns = false;  ///< rows for basins have a column `pattern`: see WeightsLog
-  bool errors = false;    ///< standard errors, too: columns `<basin id>_se`, or a column `se`
+  bool patterns = false;  ///< rows for basins have a column `pattern` that refers to WeightsLog
+  bool errors =
+      false;  ///< standard errors are written too, in columns `<basin id>_se` or a column `se`
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...[,<basin
-/// id>_se,...]`, or `time,basin[,method],rainfall,gauges,coverage[,se][,pattern]`. A value that
-/// cannot be had is empty.
+/// id>_se,...]`, or `time,basin[,method],rainfall,gauges,coverage[,se][,pattern]`. The field of a
+/// missing value is empty.
 class RainFile {
  public:
   /// Writes the header. The file and the basins must outlive it. Throws Error where two columns
   /// would have one name.
   RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format);
-  /// A step's rows. Safe for several threads at once.
+  /// The rows of one step as text, not yet written. Safe for several threads at once.
   std::string text_of(const RainStep& step, std::size_t pattern = 0) const;
   void append(std::string_view text) { file_.append(text); }
 
@@ -43,9 +45,10 @@ class RainFile {
   RainFormat format_;
 };
 
-/// What the columns of values are called.
+/// The names of the columns that hold values, in their order.
 std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const RainFormat& format);
-/// How the row of a value begins where basins have rows: `time,basin[,method]`, the time written.
+/// Appends the beginning of a value's row where basins have rows: `time,basin[,method]`. `time` is
+/// text already.
 void append_rain_key(std::string& row, std::string_view time, std::size_t series,
                      const std::vector<Basin>& basins, const RainFormat& format);
 

@@ -21,7 +21,8 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
     file_.append(format_.methods.empty() ? "time,basin,rainfall,missing\n"
                                          : "time,basin,method,rainfall,missing\n");
   } else {
-    // A method's name between the two keeps them apart.
+    // With several methods the method's name stands between id and suffix, so that no column can be
+    // mistaken for another.
     if (format_.methods.empty()) check_column_names(basins_, missing_suffix);
     write_header();
   }

@@ -11,7 +11,8 @@
 namespace thiessen {
 
 /// Writes totals of areal rainfall, a period at a time: CSV `time,<basin id>,<basin
-/// id>_missing,...` or `time,basin[,method],rainfall,missing`. A total that cannot be had is empty.
+/// id>_missing,...` or `time,basin[,method],rainfall,missing`. The field of a missing total is
+/// empty.
 class RainTotalsFile {
  public:
   /// Writes the header. The file and the basins must outlive it. Throws Error where two columns

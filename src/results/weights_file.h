@@ -7,19 +7,20 @@
 
 namespace thiessen {
 
-/// What the areas of weights are measured in.
+/// The unit in which the areas of weights are measured.
 struct AreaUnit {
-  double km2 = 1e-6;  ///< square kilometres in one; 1 where the plane's unit is unknown: areas are
-                      ///< written as they are
+  double km2 = 1e-6;  ///< square kilometres in one unit; 1 where the plane's unit is unknown: areas
+                      ///< are then written as they are
 };
 
-/// Writes the weights table: CSV `basin,station,area_km2,weight`, the fewest digits that read back
-/// to the same double; basins in file order, then stations in file order.
+/// Writes the table of weights: CSV `basin,station,area_km2,weight`, in the fewest digits that read
+/// back to the same double; basins in file order, then stations in file order.
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit);
 
-/// The same before and after a change of the network: CSV
-/// `basin,station,area_km2,weight,area_km2_after,weight_after`, the stations that weigh in either.
+/// Writes the table of weights before and after a change of the network: CSV
+/// `basin,station,area_km2,weight,area_km2_after,weight_after`, with the stations that have weight
+/// before or after, in the digits and the order of write_weights.
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
                            const std::vector<BasinWeights>& before,
                            const std::vector<BasinWeights>& after, AreaUnit unit);

@@ -10,10 +10,11 @@
 
 namespace thiessen {
 
-/// The account of a series: with what weights its values were had. CSV
-/// `pattern,first_time,basin,station,weight`, a block for each set of reporting gauges, at the time
-/// of its first step: a value is the sum of weight x reading over the rows of its step's pattern
-/// and its basin. A basin without a value has no rows.
+/// Writes the weights by which the values of a series were computed, so that each can be computed
+/// again: CSV `pattern,first_time,basin,station,weight`, a block of rows for each set of reporting
+/// gauges (a pattern), with the time of the first step that has it. The value of a basin at a step
+/// is the sum of weight x reading over the rows of the step's pattern and the basin. A basin
+/// without a value has no rows.
 class WeightsLog {
  public:
   /// Writes the header. The file and the weighing must outlive it.
