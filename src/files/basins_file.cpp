@@ -30,7 +30,7 @@ bool finite(const MultiPolygon& shape) {
   });
 }
 
-/// A feature before it is known which field is the id.
+/// A feature that was read before it is known which field holds the id.
 struct Candidate {
   std::vector<std::string> ids;  ///< one for each field that may be the id
   std::size_t number = 0;
@@ -132,8 +132,8 @@ class BasinsReader {
     return text.empty();
   }
 
-  /// Which of the fields holds the id: given by name, or the first whose values are all there and
-  /// all different; nothing: the feature's number.
+  /// The field that holds the id: the one that is given by name, or the first whose values are all
+  /// there and all different. Nothing where there is none: the feature's number is then its id.
   std::optional<std::size_t> chosen_id() const {
     if (!request_.id.empty()) return 0;
     for (std::size_t field = 0; field < fields_.size(); ++field) {

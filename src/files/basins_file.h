@@ -14,7 +14,7 @@ namespace thiessen {
 
 struct BasinsRequest {
   Source source;
-  std::string id;  ///< the field's name; empty: found by the contract's rule
+  std::string id;  ///< name of the field of ids; empty: found by the usual names and by its values
 };
 
 struct BasinsFile : BasinList {
@@ -22,9 +22,10 @@ struct BasinsFile : BasinList {
   CrsOrigin crs_origin = CrsOrigin::none;
 };
 
-/// Reads the basins: polygons of any vector file that GDAL reads, or of a CSV's column named WKT.
-/// Throws Error with every bad feature: no geometry, no polygon, a coordinate that is no finite
-/// number; and where there are no basins. Cost: linear in the file's length.
+/// Reads the basins: polygons of any vector file that GDAL reads, or of the column named WKT of a
+/// CSV. Throws Error with every bad feature (no geometry, a geometry that is no polygon, a
+/// coordinate that is no finite number), and where there are no basins. Cost: linear in the file's
+/// length.
 BasinsFile read_basins(const BasinsRequest& request, Warnings& warnings);
 
 }  // namespace thiessen

@@ -13,7 +13,7 @@
 namespace thiessen {
 namespace {
 
-// Formats that hold longitude and latitude and nothing else.
+// Formats that can hold longitude and latitude and no other coordinates.
 constexpr std::array<std::string_view, 3> degrees_only = {"kml", "kmz", "geojsonl"};
 
 bool is_geojson(const std::string& extension) {

@@ -10,22 +10,24 @@
 
 namespace thiessen {
 
-/// Cells to be written, and in which coordinates.
+/// The cells to be written, and the CRS in which they are and will be written.
 struct CellsOutput : CellFeatures {
-  std::optional<Crs> study_crs;  ///< of the shapes; none: a plane without a CRS
-  std::optional<Crs> file_crs;   ///< of formats other than GeoJSON
+  std::optional<Crs> study_crs;  ///< CRS of the shapes; nothing for a plane without a CRS
+  std::optional<Crs> file_crs;   ///< CRS of formats other than GeoJSON
   double tolerance = 0.1;        ///< metres that an edge may lie from the true one
 };
 
-/// RFC 7946: WGS 84, outer rings counter-clockwise, cut at the antimeridian, 7 decimals at a
-/// tolerance of 0.1 m and, vertex by vertex, as many more as it takes for no cell to collapse or
-/// cross itself; cells that share a vertex write it alike. A plane without a CRS writes its own
-/// coordinates, all digits. Cost: one check of validity a cell, n log n.
+/// The cells as GeoJSON by RFC 7946: WGS 84, outer rings counter-clockwise, cut at the
+/// antimeridian. Coordinates have 7 decimals at a tolerance of 0.1 m, and vertex by vertex as many
+/// more as it takes for no cell to collapse or cross itself; cells that share a vertex write it
+/// alike. A plane without a CRS writes its own coordinates with all digits. Cost: one check of
+/// validity a cell, n log n.
 std::string cells_geojson(const CellsOutput& output);
 
-/// The cells in the format of `path`'s extension: the first file is that of `path`, others lie
-/// beside it. GeoJSON as above, all else by GDAL in `file_crs`. Throws Error, with the list of
-/// known extensions, where there is no such format, and where the format cannot hold the cells.
+/// The cells in the format that the extension of `path` names: the first file is `path` itself,
+/// others lie beside it. GeoJSON is written as cells_geojson says, all other formats by GDAL in
+/// `file_crs`. Throws Error, with the list of known extensions, where there is no such format, and
+/// where the format cannot hold the cells.
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path);
 
 /// Throws Error, listing the known extensions, where cells_files could not write to `path`.

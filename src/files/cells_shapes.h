@@ -9,10 +9,10 @@
 
 namespace thiessen {
 
-/// The cells' shapes in `target`, in their order. Edges are straight in the study's coordinates:
-/// in another CRS they are subdivided until they lie within half the tolerance, at the same points
-/// for both neighbours. Longitudes are cut at the antimeridian. Without a CRS shapes stay as they
-/// are. Throws Error where a cell reaches outside the area of `target`.
+/// Takes the cells' shapes into `target`, in their order. Edges are straight in the study's
+/// coordinates: in another CRS they are subdivided until they lie within half the tolerance, at the
+/// same points for both neighbours. Longitudes are cut at the antimeridian. Without a CRS shapes
+/// stay as they are. Throws Error where a cell reaches outside the area of `target`.
 std::vector<MultiPolygon> cells_shapes(const CellsOutput& output, const std::optional<Crs>& target);
 
 }  // namespace thiessen

@@ -28,7 +28,8 @@ void lend(const From& from, To& to, Warnings& warnings) {
 
 void agree(StationsFile& stations, BasinsFile& basins, Warnings& warnings) {
   if (stations.crs && !basins.crs) {
-    // A standard's default is not a name: it is lent only to what may be degrees.
+    // WGS 84 that RFC 7946 implies is not named by anybody, so it holds for the other file only
+    // where that file's coordinates may be degrees.
     const bool lent =
         stations.crs_origin != CrsOrigin::implied || reach_of(basins).looks_like_degrees();
     if (lent) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double farthest_longitude = 540;
 
-/// What says that the coordinates are in this CRS.
+/// Words the reason why the coordinates are taken to be in this CRS.
 Wording claim(const Crs& crs, CrsOrigin origin, const Wording& its_setting) {
   if (origin == CrsOrigin::option) return its_setting + " says " + crs.name();
   if (origin == CrsOrigin::columns) return "the names of its columns say " + crs.name();

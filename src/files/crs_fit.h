@@ -5,8 +5,8 @@
 
 namespace thiessen {
 
-/// Coordinates that do not fit the file's CRS as a whole: metres under degrees, or degrees under a
-/// projection. Throws Error, naming the CRS and the range.
+/// Requires the coordinates as a whole to fit the CRS of their file: metres do not fit degrees, nor
+/// degrees a projection. Throws Error, naming the CRS and the range of the coordinates.
 void require_fit(const StationsFile& stations);
 void require_fit(const BasinsFile& basins);
 

@@ -2,7 +2,7 @@
 
 namespace thiessen {
 
-/// Where a file's CRS is known from.
+/// Tells where the CRS of a file is known from.
 enum class CrsOrigin {
   none,     ///< not known
   implied,  ///< GeoJSON without a `crs` member: WGS 84 by RFC 7946

@@ -13,10 +13,10 @@
 namespace thiessen {
 namespace {
 
-// NAD 83, GDA 94 and other reference frames that are taken for WGS 84 have 1 to 4 m in EPSG's
-// tables.
+// Metres. Reference frames that are taken for WGS 84, such as NAD 83 and GDA 94, have accuracies of
+// 1 to 4 m in EPSG's tables, and are no reason to warn.
 constexpr double well_enough = 5;
-constexpr double not_stated = 999;  // so EPSG writes it
+constexpr double not_stated = 999;  // EPSG writes this figure where it states no accuracy
 
 std::vector<Point> corners_of(const StationsFile& file) {
   std::vector<Point> corners;
@@ -37,7 +37,8 @@ std::vector<Point> corners_of(const BasinsFile& file) {
   return corners;
 }
 
-/// Adds the surroundings of each point, in degrees of WGS 84.
+/// Adds points around each station, or around the corners of each polygon's box, in degrees of WGS
+/// 84.
 template <typename File>
 void take_in(const File& file, std::vector<Point>& reached) {
   if (!file.crs) return;
@@ -64,7 +65,8 @@ std::optional<Box> area_of(const StationsFile& stations, const BasinsFile* basin
   return box;
 }
 
-/// What is odd about the operation between two CRSs; an empty text: nothing.
+/// A warning of what is odd about the operation between two CRSs; its text is empty where nothing
+/// is.
 Message doubt_of(const Crs& from, const Crs& to) {
   const Transformation transformation(from, to);
   if (transformation.identity()) return {};
@@ -90,7 +92,7 @@ Message doubt_of(const Crs& from, const Crs& to) {
           grid.empty() ? "" : "PROJ would be more accurate with its grid " + quoted(grid, 80)};
 }
 
-/// Of what takes the file's coordinates into the study's.
+/// A warning of what is odd about the operation that takes the file's coordinates into the study's.
 template <typename File>
 Message doubt_of(const File& file, const Crs& study) {
   if (!file.crs) return {};

@@ -9,11 +9,11 @@
 
 namespace thiessen {
 
-/// Settles by which operation the coordinates of both files come into `study`, the study's CRS: the
-/// best for the area of all of them, so that what lies in one place in two files stays there.
-/// `basins` may be null; `study` is nothing for a plane of its own. Warns where the operation is
-/// known to be off by more than 5 m, with the figure, and where a sphere is taken for WGS 84.
-/// Throws Error where no operation between the datums is known.
+/// Chooses the operations by which the coordinates of both files come into `study`, the CRS of the
+/// study. They are the best for the area of both files together, so that a place that is in both
+/// files stays one place. `basins` may be null; `study` is nothing for a plane of its own. Warns
+/// where the operation is known to be off by more than 5 m, with the figure, and where a sphere is
+/// taken for WGS 84. Throws Error where no operation between the datums is known.
 void settle_datums(StationsFile& stations, BasinsFile* basins, std::optional<Crs>& study,
                    Warnings& warnings);
 

@@ -17,39 +17,41 @@
 
 namespace thiessen {
 
-/// The features of a CSV or of a layer, one at a time, alike for both: their fields, their geometry
-/// where there is one, and whether the source's filter keeps them.
+/// Reads the features of a CSV or of a layer one at a time, alike for both: their fields, their
+/// geometry where there is one, and whether the filter of the source keeps them.
 class Features {
  public:
-  /// Opens the source. `longest_field`: bytes, of a CSV's field. Throws Error.
+  /// Opens the source. `longest_field` is the limit of a CSV's field in bytes. Throws Error.
   Features(const Source& source, std::size_t longest_field);
   ~Features();
 
   const std::string& file() const { return table_->file(); }
   const std::vector<std::string>& header() const { return table_->header(); }
-  /// Features are named by the line on which they begin, and not by a number.
+  /// Whether messages name a feature by the line on which it begins, and not by its number.
   bool has_lines() const { return table_->header_line() > 0; }
   std::size_t header_line() const { return table_->header_line(); }
   bool has_geometry() const;
   DecimalMark decimal_mark() const { return mark_; }
-  /// Fields' types, as the file states them; all text for a CSV.
+  /// The type of a field as the file states it; text for every field of a CSV.
   FieldType type(std::size_t field) const;
 
-  /// Reads the next feature. Rows that cannot be read go to `complaints`, each with its place, once
-  /// the last row has been read.
+  /// Reads the next feature, and returns false at the end. Rows that cannot be read go to
+  /// `complaints`, each with its place, once the last row has been read.
   bool next(Complaints& complaints);
   const Row& row() const { return row_; }
   bool kept() const { return kept_; }
-  /// Throws Error where a WKT text cannot be read.
+  /// The geometry of the feature last read. Throws Error where a WKT text cannot be read.
   GeometryRecord geometry() const;
 
-  /// What is wrong with the feature last read.
+  /// A message about the feature last read, with its place in the file.
   Message message(Wording text, Wording hint = {}) const;
-  /// `features[3].geometry` in GeoJSON, else `feature 4`; empty in a CSV, whose line says it.
+  /// Words the place of the feature last read: `features[3].geometry` in GeoJSON, else `feature 4`;
+  /// empty for a CSV, where the line says it.
   std::string place() const;
 
-  /// What the source's CRS option says, or the file; for the file alone, by RFC 7946, `implied` is
-  /// set. Throws Error where option and file contradict each other.
+  /// The CRS that the option of the source names, else that of the file. `implied` is set where the
+  /// file says nothing and RFC 7946 implies WGS 84. Throws Error where option and file contradict
+  /// each other.
   struct Named {
     std::optional<Crs> crs;
     bool by_option = false;
@@ -64,13 +66,14 @@ class Features {
 
   Source source_;
   std::unique_ptr<Table> table_;
-  const Layer* layer_ = nullptr;    ///< the table, where it is one
+  const Layer* layer_ = nullptr;    ///< not null: the table is this layer
   std::optional<std::size_t> wkt_;  ///< the column of a CSV's geometries
   DecimalMark mark_ = DecimalMark::point;
   std::unique_ptr<AttributeFilter> filter_;
   Row row_;
   bool kept_ = true;
-  // A CSV states no types, so that a filter has to see all rows before the first can be judged.
+  // The rows of a CSV, for a filter: a CSV states no types, so that a filter has to see all rows
+  // before the first can be judged.
   struct Loaded;
   std::unique_ptr<Loaded> loaded_;
 };

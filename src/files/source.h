@@ -4,18 +4,18 @@
 
 namespace thiessen {
 
-/// A file of stations or basins as its reader names it, and what is said of it.
-/// An empty text means that nothing is said.
+/// A file of stations or basins as its reader names it, and what the user says of it. A text is
+/// empty where the user says nothing.
 struct Source {
   std::string file;
   std::string layer;                             ///< which layer, where the file has several
   std::string where;                             ///< an OGR attribute filter
   std::string crs;                               ///< EPSG:32633, WKT or PROJ
-  std::string layer_setting = "stations_layer";  ///< what messages call these settings
+  std::string layer_setting = "stations_layer";  ///< names of these settings in messages
   std::string where_setting = "stations_where";
   std::string crs_setting = "crs";
-  char separator = '\0';       ///< of a CSV; '\0': not given, a comma
-  bool decimal_comma = false;  ///< of a CSV
+  char separator = '\0';       ///< of a CSV's fields; '\0': a comma, as none was given
+  bool decimal_comma = false;  ///< a CSV's numbers have a decimal comma
 };
 
 }  // namespace thiessen

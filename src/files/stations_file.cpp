@@ -30,7 +30,8 @@ std::string names_of(std::span<const std::string_view> names) {
   return text;
 }
 
-/// The field that `named` names (the setting `x` or `y`), else the first that has one of the names.
+/// The field whose name is `named` (the setting `x` or `y`), else the first that has one of the
+/// usual names.
 std::optional<std::size_t> coordinate_field(const Features& features, const std::string& named,
                                             const char* its_setting,
                                             std::span<const std::string_view> names) {
@@ -104,7 +105,8 @@ class StationsReader {
     const Features::Named named = features_.crs();
     const bool degrees = !by_geometry_ && holds_degrees(features_.header()[x_]) &&
                          holds_degrees(features_.header()[y_]);
-    // Columns may hold other coordinates than the geometry beside them: its CRS is not theirs.
+    // The columns may hold other coordinates than the geometry beside them, so the CRS of the
+    // geometry says nothing of theirs.
     if (named.by_option) {
       result_.crs_origin = CrsOrigin::option;
     } else if (by_geometry_ && named.crs) {
@@ -141,7 +143,7 @@ class StationsReader {
   bool read_columns(Station& station) {
     const auto x = read_number(station, x_);
     const auto y = read_number(station, y_);
-    // Adding zero makes -0 the same place as 0.
+    // Adding zero turns -0 into 0, so that both are the same place.
     if (x && y) station.position = {*x + 0.0, *y + 0.0};
     return x && y;
   }

@@ -16,24 +16,24 @@ namespace thiessen {
 
 struct StationsRequest {
   Source source;
-  std::string id, x, y;  ///< fields' names; empty: found by name
+  std::string id, x, y;  ///< names of fields; empty: found by usual names
   bool attributes = false;
 };
 
 /// The stations of a file, in its order, with coordinates as the file has them.
 struct StationsFile : StationList {              ///< positions in `crs`, or in a plane without one
-  Attributes attributes;                         ///< where asked for
-  std::unordered_set<std::string> filtered_ids;  ///< of the stations that the filter left out
+  Attributes attributes;                         ///< read only where asked for
+  std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;
 };
 
-/// Reads the stations: CSV with coordinates in two columns or a WKT column, or any vector file or
-/// table that GDAL reads. Ids are kept as written. Columns named lon, long or longitude and lat or
-/// latitude hold WGS 84 longitude and latitude unless the options say otherwise; x, y, easting and
-/// northing say nothing of their CRS. Throws Error with every bad row: an id given twice, a
-/// coordinate that is no finite number, a geometry that is no point; and where there are no
-/// stations. Cost: linear in the file's length, memory in its stations.
+/// Reads the stations: a CSV with coordinates in two columns or in a WKT column, or any vector file
+/// or table that GDAL reads. Ids are kept as written. Columns named lon, long or longitude and lat
+/// or latitude hold WGS 84 longitude and latitude unless the options say otherwise; x, y, easting
+/// and northing say nothing of their CRS. Throws Error with every bad row (an id given twice, a
+/// coordinate that is no finite number, a geometry that is no point), and where there are no
+/// stations. Cost: linear in the file's length, memory linear in the number of stations.
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings);
 
 }  // namespace thiessen

@@ -19,13 +19,14 @@
 namespace thiessen {
 namespace {
 
-constexpr std::size_t no_line = 0;  // of a gauge that the file lacks
+constexpr std::size_t no_line = 0;  // line of a gauge that the file lacks
 
 std::string coordinates(Point point) {
   return shortest_text(point.x) + " " + shortest_text(point.y);
 }
 
-/// Of the vertices there.
+/// The latitudes of the shape's own vertices on the antimeridian, so that vertices that cutting
+/// adds there can be told from them.
 std::set<double> latitudes_on_antimeridian(const MultiPolygon& shape) {
   std::set<double> latitudes;
   const auto ring = [&](const Ring& points) {
@@ -40,7 +41,7 @@ std::set<double> latitudes_on_antimeridian(const MultiPolygon& shape) {
   return latitudes;
 }
 
-/// Brings two files into one system of coordinates.
+/// Brings the stations and basins of two files into one system of coordinates.
 class StudyMaker {
  public:
   StudyMaker(const StudyRequest& request, Warnings& warnings)
@@ -83,7 +84,7 @@ class StudyMaker {
     }
   }
 
-  // Behind those of the file, whose CRS they have.
+  // Adds the opened gauges behind those of the file, whose CRS they share.
   void open_gauges() {
     if (request_.opened.empty()) return;
     std::set<std::string> ids;
@@ -195,7 +196,8 @@ class StudyMaker {
                     {}});
   }
 
-  /// `EPSG:32633`, or both where both are projected.
+  /// Names the projections between two CRSs for a message: `EPSG:32633`, or both where both are
+  /// projected.
   std::string projections(const Crs& from) const {
     if (from.geographic()) return study_.crs->name();
     return study_.crs->geographic() ? from.name() : from.name() + " to " + study_.crs->name();
@@ -227,7 +229,7 @@ class StudyMaker {
                     {}});
   }
 
-  /// Every edge along its true course over the ellipsoid.
+  /// Subdivides every edge so that it follows its true course over the ellipsoid.
   void trace(std::size_t i, Basin& basin, Complaints& complaints) {
     if (!tracer_) {
       tracer_ = tracer_between(*basins_->crs, *study_.crs, request_.tolerance / 4,
@@ -236,7 +238,7 @@ class StudyMaker {
     take(i, tracer_->trace(study_.native_basins[i], Longitudes::run_on), basin, complaints);
   }
 
-  /// Every vertex into the plane, vertices only.
+  /// Takes the vertices into the plane and subdivides no edge: edges are straight in the plane.
   void project(std::size_t i, Basin& basin, Complaints& complaints) {
     constexpr double untorn = 1e5;  // metres
     if (!tracer_) tracer_ = tracer_between(*basins_->crs, *study_.crs, untorn, Course::ends);
@@ -251,7 +253,7 @@ class StudyMaker {
     basin.bulges = std::move(brought->bulges);
   }
 
-  // On both sides of the antimeridian basins would be far apart.
+  // Basins on both sides of the antimeridian would otherwise lie far apart.
   void bring_basins_together() {
     if (study_.metric == Metric::geodesic) thiessen::bring_basins_together(study_.basins);
     if (basins_ && basins_->crs && basins_->crs->degrees_per_unit() == 1)
@@ -278,7 +280,8 @@ class StudyMaker {
   StationsFile stations_;
   std::optional<BasinsFile> basins_;
   StudyFiles study_;
-  std::vector<std::set<double>> on_antimeridian_;  // by basin: latitudes of vertices of its own
+  std::vector<std::set<double>>
+      on_antimeridian_;  // by basin: latitudes of vertices that are its own, not of a cut
   std::optional<ShapeTracer> tracer_;
 };
 

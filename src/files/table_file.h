@@ -7,9 +7,9 @@
 
 namespace thiessen {
 
-/// Opens a table that has no geometry to it, such as RAINFALL: a CSV (`-`: the standard input), or
-/// a layer of anything that GDAL reads. `separator` '\0': a comma. Throws Error, see CsvReader and
-/// Layer.
+/// Opens a table without geometry, such as RAINFALL: a CSV (`-` is the standard input), or a layer
+/// of anything that GDAL reads. A `separator` of '\0' means a comma. Throws Error, see CsvReader
+/// and Layer.
 std::unique_ptr<Table> open_table(const std::string& file, char separator);
 
 }  // namespace thiessen
