@@ -52,7 +52,8 @@ std::vector<Class> classes(std::u32string_view text) {
   return result;
 }
 
-/// Numbers after left-to-right text are part of it; neutrals follow their neighbours.
+/// Makes numbers after left-to-right text a part of it, and gives neutral characters the direction
+/// of their neighbours.
 void resolve(std::vector<Class>& line, Class base) {
   Class strong = base;
   for (Class& c : line) {
@@ -75,7 +76,7 @@ void resolve(std::vector<Class>& line, Class base) {
   }
 }
 
-/// Embedding levels: even runs left to right.
+/// The embedding level of a character: even levels run left to right, odd ones right to left.
 int level(Class c, Class base) {
   if (c == Class::right) return 1;
   if (c == Class::number) return 2;
@@ -94,7 +95,8 @@ std::vector<DirectedRun> directed_runs(std::u32string_view text) {
   std::vector<int> levels;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const int depth = level(line[i], base);
-    // Shapers take a run of nothing but Arabic digits for right-to-left text: they go one by one.
+    // Shapers take a run of nothing but Arabic digits for right-to-left text, so each of these
+    // digits becomes a run of its own.
     const bool alone = is_arabic_digit(text[i]) || (i > 0 && is_arabic_digit(text[i - 1]));
     if (levels.empty() || levels.back() != depth || alone) {
       runs.push_back({{}, depth % 2 == 1});
@@ -102,7 +104,7 @@ std::vector<DirectedRun> directed_runs(std::u32string_view text) {
     }
     runs.back().text.push_back(text[i]);
   }
-  // Rule L2: from the deepest level up, turn every stretch at that level or deeper around.
+  // Rule L2 of UAX 9: from the deepest level up, reverse every stretch at that level or deeper.
   for (int depth = 2; depth >= 1; --depth) {
     for (std::size_t i = 0; i < runs.size();) {
       std::size_t end = i;

@@ -16,7 +16,8 @@ struct Colour {
   friend bool operator==(const Colour&, const Colour&) = default;
 };
 
-/// Whole pixels from (x, y), the upper left, `width` to the right and `height` down.
+/// A rectangle of whole pixels: (x, y) is its upper left, and it reaches `width` to the right and
+/// `height` down.
 struct PixelBox {
   int x = 0;
   int y = 0;
@@ -27,7 +28,7 @@ struct PixelBox {
   int bottom() const { return y + height; }
 };
 
-/// How much of each pixel something covers, 0 to 255, row by row.
+/// How much of each pixel a shape covers, from 0 to 255, row by row.
 struct Coverage {
   int width = 0;
   int height = 0;
@@ -45,26 +46,27 @@ struct Coverage {
   }
 };
 
-/// The picture's pixels, white at first. Whatever falls outside is left out.
+/// The pixels of a picture, white at first. Drawing outside the picture changes nothing.
 class Canvas {
  public:
   Canvas(int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Blue, green, red for each pixel, row by row from the top.
+  /// The bytes of all pixels: blue, green, red for each, row by row from the top.
   std::vector<std::uint8_t>& bytes() { return bytes_; }
 
   void set(int x, int y, Colour colour);
-  /// Mixes `colour` in with weight `alpha` / 255.
+  /// Mixes `colour` into a pixel with weight `alpha` / 255.
   void blend(int x, int y, Colour colour, int alpha);
-  /// Mixes `colour` in, weighted by the coverage, whose upper left comes to (x, y), and `alpha`.
+  /// Mixes `colour` into the pixels under `coverage`, whose upper left is placed at (x, y), each
+  /// weighted by its coverage and by `alpha` / 255.
   void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha = 255);
   void fill(const PixelBox& box, Colour colour);
-  /// A border of `thickness` pixels, inside the box.
+  /// Draws a border of `thickness` pixels inside the box.
   void border(const PixelBox& box, Colour colour, int thickness);
-  /// A disc with a smooth edge; its centre and radius in pixels, pixel centres at .5. Only the
-  /// pixels of `clip` change.
+  /// Fills a disc with a smooth edge. Centre and radius are in pixels; a pixel has its centre at
+  /// .5. Only pixels inside `clip` change.
   void disc(Point centre, double radius, Colour colour, const PixelBox& clip);
 
  private:

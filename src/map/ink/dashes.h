@@ -4,14 +4,14 @@
 
 namespace thiessen {
 
-/// A dash along a line, from one length to another.
+/// A dash of a line, given by the lengths along the line at which it begins and ends.
 struct Dash {
   double from = 0;
   double to = 0;
 };
 
-/// The dashes of a line: as near to the given lengths of dash and gap as a dash at either end
-/// allows, two at least. A line shorter than a gap is one dash.
+/// Parts a line into dashes, at least two, with one at either end. Dashes and gaps are stretched
+/// alike, as little as that allows. A line shorter than a gap is one dash.
 std::vector<Dash> dashes(double length, double dash, double gap);
 
 }  // namespace thiessen

@@ -9,12 +9,12 @@
 
 namespace thiessen {
 
-/// Which pixels of the map are taken by dots and labels.
+/// Tells which pixels of the map are taken by dots and labels.
 class Occupancy {
  public:
   Occupancy(int width, int height);
 
-  /// Whether the box lies inside the map and no pixel of it is taken. Cost: the box's pixels.
+  /// Whether the box lies inside the map and none of its pixels is taken. Cost: the box's pixels.
   bool is_free(const PixelBox& box) const;
   void occupy(const PixelBox& box);
 
@@ -24,12 +24,12 @@ class Occupancy {
   std::vector<std::uint8_t> taken_;
 };
 
-/// The boxes of the given size beside a dot: to the right, left, above, below, and at its corners.
-/// `gap`: pixels between the dot and the box.
+/// The boxes of the given size beside a dot, in order of preference: to the right, left, above,
+/// below, and at its corners. `gap` is the distance from the dot in pixels.
 std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int width, int height);
 
-/// A free box of the given size beside a dot: to the right if it can be, else left, above, below,
-/// or at a corner; none where all eight are taken. `gap`: pixels between the dot and the box.
+/// The first of boxes_beside that is free; none where all eight are taken. `gap` is the distance
+/// from the dot in pixels.
 std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double radius, int gap,
                                      int width, int height);
 

@@ -11,12 +11,13 @@ namespace {
 
 constexpr std::size_t word_bits = 64;
 
-/// The first pixel along an axis of `size` pixels whose centre is at or past `position`.
+/// The first pixel, along an axis of `size` pixels, whose centre lies at or beyond `position`.
 int first_centre(double position, int size) {
   return static_cast<int>(std::clamp(std::ceil(position - 0.5), 0.0, static_cast<double>(size)));
 }
 
-/// For each bit of `word`, whether the bits up to it, itself included, are odd in number.
+/// Sets each bit of the result where `word` has an odd number of bits set up to that bit, itself
+/// included.
 std::uint64_t prefix_parity(std::uint64_t word) {
   for (std::size_t shift = 1; shift < word_bits; shift *= 2) word ^= word << shift;
   return word;

@@ -6,17 +6,19 @@
 
 namespace thiessen {
 
-/// Line widths of the map, in pixels.
+/// The width of a cell's or a basin's outline on the map, in pixels.
 double cell_line_width(int em);
 double basin_line_width(int em);
 
-/// A gauge's dot: the radius of `gauges` dots that share `pixels` of map, smaller where they crowd.
+/// The radius in pixels of a gauge's dot where `gauges` dots share `pixels` of the map: smaller
+/// where they crowd.
 double gauge_radius(int em, std::size_t gauges, double pixels);
 
-/// From the middle of a dot of this radius to the rim of its white ring.
+/// The distance from the middle of a dot of this radius to the rim of its white ring.
 double gauge_reach(double radius);
 
-/// A red dot in a white ring; hollow where the gauge is silent. Only pixels of `clip` change.
+/// Draws a gauge as a red dot in a white ring, hollow where the gauge is silent. Only pixels inside
+/// `clip` change.
 void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip);
 
 }  // namespace thiessen

@@ -12,7 +12,8 @@ struct Segment {
   Point to;
 };
 
-/// Cuts the range [low, high] of the line's parameter to where start + t * step is in [min, max].
+/// Narrows the range [low, high] of the line's parameter t to where start + t * step lies in [min,
+/// max].
 void clip_range(double start, double step, double min, double max, double& low, double& high) {
   if (step == 0) {
     if (start < min || start > max) high = -1;
@@ -24,7 +25,7 @@ void clip_range(double start, double step, double min, double max, double& low, 
   high = std::min(high, leave);
 }
 
-/// The part of a segment within `reach` of the layer.
+/// The part of a segment that lies within `reach` of the layer.
 std::optional<Segment> clipped(const Coverage& layer, const Segment& s, double reach) {
   const Point step{s.to.x - s.from.x, s.to.y - s.from.y};
   double low = 0;
@@ -44,7 +45,7 @@ double distance(const Segment& s, Point p) {
   return std::hypot(p.x - s.from.x - t * step.x, p.y - s.from.y - t * step.y);
 }
 
-/// The range of x at height `y` that can be within `reach` of the segment.
+/// The range of x that can lie within `reach` of the segment at height `y`.
 std::pair<double, double> span_at(const Segment& s, double y, double reach) {
   double low = std::min(s.from.x, s.to.x) - reach;
   double high = std::max(s.from.x, s.to.x) + reach;

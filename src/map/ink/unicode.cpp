@@ -19,7 +19,7 @@ bool within(char32_t c, const std::array<Range, n>& ranges) {
   return false;
 }
 
-/// A code point and how many bytes it took.
+/// A code point, and the number of bytes that encode it.
 struct Decoded {
   char32_t code;
   std::size_t length;
@@ -102,7 +102,7 @@ bool is_invisible(char32_t c) {
 }
 
 bool is_attached(char32_t c) {
-  // The combining marks of the scripts that need a shaper, block by block.
+  // These are the combining marks of the scripts that need a shaper, block by block.
   constexpr std::array<Range, 19> ranges{{{0x0300, 0x036F},
                                           {0x0483, 0x0489},
                                           {0x0591, 0x05BD},

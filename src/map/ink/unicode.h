@@ -8,31 +8,35 @@
 namespace thiessen {
 
 /// The code points of UTF-8 text as far as a picture can show them: bytes that are not UTF-8 become
-/// U+FFFD, control characters and line breaks spaces, and marks that would turn the direction of
-/// the text around them are left out. Cost: the text.
+/// U+FFFD, control characters and line breaks become spaces, and marks that would turn the
+/// direction of the text around them are left out. Cost: the text.
 std::u32string displayable(std::string_view utf8);
 
 std::string to_utf8(std::u32string_view text);
 
-/// Takes no place of its own on a line: combining marks, joiners, variation selectors.
+/// Whether a character takes no place of its own on a line: combining marks, joiners, variation
+/// selectors.
 bool is_attached(char32_t c);
 
-/// Needs no glyph: joiners, variation selectors and other signs to the shaper.
+/// Whether a character needs no glyph: joiners, variation selectors and other instructions to the
+/// shaper.
 bool is_invisible(char32_t c);
 
-/// At most `length` code points and an ellipsis, cut before a base character.
+/// The first `length` code points of a longer text and an ellipsis, cut before a base character so
+/// that no mark is parted from its letter; a text that is not longer stays as it is.
 std::u32string shortened(std::u32string_view text, std::size_t length);
 
-/// A stretch of text in one direction.
+/// A stretch of text that is read in one direction.
 struct DirectedRun {
   std::u32string text;  ///< in reading order
   bool right_to_left = false;
 };
 
-/// The runs of a line from left to right. A part of the Unicode bidirectional algorithm (UAX 9):
-/// the line's direction is that of its first strong character, neutral characters between two
-/// characters of one direction follow them, numbers run left to right in any text. Without
-/// embeddings and mirrored pairs across runs. Cost: the text.
+/// Parts a line into runs of one direction, in their order from left to right. This is a part of
+/// the Unicode bidirectional algorithm (UAX 9): the line's direction is that of its first strong
+/// character, neutral characters between two characters of one direction follow them, and numbers
+/// run left to right in any text. Embeddings, and mirrored pairs across runs, are not treated.
+/// Cost: the text.
 std::vector<DirectedRun> directed_runs(std::u32string_view text);
 
 }  // namespace thiessen
