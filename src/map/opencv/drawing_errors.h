@@ -4,8 +4,9 @@
 
 namespace thiessen {
 
-/// To be called where an exception is being handled: throws an Error in place of what OpenCV
-/// throws, and of a lack of memory, for which it gives the hint; all else is thrown on as it is.
+/// Rethrows the exception that is being handled. What OpenCV throws becomes an Error, and so does a
+/// lack of memory, with the given hint; any other exception is thrown on as it is. To be called
+/// inside a handler only.
 [[noreturn]] void throw_drawing_error(const Wording& memory_hint = {});
 
 }  // namespace thiessen

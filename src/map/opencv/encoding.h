@@ -6,10 +6,10 @@
 
 namespace thiessen {
 
-/// The image files that a canvas is encoded as.
+/// The formats of image files in which a canvas can be encoded.
 enum class PictureFormat { png, jpeg };
 
-/// The bytes of an image file. Throws Error where encoding fails.
+/// Encodes the canvas as the bytes of an image file. Throws Error where encoding fails.
 std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format);
 
 }  // namespace thiessen

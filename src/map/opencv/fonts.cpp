@@ -24,7 +24,8 @@ const FcChar8* name(const char* text) {
   return reinterpret_cast<const FcChar8*>(text);
 }
 
-/// What to look for. The language is named, or fontconfig would take it from the locale.
+/// Makes the pattern that fontconfig is to match. It names a language, as fontconfig would
+/// otherwise take that of the locale.
 Held<FcPattern> wanted(FcConfig* config, bool bold) {
   Held<FcPattern> pattern(FcPatternCreate());
   FcPatternAddString(pattern.get(), FC_FAMILY, name("DejaVu Sans"));

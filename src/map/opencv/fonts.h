@@ -8,14 +8,14 @@
 
 namespace thiessen {
 
-/// A face in a font file.
+/// One face of a font file, which may hold several.
 struct FontFace {
   std::string file;
   int face = 0;
 };
 
-/// The outline fonts of this machine in order of preference: DejaVu Sans, then what fontconfig
-/// holds nearest to a sans-serif. The order does not depend on the locale.
+/// The outline fonts of this machine in order of preference: DejaVu Sans, then the fonts that
+/// fontconfig holds nearest to a sans-serif. The order does not depend on the locale.
 class FontList {
  public:
   /// Throws Error where no outline font is installed.
@@ -26,9 +26,9 @@ class FontList {
 
   std::size_t size() const;
   const FontFace& face(std::size_t font) const;
-  /// Whether the font has a glyph for each visible character.
+  /// Whether the font has a glyph for each visible character of the text.
   bool covers(std::size_t font, std::u32string_view text) const;
-  /// The first font that covers all of the text. Cost: the fonts times the text.
+  /// The first font that covers the whole text. Cost: the fonts times the text.
   std::optional<std::size_t> first_to_cover(std::u32string_view text) const;
 
  private:

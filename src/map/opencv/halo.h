@@ -4,7 +4,7 @@
 
 namespace thiessen {
 
-/// The coverage grown by `radius` pixels on every side: a halo.
+/// The coverage grown by `radius` pixels on every side, as a halo behind text.
 Coverage halo(const Coverage& coverage, int radius);
 
 }  // namespace thiessen

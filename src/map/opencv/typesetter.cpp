@@ -13,7 +13,7 @@ namespace thiessen {
 
 using Face = cv::Ptr<cv::freetype::FreeType2>;
 
-/// The fonts of one weight, each file opened when it is first needed.
+/// The fonts of one weight. Each file is opened when it is first needed.
 struct Typesetter::Fonts {
   explicit Fonts(bool bold) : list(bold) {}
 
@@ -30,7 +30,7 @@ struct Typesetter::Fonts {
   std::map<std::size_t, Face> open;
 };
 
-/// Text in one direction and one font, without spaces at its ends.
+/// A piece of text in one direction and one font, without spaces at its ends.
 struct Typesetter::Piece {
   std::size_t font = 0;
   std::u32string text;
@@ -41,7 +41,8 @@ namespace {
 
 constexpr std::size_t preferred = 0;
 
-/// A mask with room for any text around its ink: the ink's columns and rows alone.
+/// Cuts a mask, which has room for any text around its ink, down to the columns and rows of the
+/// ink.
 SetText cut_to_ink(const cv::Mat& drawn, int baseline) {
   int left = drawn.cols;
   int right = -1;
@@ -80,7 +81,7 @@ SetText draw(cv::freetype::FreeType2& face, const std::u32string& text, int size
   return cut_to_ink(drawn, line);
 }
 
-/// Puts `right` beside `left`, on one baseline.
+/// Puts `right` beside `left`, with both on one baseline.
 SetText joined(const SetText& left, const SetText& right, int gap) {
   const int ascent = std::max(left.baseline, right.baseline);
   const int descent = std::max(left.height() - left.baseline, right.height() - right.baseline);
@@ -105,7 +106,7 @@ std::size_t end_of_cluster(std::u32string_view text, std::size_t begin) {
   return end;
 }
 
-/// A word and the spaces after it.
+/// Finds the end of a word and of the spaces after it.
 std::size_t end_of_word(std::u32string_view text, std::size_t begin) {
   const std::size_t space = text.find(U' ', begin);
   if (space == std::u32string_view::npos) return text.size();
@@ -118,13 +119,14 @@ std::u32string_view trimmed(std::u32string_view text) {
   return text.substr(begin, text.find_last_not_of(U' ') - begin + 1);
 }
 
-/// How many spaces stand to the left and to the right of a piece of text.
+/// The numbers of spaces to the left and to the right of a piece of text.
 struct Spaces {
   std::size_t left = 0;
   std::size_t right = 0;
 };
 
-/// Takes the spaces off the ends of `text`; all of them count as left of a text of nothing else.
+/// Takes the spaces off both ends of `text` and counts them; those of a text of nothing but spaces
+/// all count as left.
 Spaces take_spaces(std::u32string& text, bool right_to_left) {
   const std::u32string_view ink = trimmed(text);
   const std::size_t before = ink.empty() ? text.size() : text.find_first_not_of(U' ');

@@ -12,7 +12,7 @@
 
 namespace thiessen {
 
-/// A line of text, drawn: what its ink covers, cut to the ink's width.
+/// A line of text as drawn: the coverage of its ink, cut to the ink's width.
 struct SetText {
   Coverage ink;
   int baseline = 0;  ///< the row of `ink` on which the letters stand
@@ -25,24 +25,25 @@ class FontList;
 
 enum class Weight { regular, bold };
 
-/// Sets lines of text of any script in the fonts of this machine, in DejaVu Sans where that has
-/// the characters, else each word in the first font that has them all. Sizes are in pixels to the
-/// em. Texts are UTF-8, see displayable().
+/// Sets lines of text of any script in the fonts of this machine: in DejaVu Sans where it has the
+/// characters, else each word in the first font that has them all. Sizes are in pixels to the em.
+/// Texts are UTF-8, see displayable().
 class Typesetter {
  public:
   /// Throws Error where no font is installed.
   Typesetter();
   ~Typesetter();
 
-  /// At most `longest` code points of the text. Cost: the pixels.
+  /// Sets at most the first `longest` code points of the text. Cost: the pixels.
   SetText set(std::string_view text, int size, Weight weight = Weight::regular,
               std::size_t longest = 200);
-  /// The text in the largest size from `size` down to `smallest` in which it is at most
-  /// `max_width` pixels wide; shortened, with an ellipsis, where it is not even so.
+  /// Sets the text in the largest size from `size` down to `smallest` in which it is at most
+  /// `max_width` pixels wide. A text that is too wide even in the smallest is shortened, with an
+  /// ellipsis.
   SetText fit(std::string_view text, int size, int smallest, int max_width,
               Weight weight = Weight::regular);
 
-  /// The characters met so far that no font shows, in order.
+  /// The characters set so far that no font shows, in order.
   const std::set<char32_t>& missing() const { return missing_; }
 
  private:
@@ -51,7 +52,8 @@ class Typesetter {
 
   Fonts& fonts(Weight weight);
   std::vector<Piece> pieces(std::u32string_view text, Weight weight);
-  /// The preferred font, or that of the text before it, or the first in the list that has it all.
+  /// The preferred font, else the font of the text before it, else the first in the list, whichever
+  /// first has all the characters.
   static std::optional<std::size_t> font_for(std::u32string_view text, const FontList& fonts,
                                              const std::vector<Piece>& line);
   void add_word(std::u32string_view word, const FontList& fonts, std::vector<Piece>& line);
