@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t longest_label = 24;
 
-/// The pixels of each basin: the rows from `top` to `bottom`.
+/// The rows in which a basin has pixels, from `top` to `bottom`.
 struct Rows {
   int top = 0;
   int bottom = -1;
@@ -35,7 +35,7 @@ std::vector<Rows> rows_of_basins(const OwnerRaster& basins, std::size_t count) {
   return rows;
 }
 
-/// The longest run of a basin's pixels in a row.
+/// A run of a basin's pixels in one row.
 struct Run {
   int begin = 0;
   int end = 0;
@@ -55,13 +55,13 @@ Run longest_run(const OwnerRaster& basins, std::int32_t basin, int row) {
   return longest;
 }
 
-/// In ems: smaller where there are many.
+/// The size of labels in ems: they are smaller where there are many gauges.
 double label_size(std::size_t gauges) {
   if (gauges <= 40) return 0.85;
   return gauges <= 150 ? 0.72 : 0.6;
 }
 
-/// Not more than the label's width in pixels: the narrowest letters take a quarter of an em.
+/// A lower bound of the label's width in pixels, as the narrowest letters take a quarter of an em.
 int least_width(const std::string& label, int size) {
   const auto is_graphic = [](char c) { return c > ' ' && c < 127; };
   const bool ascii = std::all_of(label.begin(), label.end(), is_graphic);
@@ -131,7 +131,8 @@ void Annotation::put(const SetText& text, const PixelBox& box, Colour colour) {
 }
 
 void Annotation::draw_basin_names(const OwnerRaster& basins) {
-  constexpr std::array<int, 7> shares{50, 40, 60, 30, 70, 20, 80};  // percent of the height
+  constexpr std::array<int, 7> shares{
+      50, 40, 60, 30, 70, 20, 80};  // places to try, in percent of the height, the middle first
   const std::vector<Rows> rows = rows_of_basins(basins, picture_.basins.size());
   const int rim = std::max(1, page_.style.ems(0.12));
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -166,7 +167,7 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
     const Point dot = view_.gauges[i];
     if (picture_.gauges[i].label.empty() || !in_sight(dot)) continue;
     ++to_label_;
-    // Where less than the label's width is free it need not be set to know that it does not fit.
+    // A label need not be set to know that it does not fit where even its least width is not free.
     const int least = least_width(picture_.gauges[i].label, size);
     if (!place_beside(taken_, dot, outer, 1, least, size / 2)) continue;
     const SetText text = type_.set(picture_.gauges[i].label, size, Weight::regular, longest_label);

@@ -14,21 +14,23 @@
 
 namespace thiessen {
 
-/// Draws gauges, basin names and gauge labels into the panel; no two of them overlap but dots.
+/// Draws gauges, basin names and gauge labels into the panel. Only dots may overlap each other:
+/// names and labels overlap nothing.
 class Annotation {
  public:
-  /// `view` in pixels of the panel.
+  /// `view` is in pixels of the panel.
   Annotation(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,
              Typesetter& type);
 
-  /// Silent gauges first, so that none hides one that reports.
+  /// Draws the gauges, silent ones first, so that none of them hides one that reports.
   void draw_gauges();
-  /// A basin's name in its middle, or as near as it fits inside the basin.
+  /// Writes the name of each basin in its middle, or as near to that as it fits inside the basin.
   void draw_basin_names(const OwnerRaster& basins);
-  /// Gauges in sight, those of the largest cells (`pixels`) first, ties by their order.
+  /// Labels the gauges in sight, those of the largest cells (`pixels`) first, equal ones in their
+  /// order.
   void draw_labels(const std::vector<std::size_t>& pixels);
 
-  /// How many gauges are in sight and how many of these labelled; empty where all are.
+  /// Words how many gauges are in sight and how many of these are labelled; empty where all are.
   std::string note() const;
 
  private:

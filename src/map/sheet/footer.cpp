@@ -11,7 +11,7 @@
 namespace thiessen {
 namespace {
 
-/// Draws the bar with its figures; returns where its right end, figures included, lies.
+/// Draws the scale bar with its figures, and returns the x of its right end, figures included.
 int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
                    Typesetter& type) {
   const PixelBox& foot = page.footer;
@@ -31,7 +31,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   canvas.fill({left, top, half, height}, ink::text);
   canvas.border(outline, ink::text, page.style.hairline);
 
-  constexpr double wide_area = 0.15;  // radians: the scale differs by a hundredth within
+  constexpr double wide_area = 0.15;  // radians: the scale varies by a hundredth within
   std::string end = bar.length.text();
   const SetText number = type.set(end, size);
   end += " " + bar.unit + (view.radius > wide_area ? " at the map's centre" : "");
@@ -50,7 +50,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   return left + full - number.width() / 2 + last.width();
 }
 
-/// An arrow with an N over it, its left edge at `x`; returns its right edge.
+/// Draws an arrow with an N over it, its left edge at `x`, and returns the x of its right edge.
 int draw_north_arrow(Canvas& canvas, const Page& page, int x, Typesetter& type) {
   const PageStyle& style = page.style;
   const int width = style.ems(1.0);

@@ -9,19 +9,20 @@
 
 namespace thiessen {
 
-/// How long the scale bar is and what it says.
+/// The scale bar: its length on the ground, in figures, and in pixels.
 struct ScaleBar {
   RoundValue length;  ///< in `unit`
   std::string unit;   ///< "km", "m", or "units" where the plane's unit is unknown
   double pixels = 0;
 };
 
-/// The longest round length that takes at most `longest` pixels at the map's centre.
-/// `pixels_per_metre`: of the map; where the unit is unknown, pixels to a unit, and NaN metres.
+/// The scale bar of the longest round length that takes at most `longest` pixels at the map's
+/// centre. Where the length of the plane's unit is unknown, `metres_per_unit` is NaN, and the bar
+/// counts plain units.
 ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longest);
 
-/// Draws scale bar, north arrow and notes below the map, side by side; a note that finds no room
-/// is left out.
+/// Draws scale bar, north arrow and notes below the map, side by side. A note that finds no room is
+/// left out.
 void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
                  bool north_is_up, const std::string& labels_note, Typesetter& type);
 

@@ -13,16 +13,17 @@ struct Page;
 struct Picture;
 struct PageStyle;
 
-/// Rainfall in classes between round values, each of one colour.
+/// The classes into which rainfall is sorted, between round values, each of one colour.
 class RainfallClasses {
  public:
-  /// From the least to the largest reading of the cells; none where no cell has a reading.
+  /// Lays classes from the least to the largest reading of the cells; there are none where no cell
+  /// has a reading.
   explicit RainfallClasses(const Picture& picture);
 
-  /// The ticks between the classes; a single one where all readings are equal.
+  /// The round values between the classes; a single one where all readings are equal.
   const std::vector<RoundValue>& ticks() const { return ticks_; }
   std::size_t count() const { return ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1; }
-  /// Requires a reading between the least and the largest.
+  /// The colour of a reading's class. Requires a reading between the least and the largest.
   Colour colour(double rainfall) const;
 
  private:
@@ -30,10 +31,10 @@ class RainfallClasses {
   std::vector<double> values_;
 };
 
-/// The grey of a cell without a reading at a pixel: hatched.
+/// The grey at a pixel of a cell without a reading: such cells are hatched.
 Colour hatching(int x, int y, int em);
 
-/// The column beside the map: the colour bar with its ticks, and what the signs mean.
+/// The column beside the map: the colour bar with its ticks, and the meaning of the signs.
 class Legend {
  public:
   enum class Sign { gauge, silent_gauge, no_reading, cell, basin };

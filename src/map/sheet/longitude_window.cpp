@@ -10,7 +10,7 @@ bool along_pole(Point a, Point b) {
   return a.y == b.y && std::abs(a.y) == 90;
 }
 
-/// From a to b eastward: the short way, or as written along a pole.
+/// The step in longitude from a to b, eastward: the short way round, or as written along a pole.
 double eastward(Point a, Point b) {
   const double difference = b.x - a.x;
   return along_pole(a, b) || std::abs(difference) <= 180 ? difference
@@ -88,7 +88,7 @@ LongitudeWindow LongitudeCensus::window() const {
     widest = last_gap;
     gap_end = first;
   }
-  // Two slots' width may be an artefact of rounding longitudes into slots.
+  // A gap of two slots or less may be an artefact of rounding longitudes into slots.
   if (widest < 2 * 360.0 / static_cast<double>(slot_count)) return {};
   return {gap_end - 180, 360 - widest};
 }

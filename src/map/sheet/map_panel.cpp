@@ -19,7 +19,8 @@ void sort_out(std::vector<Pair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-/// The gauges whose cells touch, in pixels. Memory does not grow with the pixels.
+/// The pairs of gauges whose cells touch in the raster of pixels. Memory does not grow with the
+/// pixels.
 std::vector<Pair> touching_gauges(const Picture& picture, const OwnerRaster& cells) {
   std::vector<Pair> pairs;
   std::size_t most = 1'000'000;
@@ -60,7 +61,8 @@ std::vector<Colour> station_colours(const Picture& picture, const OwnerRaster& c
   return colours;
 }
 
-/// The colour of each cell by rainfall; those without a reading are not asked for theirs.
+/// The colour of each cell by rainfall. Cells without a reading have no class, and get the plain
+/// grey.
 std::vector<Colour> rainfall_colours(const Picture& picture, const RainfallClasses& classes) {
   std::vector<Colour> colours;
   for (const PictureCell& cell : picture.cells) {
@@ -169,7 +171,7 @@ void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, cons
   const int em = page.style.em;
   const double share = static_cast<double>(panel.width) * panel.height /
                        std::max(1.0, static_cast<double>(view.cells.size()));
-  const double cell_size = std::sqrt(share) / em;  // in ems
+  const double cell_size = std::sqrt(share) / em;  // side of a cell of mean size, in ems
   const int alpha = static_cast<int>(std::clamp(70 + 160 * cell_size, 70.0, 200.0));
   Coverage layer(panel.width, panel.height);
   cover(layer, view.cells, cell_line_width(em));

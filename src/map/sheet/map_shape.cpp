@@ -12,13 +12,13 @@ Point midpoint(Point a, Point b) {
   return {(a.x + b.x) / 2, (a.y + b.y) / 2};
 }
 
-/// Projects rings, edge by edge.
+/// Projects rings edge by edge, and subdivides edges that the projection bends.
 class Drawer {
  public:
   Drawer(const MapProjection& projection, double tolerance)
       : projection_(projection), tolerance_(tolerance) {}
 
-  /// The points of the curved edge after its first, up to its last.
+  /// Adds the points of the curved edge after its first, up to and including its last.
   void edge(Point a, Point b, std::vector<Point>& out) const {
     const Point end = projection_(b);
     if (projection_.kind() == MapProjection::Kind::stereographic) {
@@ -30,14 +30,15 @@ class Drawer {
   Point point(Point p) const { return projection_(p); }
 
  private:
-  /// The points strictly between the ends. At most `halvings` deep.
+  /// Adds the points strictly between the ends, by at most `halvings` nested halvings.
   void between(Point a, Point map_a, Point b, Point map_b, int halvings,
                std::vector<Point>& out) const {
     const Point middle = midpoint(a, b);
     const Point map_middle = projection_(middle);
     const Point chord = midpoint(map_a, map_b);
     const double sag = std::hypot(map_middle.x - chord.x, map_middle.y - chord.y);
-    // The middle of a long edge may lie on its chord by symmetry: such an edge is halved anyhow.
+    // The middle of a long curved edge may lie on its chord by symmetry, so a long edge is always
+    // halved.
     const bool is_long = std::abs(a.x - b.x) + std::abs(a.y - b.y) > 20;
     if (halvings == 0 || (sag < tolerance_ && !is_long)) return;
     between(a, map_a, middle, map_middle, halvings - 1, out);
@@ -78,12 +79,13 @@ bool cut_by_antimeridian(const MultiPolygon& shape) {
   return east && west;
 }
 
-/// A ring in the study's coordinates, and which of its edges are no outline of anything.
+/// A ring in the study's coordinates, and what tells which of its edges are no outline to draw.
 struct DrawnRing {
   Ring ring;
-  std::size_t outline;  ///< edges; those after them close the ring over a pole
+  std::size_t
+      outline;  ///< number of edges of the outline; edges after them close the ring over a pole
   bool geographic;
-  bool cut;  ///< by the antimeridian
+  bool cut;  ///< the antimeridian cuts the shape in two
 
   bool hides(std::size_t edge, Point a, Point b) const {
     return edge >= outline || (geographic && along_pole(a, b)) || (cut && along_antimeridian(a, b));

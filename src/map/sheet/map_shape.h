@@ -7,17 +7,17 @@
 
 namespace thiessen {
 
-/// A part of a cell or basin on the map's plane: its rings, outer and holes.
+/// A connected part of a cell or basin on the map's plane: its outer ring and its holes.
 struct MapPart {
   std::vector<Ring> rings;
-  /// The rings' edges as lines to draw: without those along a pole, or along the antimeridian
-  /// where it only cuts the shape in two.
+  /// The edges of the rings as lines to draw. Edges along a pole are left out, and so are edges
+  /// along the antimeridian where it only cuts the shape in two.
   std::vector<std::vector<Point>> lines;
 };
 
 using MapShape = std::vector<MapPart>;
 
-/// What a box of the plane holds; empty at first.
+/// A box of the map's plane that grows to hold what is added; empty at first.
 struct Extent {
   double west = 1;
   double south = 1;
@@ -32,8 +32,8 @@ struct Extent {
 
 /// The shape on the map's plane. Edges are straight in the study's coordinates; where the
 /// projection bends them they are subdivided until they depart from their curve by less than
-/// `tolerance` (map units), the same way in both directions. Where the map repeats, the shape is
-/// repeated as far as `window` needs. Cost: the vertices.
+/// `tolerance` (map units), in the same way whichever end comes first. Where the map repeats, the
+/// shape is repeated as far as `window` needs. Cost: the vertices.
 MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
                    const LongitudeWindow& window, double tolerance);
 

@@ -6,9 +6,10 @@
 namespace thiessen {
 namespace {
 
-constexpr double rim = 0.04;  // of the panel's smaller side, left free round the study area
+constexpr double rim =
+    0.04;  // share of the panel's smaller side that is left free round the study area
 
-/// Width by height of the panel that suits the extent.
+/// The width of the panel that suits the extent, divided by its height.
 double panel_aspect(const Extent& extent) {
   constexpr double widest = 3;
   constexpr double tallest = 0.6;
@@ -16,7 +17,7 @@ double panel_aspect(const Extent& extent) {
   return std::clamp(extent.width() / extent.height(), tallest, widest);
 }
 
-/// Sets title and subtitle; returns the height they take.
+/// Sets title and subtitle, and returns the height that they take.
 int head(const Picture& picture, Page& page, Typesetter& type) {
   const PageStyle& style = page.style;
   const int room = page.width - 2 * style.em;
@@ -36,7 +37,8 @@ int head(const Picture& picture, Page& page, Typesetter& type) {
   return y + style.ems(0.4);
 }
 
-/// The height of a panel `width` across: of the extent's shape where the picture leaves it open.
+/// The height of a panel that is `width` across: it follows the extent's shape where the picture
+/// leaves its own height open.
 int panel_height(const Picture& picture, const Extent& extent, int width, int least, int others) {
   if (picture.height > 0) return picture.height - others;
   const double wanted = width / panel_aspect(extent);

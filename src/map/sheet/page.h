@@ -12,16 +12,16 @@
 
 namespace thiessen {
 
-/// Lengths that all parts of a picture share, from its size.
+/// The lengths that all parts of a picture share; they follow from the picture's size.
 struct PageStyle {
   int em = 16;        ///< the ordinary text size, in pixels
-  int hairline = 1;   ///< borders and ticks
+  int hairline = 1;   ///< width of borders and ticks, in pixels
   bool bare = false;  ///< too small for any text: the map alone
 
   int ems(double count) const { return static_cast<int>(std::lround(em * count)); }
 };
 
-/// Where things stand on the page. No two boxes overlap.
+/// The places of everything on the page. No two boxes overlap.
 struct Page {
   int width = 0;
   int height = 0;
@@ -37,13 +37,13 @@ struct Page {
 };
 
 /// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map
-/// fits the extent, as far as it is not too long or tall for a page.
+/// fits the extent, unless the extent is too long or too tall for a page.
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type);
 
 /// The style of a picture of this size; a height of 0 counts as three quarters of the width.
 PageStyle page_style(int width, int height);
 
-/// From the map's plane to pixels of the panel, the extent in its middle.
+/// Maps the map's plane to pixels of the panel, with the extent in the panel's middle.
 class PanelTransform {
  public:
   PanelTransform(const Extent& extent, const PixelBox& panel);
@@ -51,7 +51,7 @@ class PanelTransform {
   Point operator()(Point map) const {
     return {(map.x - middle_.x) * scale_ + centre_.x, (middle_.y - map.y) * scale_ + centre_.y};
   }
-  /// Pixels to a map unit.
+  /// The number of pixels to a map unit.
   double scale() const { return scale_; }
 
  private:

@@ -19,7 +19,7 @@ std::uint8_t between(std::uint8_t a, std::uint8_t b, double t) {
   return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
 }
 
-/// Neighbours of each item, listed one after the other.
+/// The neighbours of each item, listed one item after the other.
 struct Adjacency {
   std::vector<std::size_t> begin;
   std::vector<std::uint32_t> list;
@@ -44,8 +44,8 @@ Adjacency adjacency(std::size_t count, std::vector<std::pair<std::uint32_t, std:
   return result;
 }
 
-/// The items so that each has few neighbours among those after it: always the one with the fewest
-/// neighbours left is taken next.
+/// The items in an order in which each has few neighbours among those after it: the one with the
+/// fewest neighbours left is always taken next.
 std::vector<std::uint32_t> smallest_first(const Adjacency& neighbours, std::size_t count) {
   std::vector<std::size_t> degree(count);
   std::vector<std::vector<std::uint32_t>> of_degree(1);
@@ -83,7 +83,7 @@ std::vector<std::uint32_t> smallest_first(const Adjacency& neighbours, std::size
 
 Colour sequential_colour(std::size_t index, std::size_t count) {
   const double last = static_cast<double>(anchors.size() - 1);
-  // A single class, or a few, keep clear of the darkest end.
+  // Where there are few classes their colours keep clear of the darkest end.
   const double reach = count >= 6 ? 1.0 : 0.5 + 0.08 * static_cast<double>(count);
   const double share =
       count < 2 ? 0.35 : reach * static_cast<double>(index) / static_cast<double>(count - 1);

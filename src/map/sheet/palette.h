@@ -10,18 +10,18 @@
 
 namespace thiessen {
 
-/// The colour of class `index` of `count`, from pale yellow-green through teal to dark blue: its
+/// The colour of class `index` of `count`, from pale yellow-green through teal to dark blue. Its
 /// lightness falls evenly, so that the order is plain in grey and to colour-blind readers too.
 Colour sequential_colour(std::size_t index, std::size_t count);
 
-/// Soft colours that are told apart side by side.
+/// Soft colours that can be told apart side by side.
 std::span<const Colour> categorical_colours();
 
-/// A number below `colours` for each of `count` items so that neighbours differ: always, where the
-/// neighbourhoods are those of a map in the plane and `colours` is 6 or more (smallest-last order,
-/// Matula and Beck 1983), else as far as greedy choice goes. Of the colours free at an item the
-/// least used so far is taken. Pairs may repeat and come in any order, without changing the result.
-/// Cost: the pairs and items, and sorting the pairs.
+/// Colours `count` items by numbers below `colours` so that neighbours differ. They always do where
+/// the neighbourhoods are those of a map in the plane and `colours` is 6 or more (smallest-last
+/// order, Matula and Beck 1983), else as far as greedy choice goes. Of the colours free at an item
+/// the least used so far is taken. Pairs may repeat and come in any order, without changing the
+/// result. Cost: the pairs and items, and sorting the pairs.
 std::vector<std::uint8_t> colour_neighbours(
     std::size_t count, std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs,
     std::size_t colours);

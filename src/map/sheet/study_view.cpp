@@ -8,8 +8,8 @@ namespace thiessen {
 namespace {
 
 constexpr double radian = std::numbers::pi / 180;
-/// The farthest from its centre that the stereographic projection is used, in degrees: its scale is
-/// 1.6 times the centre's there.
+/// The largest distance from its centre, in degrees, at which the stereographic projection is used:
+/// its scale there is 1.6 times that at the centre.
 constexpr double stereographic_reach = 75;
 
 [[noreturn]] void reject(const char* text) {
@@ -74,7 +74,7 @@ double reach(const Picture& picture, Point centre) {
   return farthest;
 }
 
-/// Where the map's centre goes: a pole for a study that winds round it.
+/// The place of the map's centre: a pole for a study that winds round it.
 Point centre_of(const Extent& box, const LongitudeWindow& window) {
   const double half_turn = 180;
   if (window.span > half_turn && box.south > 0) return {0, 90};
@@ -116,9 +116,9 @@ void add(const std::vector<MapShape>& shapes, Extent& extent) {
   }
 }
 
-/// Grows the extent by the gauges that own cells, where they lie near enough.
+/// Grows the extent to hold the gauges that own cells and lie near enough.
 void add_owners(const Picture& picture, const std::vector<Point>& gauges, Extent& extent) {
-  constexpr double nearness = 0.25;  // of the larger side
+  constexpr double nearness = 0.25;  // share of the extent's larger side
   const Extent shapes = extent;
   const double margin = nearness * std::max(shapes.width(), shapes.height());
   for (const PictureCell& cell : picture.cells) {
@@ -130,7 +130,7 @@ void add_owners(const Picture& picture, const std::vector<Point>& gauges, Extent
   }
 }
 
-/// What to show: the whole window where the map repeats, else all shapes and their gauges.
+/// The extent to show: the whole window where the map repeats, else all shapes and their gauges.
 Extent sight(const Picture& picture, const StudyView& view) {
   Extent extent;
   add(view.cells, extent);
@@ -156,7 +156,7 @@ StudyView view_study(const Picture& picture) {
   require_finite(picture);
   StudyView view;
   picture.geographic ? project_geographic(picture, view) : project_plane(picture, view);
-  constexpr double finest = 5e-5;  // of the study's radius: half a pixel in 20,000
+  constexpr double finest = 5e-5;  // share of the study's radius: half a pixel in 20,000
   const double tolerance = finest * std::max(view.radius, 1e-12);
   const auto shape = [&](const MultiPolygon& polygons) {
     return map_shape(polygons, view.projection, view.window, tolerance);

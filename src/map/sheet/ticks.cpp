@@ -15,7 +15,7 @@ double power_of_ten(long long digits, int exponent) {
   return RoundValue{digits, exponent}.value();
 }
 
-/// A value of at most nine significant digits, for a scale that has no width.
+/// A value rounded to nine significant digits at most, for a scale that has no width.
 RoundValue nine_digits(double value) {
   if (value == 0) return {};
   int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 8;
@@ -35,7 +35,7 @@ RoundValue nine_digits(double value) {
   return {digits, exponent};
 }
 
-/// The multiples of a step from the last at or below `least` to the first at or above `largest`.
+/// The multiples of a step, from the last at or below `least` to the first at or above `largest`.
 struct Steps {
   long long first;
   long long last;
@@ -95,7 +95,8 @@ RoundValue round_below(double limit) {
 std::vector<RoundValue> round_scale(double least, double largest, int classes) {
   constexpr double narrowest = 1e-9;
   const double size = std::max(std::abs(least), std::abs(largest));
-  const double range = largest / 2 - least / 2;  // halved: the difference might overflow
+  const double range =
+      largest / 2 - least / 2;  // half the range: the whole difference might overflow
   if (range <= size * narrowest || range < 1e-290) return {nine_digits(largest)};
   std::vector<RoundValue> ticks;
   const int exponent = static_cast<int>(std::floor(std::log10(range / classes))) - 1;

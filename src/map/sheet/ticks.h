@@ -11,19 +11,21 @@ struct RoundValue {
   int exponent = 0;
 
   double value() const;
-  /// Without an exponent where that takes few digits: "0.05", "-120"; else as in "5e-9".
+  /// The value as text: without an exponent where that takes few digits ("0.05", "-120"), else with
+  /// one ("5e-9").
   std::string text() const;
 };
 
-/// `digits` x 10^`exponent` as a decimal number, trailing zeros after the point left out.
+/// Writes `digits` x 10^`exponent` as a decimal number, without trailing zeros after the point.
 std::string decimal_text(long long digits, int exponent);
 
 /// The largest of 1, 2 and 5 x 10^n that is not above `limit`, which must be positive and finite.
 RoundValue round_below(double limit);
 
 /// Round values, equally spaced by 1, 2 or 5 x 10^n, the first at or below `least` and the last at
-/// or above `largest`: the finest spacing that needs `classes` intervals at most. A single value
-/// where both are the same to nine digits. Requires finite values, least <= largest, classes >= 2.
+/// or above `largest`. The spacing is the finest that needs at most `classes` intervals. There is a
+/// single value where both ends are the same to nine digits. Requires finite values, least <=
+/// largest, classes >= 2.
 std::vector<RoundValue> round_scale(double least, double largest, int classes);
 
 }  // namespace thiessen
