@@ -9,7 +9,7 @@
 namespace thiessen {
 namespace {
 
-/// Plain, or with an exponent where that is shorter than a long number.
+/// Writes a value plainly, or with an exponent where that is shorter than a long number.
 std::string tick_text(const RoundValue& value) {
   const std::size_t short_text = value.exponent < 0 ? 7 : 9;
   std::string plain = value.text();
@@ -45,7 +45,7 @@ std::string AxisTicks::title(char name) const {
 
 AxisTicks axis_ticks(double origin, double low, double high, int most) {
   constexpr double sixth_digit = 2e-5;
-  constexpr double most_steps = 1e17;  // of the range; doubles do not tell more apart
+  constexpr double most_steps = 1e17;  // in the range; doubles cannot tell more steps apart
   const double largest = std::max(std::abs(origin + low), std::abs(origin + high));
   const double range = high - low;
   if (range > sixth_digit * largest) {

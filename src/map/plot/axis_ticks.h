@@ -5,22 +5,22 @@
 
 namespace thiessen {
 
-/// Round coordinates along an axis.
+/// Round coordinates to be written along an axis.
 struct AxisTicks {
   struct Tick {
-    double at = 0;     ///< less the axis' origin
-    std::string text;  ///< of the coordinate less `base`
+    double at = 0;     ///< coordinate less the axis' origin
+    std::string text;  ///< text of the coordinate less `base`
   };
   std::vector<Tick> ticks;
-  std::string base;  ///< empty for 0
+  std::string base;  ///< text of a number that all ticks leave out; empty for 0
 
-  /// The axis' name, less its base: "x", or "x - 4000000".
+  /// The axis' name, less the base where there is one: "x", or "x - 4000000".
   std::string title(char name) const;
 };
 
-/// The round coordinates from origin + low to origin + high, `most` of them or a few less. Where
-/// they would differ in their sixth digit or later alone, they are counted from a base.
-/// Requires finite coordinates, low < high.
+/// The round coordinates from origin + low to origin + high: `most` of them or a few less. Where
+/// they would differ only in their sixth digit or later, they are counted from a base. Requires
+/// finite coordinates, low < high.
 AxisTicks axis_ticks(double origin, double low, double high, int most);
 
 }  // namespace thiessen

@@ -3,7 +3,7 @@
 namespace thiessen {
 namespace {
 
-/// The part of the polygon where `sign` times coordinate `axis` is at most `limit`.
+/// The part of the polygon in which `sign` times coordinate `axis` is at most `limit`.
 std::vector<CoordinatesIn<3>> cut_off(const std::vector<CoordinatesIn<3>>& polygon,
                                       std::size_t axis, double sign, double limit) {
   std::vector<CoordinatesIn<3>> kept;

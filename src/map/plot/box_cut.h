@@ -24,14 +24,14 @@ struct Line {
   }
 };
 
-/// A line's parameters from one to another; all of them at first.
+/// A range of a line's parameter; the whole line at first.
 struct Stretch {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
 };
 
-/// What of a stretch of the line lies in the box of these half sides about 0; none where it is less
-/// than a point.
+/// Cuts a stretch of a line to the box about 0 that has these half sides. None where no point of
+/// the stretch lies in the box.
 template <int Dimension>
 std::optional<Stretch> cut_to_box(const Line<Dimension>& line, Stretch stretch,
                                   const CoordinatesIn<Dimension>& half) {
@@ -59,7 +59,7 @@ bool is_in_box(const CoordinatesIn<Dimension>& place, const CoordinatesIn<Dimens
   return true;
 }
 
-/// A convex polygon in space, cut to the box (Sutherland and Hodgman); empty where it lies outside.
+/// Cuts a convex polygon in space to the box (Sutherland and Hodgman); empty where it lies outside.
 std::vector<CoordinatesIn<3>> cut_to_box(std::vector<CoordinatesIn<3>> polygon,
                                          const CoordinatesIn<3>& half);
 

@@ -22,8 +22,8 @@ Camera::Camera(const SceneVector& eye, const SceneVector& direction, const Scene
 }
 
 void Camera::fit_box(const SceneVector& half, const PixelBox& panel, Middle middle) {
-  constexpr double filled = 0.84;        // of the panel
-  constexpr double longest_focus = 1e9;  // pixels; what this does not enlarge is too far off
+  constexpr double filled = 0.84;        // share of the panel
+  constexpr double longest_focus = 1e9;  // pixels; a box that this does not enlarge is too far off
   outside_ = !is_in_box<3>(eye_, half);
   nearest_ = HUGE_VAL;
   Extent range;

@@ -7,36 +7,37 @@
 
 namespace thiessen {
 
-/// Central projection of places in SceneCoordinates to pixels.
+/// Projects places in SceneCoordinates centrally to pixels.
 class Camera {
  public:
-  /// What comes to the middle of the panel: what lies straight ahead, or the box, where all of it
-  /// lies ahead.
+  /// What is shown in the middle of the panel: the place straight ahead, or the box, which needs
+  /// all of the box ahead.
   enum class Middle { straight_ahead, box };
 
-  /// Looks from `eye` in a direction, z (or y, where one looks along z) upward. The box of these
-  /// half sides about 0 fills the panel but for a margin, unless it would take a wider angle than
-  /// `widest` to see it, some of it lies behind, or it is a billion times its size away. Requires
-  /// eye != site.
+  /// Looks from `eye` in `direction`, with z upward, or y where one looks along z. The box about 0
+  /// of these half sides fills the panel but for a margin, unless it would take a wider angle than
+  /// `widest` to see it, a part of it lies behind, or it is a billion times its size away. Requires
+  /// a direction that is not 0.
   Camera(const SceneVector& eye, const SceneVector& direction, const SceneVector& half,
          const PixelBox& panel, Middle middle);
 
   static constexpr double widest = 0.9;  ///< the tangent of half the angle of view, at most
 
-  /// To the right, upward and ahead of the eye.
+  /// The coordinates of a place to the right of the eye, above it and ahead of it.
   SceneVector seen(const SceneVector& place) const;
-  /// Pixels of the page, of a place as seen. Requires it ahead of the near plane.
+  /// The pixel of the page at which a place, given as seen, appears. Requires it to be ahead of the
+  /// near plane.
   Point pixel(const SceneVector& seen) const;
-  /// Pixels to a unit at this distance ahead.
+  /// The number of pixels to a unit of the scene at this distance ahead.
   double pixels_per_unit(double ahead) const { return focus_ / ahead; }
-  /// Nothing nearer than this is shown.
+  /// The distance ahead below which nothing is shown.
   double near_plane() const { return near_; }
-  /// How far ahead the box begins and ends, at least the near plane.
+  /// The distances ahead at which the box begins and ends, not less than the near plane.
   double nearest() const { return nearest_; }
   double farthest() const { return farthest_; }
-  /// Whether some of the box lies ahead.
+  /// Whether some of the box lies ahead of the near plane.
   bool sees_box() const { return farthest_ > near_; }
-  /// Whether the eye is off the box, with all of it ahead.
+  /// Whether the eye is outside the box and all of the box lies ahead.
   bool is_outside() const { return outside_; }
 
  private:

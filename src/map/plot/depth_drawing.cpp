@@ -14,7 +14,7 @@
 namespace thiessen {
 namespace {
 
-/// The part of a line ahead of the near plane.
+/// The part of a line that lies ahead of the near plane.
 std::optional<std::pair<SceneVector, SceneVector>> ahead_of(double near, SceneVector a,
                                                             SceneVector b) {
   if (a[2] < near && b[2] < near) return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<std::pair<SceneVector, SceneVector>> ahead_of(double near, SceneVe
   return std::pair(a, b);
 }
 
-/// What of the segment a→b lies within `reach` of the panel, as shares of it.
+/// The part of the segment a→b that lies within `reach` of the panel, as shares of its length.
 std::optional<Stretch> in_panel(const PixelBox& panel, Point a, Point b, double reach) {
   const Point middle{panel.x + panel.width / 2.0, panel.y + panel.height / 2.0};
   return cut_to_box<2>({{a.x - middle.x, a.y - middle.y}, {b.x - a.x, b.y - a.y}}, {0, 1},
@@ -134,7 +134,8 @@ void DepthDrawing::draw_line(Canvas& canvas, const Piece& piece) const {
   const double length = std::hypot(step.x, step.y);
   const double cased = piece.width + 2 * piece.casing;
   if (piece.casing > 0 && length > cased) {
-    // The casing's round ends come to the line's ends, and not over what it joins there.
+    // The round ends of the casing stop at the ends of the line, so that they do not interrupt the
+    // lines that it joins there.
     const double inset = cased / 2 / length;
     draw_stroke(canvas, panel_, Point{piece.from.x + inset * step.x, piece.from.y + inset * step.y},
                 Point{piece.to.x - inset * step.x, piece.to.y - inset * step.y}, cased, ink::white);
@@ -156,7 +157,7 @@ void DepthDrawing::draw_ball(Canvas& canvas, const Piece& piece) const {
 }
 
 double DepthDrawing::depth(double ahead) const {
-  constexpr double margin = 0.12;  // of the box at either end, where no points are
+  constexpr double margin = 0.12;  // share of the box at either end, where no points are
   const double range = camera_.farthest() - camera_.nearest();
   if (!(range > 0)) return 0;
   const double share = (ahead - camera_.nearest()) / range;

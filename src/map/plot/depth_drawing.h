@@ -8,16 +8,17 @@
 
 namespace thiessen {
 
-/// How a line in space is drawn where it is nearest.
+/// The look of a line in space at the place where it is nearest.
 struct Pen {
   Colour colour;
   double width = 1;  ///< in pixels
   double dash = 0;   ///< in pixels; 0: solid
   double gap = 0;
-  double casing = 0;  ///< pixels on either side in which what is behind is interrupted
+  double casing = 0;  ///< pixels on either side in which lines behind are interrupted
 };
 
-/// Lines and balls in space, drawn from the farthest to the nearest, far ones fainter and thinner.
+/// Draws lines and balls in space from the farthest to the nearest, far ones fainter and thinner,
+/// so that near ones cover those behind.
 class DepthDrawing {
  public:
   DepthDrawing(const Camera& camera, const PixelBox& panel) : camera_(camera), panel_(panel) {}
@@ -33,21 +34,23 @@ class DepthDrawing {
     bool is_ball = false;
   };
 
-  /// Adds what of the line lies ahead and in the panel, in pieces: its dashes, or parts so short
-  /// that each has one depth. Cost: the pieces, which the panel's size bounds.
+  /// Adds the part of a line that lies ahead and in the panel, in pieces: its dashes, or parts so
+  /// short that each has one depth. Cost: the pieces, whose number the panel's size bounds.
   void add_line(const SceneVector& from, const SceneVector& to, const Pen& pen);
-  /// `radius` in units of the scene; in pixels it is kept between the other two.
+  /// Adds a ball. `radius` is in units of the scene; in pixels it is kept between `least` and
+  /// `largest`.
   void add_ball(const SceneVector& centre, double radius, double least, double largest,
                 Colour colour);
 
-  /// The pieces, from the farthest to the nearest, equally far ones by their places.
+  /// The pieces from the farthest to the nearest; equally far ones are ordered by their places, so
+  /// that the order in which they were added does not matter.
   const std::vector<Piece>& in_order();
-  /// Draws into the panel alone.
+  /// Draws all pieces, inside the panel only.
   void draw(Canvas& canvas);
 
-  /// From 0 near where the box begins to 1 near where it ends.
+  /// The depth of a distance ahead: from 0 near the beginning of the box to 1 near its end.
   double depth(double ahead) const;
-  /// The colour, fainter the farther.
+  /// The colour at a distance ahead: the farther, the fainter.
   Colour faded(Colour colour, double ahead) const;
 
  private:

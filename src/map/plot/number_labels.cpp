@@ -27,7 +27,8 @@ void NumberLabels::keep_clear(Point dot, double radius) {
 
 bool NumberLabels::write(std::uint64_t number, Point dot, double radius, Colour colour) {
   const std::string digits = std::to_string(number);
-  const int least = size_ * static_cast<int>(digits.size()) / 2;  // a numeral is wider than that
+  const int least =
+      size_ * static_cast<int>(digits.size()) / 2;  // a lower bound: numerals are wider than that
   const Point in_panel{dot.x - panel_.x, dot.y - panel_.y};
   if (!place_beside(taken_, in_panel, radius, 1, least, size_ / 2)) return false;
   const SetText text = type_.set(digits, size_);

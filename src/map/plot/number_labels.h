@@ -8,16 +8,18 @@
 
 namespace thiessen {
 
-/// Writes points' numbers beside their dots: none over another or over a dot, and where there is a
-/// choice, where the fewest lines are.
+/// Writes the numbers of points beside their dots. No number covers another or a dot, and where
+/// several places are free the one with the fewest lines is taken.
 class NumberLabels {
  public:
-  /// `size`: of the numerals, in pixels. What is drawn afterwards but by this is not avoided.
+  /// `size` is that of the numerals, in pixels. Numbers avoid only what is drawn already and what
+  /// this class writes itself.
   NumberLabels(Canvas& canvas, const PixelBox& panel, Typesetter& type, int size);
 
-  /// No number comes over the dot from now on.
+  /// Keeps numbers from now on from covering the dot.
   void keep_clear(Point dot, double radius);
-  /// Whether there was room. `radius`: of the dot, its rim included.
+  /// Writes a number beside its dot, and returns false where there is no room. `radius` is that of
+  /// the dot, its rim included.
   bool write(std::uint64_t number, Point dot, double radius, Colour colour);
 
  private:

@@ -29,7 +29,7 @@ struct Strokes {
   double dot;
   int numerals;
 
-  /// `apart`: pixels from point to point, about.
+  /// `apart` is the rough distance from point to point, in pixels.
   Strokes(double apart, int em)
       : voronoi(std::clamp(0.4 + 0.02 * apart, 0.45, 0.09 * em)),
         delaunay(std::clamp(0.3 + 0.018 * apart, 0.35, 0.075 * em)),
@@ -124,7 +124,8 @@ class PlaneDrawing {
   };
 
   void write_numbers(const NumberOf& number_of) {
-    constexpr double least_apart = 26;  // pixels; below, numbers would hide all else
+    constexpr double least_apart =
+        26;  // pixels; where points are closer, numbers would hide all else
     if (apart() < least_apart) {
       notes_.push_back("too many points to number");
       return;
@@ -156,7 +157,7 @@ class PlaneDrawing {
                       std::max(2, static_cast<int>(pixels / (ems_apart * sheet_.style().em))));
   }
 
-  /// A tick's place in pixels of the page.
+  /// The place of a tick in pixels of the page.
   Point tick_pixel(std::size_t axis, const AxisTicks::Tick& tick) const {
     CoordinatesIn<2> place{};
     const SceneCoordinates<2>& scene = plot_.scene();

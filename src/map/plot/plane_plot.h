@@ -8,7 +8,7 @@
 
 namespace thiessen {
 
-/// How a plane's coordinates come to a panel's pixels.
+/// Maps a plane's coordinates to the pixels of a panel.
 class PlanePlot {
  public:
   /// Shows the points and a margin on equal scales, but for needles: where the range is more than
@@ -18,13 +18,13 @@ class PlanePlot {
   static constexpr double longest_shown = 30;
 
   const SceneCoordinates<2>& scene() const { return scene_; }
-  /// How much longer than the other axis this one is drawn; 1 where it is not.
+  /// How many times longer than at equal scales this axis is drawn; 1 where it is not stretched.
   double stretch(std::size_t axis) const { return stretch_[axis]; }
-  /// The panel's width by its height.
+  /// The width of the panel divided by its height.
   double aspect() const { return half_[0] / half_[1]; }
   /// Half the panel's sides, in units of the scene.
   const CoordinatesIn<2>& half() const { return half_; }
-  /// Pixels of the page, of a place in the scene.
+  /// The pixel of the page at which a place of the scene lies.
   Point pixel(const CoordinatesIn<2>& place, const PixelBox& panel) const;
 
  private:
@@ -33,7 +33,7 @@ class PlanePlot {
   CoordinatesIn<2> half_;
 };
 
-/// Draws what plane_picture shows.
+/// Draws the picture of a plane tessellation; see plane_picture.
 Canvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of);
 
 }  // namespace thiessen

@@ -17,7 +17,7 @@ class PlotSheet {
 
   enum class Margins { plain, for_axes };
 
-  /// `aspect`: the panel's width by its height.
+  /// `aspect` is the width of the panel divided by its height.
   PlotSheet(double aspect, Margins margins);
 
   Canvas& canvas() { return canvas_; }
@@ -25,15 +25,15 @@ class PlotSheet {
   const PageStyle& style() const { return style_; }
   const PixelBox& panel() const { return panel_; }
 
-  /// The text's left end, middle or right end at x.
+  /// Which part of a text is placed at the given x: its left end, its middle or its right end.
   enum class Align { left, centre, right };
   void write(const SetText& text, int x, int baseline, Align align, Colour colour);
 
-  /// What red and blue lines stand for, and how many points there are.
+  /// Writes what red and blue lines stand for, and how many points there are.
   void write_legend(std::size_t points);
-  /// On the lowest line, on the right of what was written there before.
+  /// Writes a note on the lowest line, to the right of the notes written before.
   void write_note(const std::string& note);
-  /// In the middle of the panel.
+  /// Writes a sentence in the middle of the panel.
   void write_sentence(std::string_view sentence);
   void draw_border();
 

@@ -18,8 +18,8 @@ bool is_inside(const PixelBox& panel, double x, double y) {
   return panel.x < x && x < panel.right() && panel.y < y && y < panel.bottom();
 }
 
-/// The text with its middle at a place, moved outward until it is clear of it; nothing where it
-/// would leave the panel.
+/// Writes a text with its middle at a place, moved outward until the text is clear of the place;
+/// writes nothing where the text would leave the panel.
 void write_beyond(PlotSheet& sheet, const SetText& text, Point at, Point outward, double away,
                   Colour colour) {
   const double x = at.x + outward.x * (away + text.width() / 2.0);
@@ -58,7 +58,7 @@ void SceneBox::add_edges(DepthDrawing& drawing, const Pen& pen) const {
   }
 }
 
-// Of its two faces one is seen from outside.
+// An edge is on the outline where one of its two faces is seen from outside and the other is not.
 bool SceneBox::is_on_outline(const Edge& edge) const {
   const auto is_seen = [&](std::size_t axis) {
     return edge.from[axis] > 0 ? eye_[axis] > half_[axis] : eye_[axis] < -half_[axis];

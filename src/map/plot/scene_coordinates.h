@@ -10,7 +10,7 @@
 
 namespace thiessen {
 
-/// The smallest and the largest of some points' coordinates, axis by axis; empty at first.
+/// The smallest and the largest coordinates of some points, axis by axis; empty at first.
 template <int Dimension>
 struct CoordinateRange {
   CoordinatesIn<Dimension> low;
@@ -39,18 +39,20 @@ struct CoordinateRange {
 };
 
 /// The coordinates in which a picture is composed: the middle of the points' range is 0 and its
-/// longest side 1, whatever the points' own coordinates are. A single point gets a range around it.
+/// longest side is 1, whatever the points' own coordinates are. A single point gets a range around
+/// it.
 ///
 /// On the way positions are shifted, axis by axis, by an origin that changes no difference in the
-/// last bit (the range lies between it and its double, else there is no shift): centres that are
-/// computed from shifted positions keep their digits however far from 0 the points are.
+/// last bit (the range lies between the origin and its double, else there is no shift). So centres
+/// that are computed from shifted positions keep their digits however far from 0 the points are.
 template <int Dimension>
 class SceneCoordinates {
  public:
   using Coordinates = CoordinatesIn<Dimension>;
   using Position = PositionIn<Dimension>;
 
-  /// Requires a range of at least one point. `stretch`: how much longer each axis is drawn.
+  /// Requires a range of at least one point. `stretch` says how many times longer each axis is
+  /// drawn.
   SceneCoordinates(const CoordinateRange<Dimension>& range, const Coordinates& stretch) {
     double size = range.longest_side();
     double largest = 0;
@@ -75,7 +77,7 @@ class SceneCoordinates {
       return {p.x - origin_[0], p.y - origin_[1], p.z - origin_[2]};
     }
   }
-  /// Of a shifted position, the coordinates in the scene.
+  /// The coordinates in the scene of a shifted position.
   Coordinates placed(const Position& shifted) const {
     Coordinates c = coordinates(shifted);
     for (std::size_t i = 0; i < c.size(); ++i) c[i] = (c[i] - middle_[i]) * scale_[i];
@@ -83,14 +85,14 @@ class SceneCoordinates {
   }
   Coordinates operator()(const Position& p) const { return placed(shifted(p)); }
 
-  /// Units of the scene to one of the points' coordinates.
+  /// The number of units of the scene to one unit of the points' coordinates.
   double scale(std::size_t axis) const { return scale_[axis]; }
   double origin(std::size_t axis) const { return origin_[axis]; }
-  /// What the coordinate in the scene is in the points' own, less the origin.
+  /// Turns a coordinate in the scene back into the points' own, less the origin.
   double unplaced(std::size_t axis, double coordinate) const {
     return coordinate / scale_[axis] + middle_[axis];
   }
-  /// Half the range's sides, in the scene.
+  /// Half the sides of the range, in units of the scene.
   const Coordinates& half() const { return half_; }
 
  private:

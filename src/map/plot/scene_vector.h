@@ -27,7 +27,7 @@ inline SceneVector cross(const SceneVector& a, const SceneVector& b) {
 inline double length(const SceneVector& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
-/// Of length 1. Requires that it is not 0.
+/// The vector of length 1 in the direction of `a`. Requires that `a` is not 0.
 inline SceneVector unit(const SceneVector& a) {
   return (1 / length(a)) * a;
 }

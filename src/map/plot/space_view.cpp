@@ -23,7 +23,7 @@ namespace {
 
 constexpr double aspect = 1.35;
 
-/// From where and which way one looks, in units of the scene.
+/// The place and the direction of the look, in units of the scene.
 struct Sight {
   SceneVector eye;
   SceneVector direction;
@@ -52,10 +52,11 @@ void check(const View& view) {
   }
 }
 
-/// However close together view and site are against the points' range, it is one direction to look.
+/// The eye and the direction of the look. The direction comes from the points' own coordinates, so
+/// that it is right however close together view and site are against the points' range.
 Sight sight_of(const View& view, const SceneCoordinates<3>& scene) {
   constexpr double beside = 10;         // in units of the scene
-  constexpr double far_enough = 20000;  // from here on, farther looks the same
+  constexpr double far_enough = 20000;  // a view from farther away looks the same
   SceneVector step{view.site.x - view.view.x, view.site.y - view.view.y, view.site.z - view.view.z};
   const double largest = std::max({std::abs(step[0]), std::abs(step[1]), std::abs(step[2])});
   for (double& c : step) c /= largest;
@@ -112,9 +113,9 @@ class SpaceDrawing {
 
   double hairline() const { return sheet_.style().hairline; }
   int em() const { return sheet_.style().em; }
-  /// From point to point, in units of the scene, about.
+  /// The rough distance from point to point, in units of the scene.
   double apart() const { return std::cbrt(1 / static_cast<double>(tessellation_.count())); }
-  /// 1 for few points, less for many, whose lines are thinner.
+  /// The factor by which lines are thinned: 1 for few points, less for many.
   double fineness() const { return std::clamp(apart() / 0.3, 0.3, 1.0); }
 
   void add_edges() {
@@ -197,7 +198,8 @@ class SpaceDrawing {
     return std::clamp(ball_radius() * camera_.pixels_per_unit(ahead), 0.9, 1.2 * em());
   }
 
-  /// A place of the scene in the points' own coordinates, to a hundredth of their range or so.
+  /// Writes a place of the scene in the points' own coordinates, to a hundredth of their range or
+  /// so.
   std::string text_of(const SceneVector& place) const {
     std::string text = "(";
     for (std::size_t i = 0; i < 3; ++i) {

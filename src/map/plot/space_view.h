@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// Draws what space_picture shows.
+/// Draws the picture of a tessellation in space; see space_picture.
 Canvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
                   const std::optional<View>& view);
 

@@ -18,7 +18,8 @@ namespace {
 template <std::size_t Corners>
 using Points = std::array<PointId, Corners>;
 
-/// What the tessellations of every span have in common: Delaunay edges, and vertices by number.
+/// Finds what the tessellations of every span have in common: Delaunay edges, and Voronoi vertices
+/// by number.
 template <int Dimension>
 class EdgeFinder {
  public:
@@ -46,7 +47,7 @@ class EdgeFinder {
   Position shifted(PointId p) const { return scene_.shifted(position(p)); }
   Coordinates place(PointId p) const { return scene_(position(p)); }
 
-  /// Places every finite vertex. Requires a span of d dimensions.
+  /// Computes the place of every finite vertex. Requires a span of d dimensions.
   template <int d, typename Centre>
   void place_vertices(Centre&& centre) {
     vertices_.resize(topology().size());
@@ -55,9 +56,9 @@ class EdgeFinder {
     });
   }
 
-  /// Calls `visit(facet, v, w)` for each facet without the infinite point, its points in
-  /// lexicographic order, between two vertices of which v is finite. Requires a span of d
-  /// dimensions, d >= 2.
+  /// Calls `visit(facet, v, w)` for each facet without the infinite point that lies between two
+  /// vertices, of which v is finite. The facet's points are in lexicographic order. Requires a span
+  /// of d dimensions, d >= 2.
   template <int d, typename Visit>
   void for_each_facet(Visit&& visit) const {
     topology().for_each_vertex([&](VertexId v) {
@@ -78,13 +79,14 @@ class EdgeFinder {
     });
   }
 
-  /// v's forming point that is none of w's.
+  /// The forming point of v that w does not have.
   PointId apex(VertexId v, VertexId w) const {
     return topology().forming(v)[topology().side_towards(v, w)];
   }
 
-  /// From v to w along their line, or without end where w is infinite. `side`: 1 where the line's
-  /// direction leads from the facet between them towards v's apex, -1 where away from it.
+  /// The stretch of the line from v to w, or without end where w is infinite. `side` is 1 where the
+  /// line's direction leads from the facet between them towards v's apex, and -1 where it leads
+  /// away from it.
   Stretch stretch(const Line<Dimension>& line, VertexId v, VertexId w, int side) const {
     const double at_v = parameter(line, vertices_[index(v)]);
     if (topology().is_infinite(w)) return side > 0 ? Stretch{.to = at_v} : Stretch{.from = at_v};
@@ -92,7 +94,8 @@ class EdgeFinder {
     return {std::min(at_v, at_w), std::max(at_v, at_w)};
   }
 
-  /// Adds what of the edge lies in the box. An end inside is the vertex itself, so that edges meet.
+  /// Adds the part of the edge that lies in the box. An end inside is the vertex itself, so that
+  /// edges meet.
   void add_voronoi_edge(const Line<Dimension>& line, VertexId v, VertexId w, int side) {
     const auto seen = cut_to_box<Dimension>(line, stretch(line, v, w, side), half_);
     if (!seen) return;
@@ -143,7 +146,7 @@ class PlaneEdgeFinder : public EdgeFinder<2> {
   }
 
  private:
-  /// Through the middle of a and b; its direction leads to the left of a→b.
+  /// The line through the middle of a and b, square to a→b; its direction leads to the left of a→b.
   Line<2> bisector(PointId a, PointId b) const {
     const Point p = shifted(a);
     const Point q = shifted(b);
@@ -191,14 +194,15 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
   }
 
  private:
-  /// From one point to another, in units of the scene, with their full accuracy.
+  /// The step from one point to another, in units of the scene. It is computed from unshifted
+  /// positions, and so keeps their full accuracy.
   SceneVector step(PointId from, PointId to) const {
     const SpacePoint& p = position(from);
     const SpacePoint& q = position(to);
     return scene_.scale(0) * SceneVector{q.x - p.x, q.y - p.y, q.z - p.z};
   }
 
-  /// The cross product of a→b and a→c, as accurate however thin the triangle is.
+  /// The cross product of a→b and a→c, equally accurate however thin the triangle is.
   SceneVector normal(PointId a, PointId b, PointId c) const {
     const auto area = [&](Axis dropped) {
       const double doubled =
@@ -209,8 +213,8 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
     return {area(Axis::x), area(Axis::y), area(Axis::z)};
   }
 
-  /// The line of the places as far from each of three points; its direction leads to where they are
-  /// seen counter-clockwise.
+  /// The line of all places equally far from the three points; its direction leads to the side from
+  /// which they are seen counter-clockwise.
   Line<3> axis(PointId a, PointId b, PointId c) const {
     const SceneVector u = step(a, b);
     const SceneVector v = step(a, c);
@@ -245,7 +249,8 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
                      position(apex(w, v))) == 0;
   }
 
-  /// Points of a plane: cells are prisms, their edges upright on the plane.
+  /// Finds the edges and rims of points in one plane: cells are prisms, whose edges stand upright
+  /// on the plane.
   void find_walls_between_lines() {
     const auto any = topology().forming(tessellation_.structure().finite_vertex());
     const SceneVector upright = unit(normal(any[0], any[1], any[2]));
@@ -265,7 +270,7 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
     });
   }
 
-  /// Points of a line: cells are slabs.
+  /// Finds the rims of points on one line: cells are slabs.
   void find_parallel_walls() {
     const std::vector<PointId> line = tessellation_.along_line();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -280,7 +285,8 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
     }
   }
 
-  /// Where the wall that rises and falls from one place to another, without end, leaves the box.
+  /// Adds the lines along which a wall leaves the box. The wall stands on the segment between two
+  /// places, and reaches up and down without end.
   void add_rim(const SceneVector& from, const SceneVector& to, const SceneVector& upright) {
     const SceneVector rise = far_ * upright;
     const auto polygon = cut_to_box({from - rise, to - rise, to + rise, from + rise}, half_);
@@ -298,7 +304,7 @@ class SpaceEdgeFinder : public EdgeFinder<3> {
     return false;
   }
 
-  const double far_;  // beyond the box from anywhere in it
+  const double far_;  // a length that reaches beyond the box from anywhere in it
 };
 
 }  // namespace

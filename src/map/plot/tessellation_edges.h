@@ -8,30 +8,31 @@
 
 namespace thiessen {
 
-/// From one place to another, in SceneCoordinates.
+/// An edge from one place to another, in SceneCoordinates.
 template <int Dimension>
 struct EdgeIn {
   CoordinatesIn<Dimension> from;
   CoordinatesIn<Dimension> to;
 };
 
-/// A tessellation's edges as far as they lie in a box about the middle of SceneCoordinates.
+/// The edges of a tessellation as far as they lie in a box about the middle of SceneCoordinates.
 template <int Dimension>
 struct TessellationEdges {
-  /// Unbounded ones end at the box. Those that a tie makes a point are left out, exactly.
+  /// Voronoi edges. Unbounded ones end at the box. Edges that a tie shrinks to a point are left
+  /// out, which is decided exactly.
   std::vector<EdgeIn<Dimension>> voronoi;
-  /// Each from its lexicographically first point to the other, those that a tie alone decides
-  /// among them. Not cut.
+  /// Delaunay edges, including those that only the rule for ties chooses. Each leads from its
+  /// lexicographically first point to the other, and is not cut to the box.
   std::vector<EdgeIn<Dimension>> delaunay;
-  /// In space, where the points lie in a plane or on a line: where the walls between the cells,
-  /// which then have no vertices, leave the box.
+  /// The lines along which the walls between cells leave the box. They are given in space, where
+  /// the points lie in a plane or on a line: cells then have no vertices.
   std::vector<EdgeIn<Dimension>> rims;
 };
 
-/// The edges in the box of the given half sides. They do not depend on the order in which the
-/// points came, but for their own order. A Voronoi edge lies on the line through the middle of its
-/// points (in space: through the nearest known of its line's places), so that far vertices do not
-/// turn it. Cost: linear in the simplices.
+/// Finds the edges in the box of the given half sides. Apart from their own order they do not
+/// depend on the order in which the points came. A Voronoi edge lies on the line through the middle
+/// of its points (in space: through the nearest known place of its line), so that vertices far away
+/// do not turn it. Cost: linear in the simplices.
 TessellationEdges<2> edges_in_box(const Tessellation<2>& tessellation,
                                   const SceneCoordinates<2>& scene, const CoordinatesIn<2>& half);
 TessellationEdges<3> edges_in_box(const Tessellation<3>& tessellation,

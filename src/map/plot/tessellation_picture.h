@@ -9,17 +9,17 @@
 
 namespace thiessen {
 
-/// From where one looks in space, and at what.
+/// The place from which one looks in space, and the place at which one looks.
 struct View {
   SpacePoint view;
   SpacePoint site;
 };
 
-/// A PNG file: Voronoi edges solid red, Delaunay edges dashed blue, points with their numbers as
-/// far as these find room, axes. The points and a margin are in sight, on equal scales; a needle's
-/// short side is stretched, and the picture says so. Unbounded edges run off the panel. Of
-/// cocircular points the Delaunay edges that a tie decides are drawn, Voronoi edges of no length
-/// are not.
+/// Draws a plane tessellation as a PNG file: Voronoi edges solid red, Delaunay edges dashed blue,
+/// points with their numbers as far as these find room, axes. The points and a margin are in sight,
+/// on equal scales; a needle's short side is stretched, and the picture says so. Unbounded edges
+/// run off the panel. Of cocircular points the Delaunay edges that the rule for ties chooses are
+/// drawn; Voronoi edges of no length are not.
 ///
 /// The same points and numbers give the same bytes on one machine, whatever the locale and the
 /// order in which the points came. Throws Error where no font is installed, memory runs out or
@@ -27,17 +27,18 @@ struct View {
 std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
                                          const NumberOf& number_of);
 
-/// The same of points in space, in perspective: what is far is fainter, thinner and smaller, and
-/// hidden by what is near. A box somewhat larger than the points' range, drawn with its
-/// coordinates, is what unbounded edges end at. z points up, or y where one looks along z. The site
-/// is the middle of the picture, and what the box fills of it is as large as can be, up to a wide
-/// angle. Without a view one looks from outside a corner at the middle of the points.
+/// Draws a tessellation in space as plane_picture draws one in the plane, in perspective: what is
+/// far is fainter, thinner and smaller, and hidden by what is near. Unbounded edges end at a box
+/// somewhat larger than the points' range, which is drawn with its coordinates. z points up, or y
+/// where one looks along z. The site is the middle of the picture, and the box fills as much of the
+/// picture as it can, up to a wide angle. Without a view one looks from outside a corner at the
+/// middle of the points.
 ///
-/// Points of a plane or a line: Voronoi cells are then prisms or slabs; their edges, where there
-/// are any, and the rims at which they leave the box are drawn. Throws Error as plane_picture does,
-/// and where view and site are one place or not finite,
-/// or the view is so far off that it overflows in units of the points' range. Cost: linear in the
-/// edges, and sorting them by depth.
+/// Where the points lie in a plane or on a line, Voronoi cells are prisms or slabs; their edges,
+/// where there are any, and the rims at which they leave the box are drawn. Throws Error as
+/// plane_picture does, and where view and site are one place or not finite, or the view is so far
+/// off that it overflows in units of the points' range. Cost: linear in the edges, and sorting them
+/// by depth.
 std::vector<unsigned char> space_picture(const Tessellation<3>& tessellation,
                                          const NumberOf& number_of,
                                          const std::optional<View>& view);
