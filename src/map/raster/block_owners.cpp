@@ -8,7 +8,8 @@
 namespace thiessen {
 namespace {
 
-/// Calls `work` for the block's quarters, or halves where it is one pixel wide or high.
+/// Calls `work` for each quarter of the block, or each half where the block is one pixel wide or
+/// high.
 template <typename Work>
 void for_each_quarter(const PixelBlock& block, Work&& work) {
   const int west = (block.columns + 1) / 2;
@@ -48,7 +49,7 @@ void BlockOwners::settle(const PixelBlock& block) {
   }
 }
 
-// rivals_[depth] are the block's.
+// Expects the rivals of the block in rivals_[depth].
 void BlockOwners::divide(const PixelPositions& positions, const PixelBlock& block,
                          std::size_t depth) {
   if (rivals_[depth].size() == 1) return fill(block, numbers_[index(rivals_[depth].front())]);

@@ -9,28 +9,30 @@
 
 namespace thiessen {
 
-/// Gives a raster's pixels to the places nearest to their centres, block by block. A block of which
-/// all centres lie in a ball with one rival is the rival's; others are quartered, and a pixel with
-/// several rivals is decided by its own position, not the polynomials'. So the result is that of
-/// asking every pixel, but for the work along cells' edges only. One for a thread.
+/// Gives a raster's pixels to the places nearest to their centres, block by block. A block whose
+/// centres all lie in a ball with a single rival belongs to that rival; other blocks are quartered.
+/// A pixel with several rivals is decided by its own position, not by that of the polynomials. So
+/// the result is the same as if every pixel were asked, and the work is done along the edges of
+/// cells only. Each thread needs one of its own.
 class BlockOwners {
  public:
-  /// What a pixel holds that waits for its owner.
+  /// The value of a pixel that waits for its owner.
   static constexpr std::int32_t waiting = -1;
 
-  /// Some of the raster's rows.
+  /// Some rows of the raster, and the owners of their pixels.
   struct Rows {
     int first = 0;
     std::span<std::int32_t> owners;  ///< row by row from the north
   };
 
-  /// `numbers`: what stands for each place; ascending. All but `to_study` must outlive it.
+  /// `numbers` holds the number to be written for each place, in ascending order. All arguments but
+  /// `to_study` must outlive the object.
   BlockOwners(const PixelGrid& grid, const NearestPlaces& places,
               std::span<const std::int32_t> numbers, PointMapping to_study);
 
-  /// Gives every pixel of the block, one of the rows', that waits its owner's number, or 0 where
-  /// the projection ends. Cost: in proportion to the pixels, which are only filled, and to those
-  /// along the edges times the places that meet there. Stops with Interrupted where a signal came.
+  /// Writes into each waiting pixel of the block, which lies in `rows`, the number of its owner, or
+  /// 0 where the projection ends. Cost: the pixels, which are only filled, and those along the
+  /// edges times the places that meet there. Stops with Interrupted where a signal came.
   void settle(const PixelBlock& block, const Rows& rows);
 
  private:
@@ -51,7 +53,8 @@ class BlockOwners {
   std::span<const std::int32_t> numbers_;
   PointMapping to_study_;
   Rows rows_;
-  std::vector<std::vector<PlaceIndex>> rivals_;  ///< by how often the block was quartered
+  std::vector<std::vector<PlaceIndex>>
+      rivals_;  ///< by the number of times that the block was quartered
 };
 
 }  // namespace thiessen

@@ -8,8 +8,8 @@
 namespace thiessen {
 namespace {
 
-/// Some rows of the raster in squares, the last of each row of them narrower, and the last row
-/// lower.
+/// Parts some rows of the raster into squares. The last square of each row of squares may be
+/// narrower, and the last row of squares lower.
 std::vector<PixelBlock> squares_of(int columns, int row, int rows) {
   constexpr int side = 128;
   std::vector<PixelBlock> squares;
@@ -31,7 +31,7 @@ Owners::Owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas,
       areas_(grid, areas),
       to_study_(std::move(to_study)),
       workers_(std::max(1u, threads)) {
-  // A place at which several report is the first one's.
+  // A place at which several stations report belongs to the first of them.
   std::vector<Point> positions;
   ReportingPlaces is_there(network.places().size(), false);
   for (std::uint32_t s = 0; s < reports.size(); ++s) {

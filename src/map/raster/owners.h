@@ -18,27 +18,29 @@
 namespace thiessen {
 
 /// For each pixel of a raster the number (from 1, in file order) of the station whose place is
-/// nearest to its centre, the lower number where several are as near, 0 outside the areas and where
-/// the projection ends. Accuracy: see NearestPlaces::nearest. Cost: linear in the pixels, which are
-/// only filled, in those along the cells' edges, and in the areas' vertices; n log n for n places.
+/// nearest to its centre: the lower number where several are equally near, 0 outside the areas and
+/// where the projection ends. Accuracy: see NearestPlaces::nearest. Cost: linear in the pixels,
+/// which are only filled, in those along the cells' edges, and in the areas' vertices; n log n for
+/// n places.
 class Owners {
  public:
-  /// `areas`: in the raster's coordinates. `reports`: stations that take part; without any all is
-  /// 0. `to_study` makes a mapping from the raster's coordinates to the study's, for one thread.
+  /// `areas` are in the raster's coordinates. `reports` says which stations take part; without any
+  /// all pixels are 0. `to_study` makes a mapping from the raster's coordinates to the study's, for
+  /// use by one thread.
   Owners(const PixelGrid& grid, const std::vector<MultiPolygon>& areas, const Network& network,
          Metric metric, const ReportingStations& reports, std::function<PointMapping()> to_study,
          unsigned threads);
 
-  /// Those of so many rows from `row` on, row by row from the north; they stay until the next call.
-  /// They do not depend on the number of threads, nor on how many rows are asked for at once. Stops
-  /// with Interrupted where a signal came.
+  /// The numbers in `count` rows from `row` on, row by row from the north, valid until the next
+  /// call. They depend neither on the number of threads nor on how many rows are asked for at once.
+  /// Stops with Interrupted where a signal came.
   std::span<const std::int32_t> rows(int row, int count);
 
  private:
   PixelGrid grid_;
   AreaRows areas_;
   std::function<PointMapping()> to_study_;
-  std::vector<std::int32_t> numbers_;  ///< by place
+  std::vector<std::int32_t> numbers_;  ///< station number of each place
   std::unique_ptr<NearestPlaces> places_;
   std::vector<std::unique_ptr<BlockOwners>> workers_;
   std::vector<std::int32_t> rows_;

@@ -9,11 +9,11 @@ namespace {
 constexpr std::size_t nodes_a_side = 5;
 constexpr double half_root = 0.70710678118654752;
 constexpr std::array<double, nodes_a_side> nodes{-1, -half_root, 0, half_root, 1};
-// Cosines of odd eighths of a half circle, between the nodes.
+// The cosines of the odd eighths of a half circle: these points lie between the nodes.
 constexpr std::array<double, nodes_a_side - 1> between_nodes{
     -0.92387953251128674, -0.38268343236508977, 0.38268343236508977, 0.92387953251128674};
 
-/// The coefficients of 1, t ... t^4 of the polynomial with these values at the nodes.
+/// The coefficients of 1, t ... t^4 of the polynomial that takes these values at the nodes.
 std::array<Direction, nodes_a_side> through(const std::array<Direction, nodes_a_side>& v) {
   const Direction outer = 0.5 * (v[4] + v[0]) - v[2];
   const Direction inner = 0.5 * (v[3] + v[1]) - v[2];
@@ -101,7 +101,8 @@ double PixelPositions::farthest_off(const std::vector<Direction>& there) const {
   return farthest;
 }
 
-// From one point to another of the block the position changes by the mean of the tangents between.
+// Bounds how far tangents differ from the middle one, because the position changes from one point
+// of the block to another by the mean of the tangents between them.
 void PixelPositions::bound_tangents() {
   constexpr double beyond_nodes = 1.5;
   middle_ = tangent(0, 0);
@@ -140,7 +141,8 @@ Ball PixelPositions::ball(const PixelBlock& part) const {
   const double rows = block_.rows;
   const double east = (2 * (part.column - block_.column) + part.columns) / columns - 1;
   const double south = (2 * (part.row - block_.row) + part.rows) / rows - 1;
-  // From the middle to the centres of the outer pixels.
+  // These are the shares of the half block from the middle of the part to the centres of its outer
+  // pixels.
   const double half_width = (part.columns - 1) / columns;
   const double half_height = (part.rows - 1) / rows;
   const Direction along = half_width * middle_.east;

@@ -10,27 +10,28 @@
 
 namespace thiessen {
 
-/// Where the pixels of a block lie in space: polynomials of the fourth degree in columns and rows,
-/// through the true positions at 5 x 5 Chebyshev points of the block, and compared with them at 4 x
-/// 4 between these.
+/// Approximates where the pixels of a block lie in space by polynomials of the fourth degree in
+/// columns and rows. They pass through the true positions at 5 x 5 Chebyshev points of the block,
+/// and are compared with true positions at 4 x 4 points between these.
 class PixelPositions {
  public:
-  /// Nothing where the polynomials are off by more than a 500th of a pixel, as they are where the
-  /// projection is interrupted or comes to its end, or where the pixels' size and direction change
-  /// by more than a third within the block. Cost: 41 positions.
+  /// Fits the polynomials to a block. Nothing where they are off by more than a 500th of a pixel,
+  /// as they are where the projection is interrupted or comes to its end, or where the size and
+  /// direction of pixels change by more than a third within the block. Cost: 41 positions.
   static std::optional<PixelPositions> fit(const PixelGrid& grid, const PixelBlock& block,
                                            const PointMapping& to_study,
                                            const NearestPlaces& places);
 
-  /// Holds the centres of a block's pixels, a part of the one fitted. The radius takes the
-  /// polynomials for off by four times what was found, and by what positions are rounded.
+  /// A ball that holds the centres of all pixels of `part`, which must be a part of the block
+  /// fitted. Its radius allows for polynomials that are off by four times the largest difference
+  /// found, and for the rounding of positions.
   Ball ball(const PixelBlock& part) const;
 
  private:
   static constexpr std::size_t terms = 5;
   using Row = std::array<Direction, terms>;
 
-  /// The position, and how it changes from the block's middle to its edges.
+  /// A position, and how it changes from the block's middle to its edges.
   struct Tangent {
     Direction position;
     Direction east;
@@ -47,7 +48,8 @@ class PixelPositions {
 
   PixelBlock block_;
   Direction origin_;
-  std::array<Row, terms> terms_;  ///< by power of south, then of east; from -1 to 1 in the block
+  std::array<Row, terms>
+      terms_;  ///< by power of south, then of east; both run from -1 to 1 in the block
   Tangent middle_;
   double east_varies_ = 0;
   double south_varies_ = 0;

@@ -31,7 +31,8 @@ Ring mapped(const Ring& ring, const PointMapping& mapping) {
   return fine;
 }
 
-// Value, step and their quotient are each rounded by 2^-53 of themselves at most.
+// A value within a few roundings of a multiple counts as the multiple, as value, step and their
+// quotient are each rounded by at most 2^-53 of themselves.
 double snapped(double value, double step, double (*towards)(double)) {
   constexpr double rounding = 0x1p-51;
   const double steps = value / step;

@@ -8,13 +8,14 @@
 
 namespace thiessen {
 
-/// An extent's outline in the raster's coordinates, where its straight edges may be curves:
-/// followed in a thousand steps each, without the points that have no place there.
+/// The outline of an extent in the raster's coordinates, where its straight edges may be curves:
+/// each is followed in a thousand steps, and points that have no place there are left out.
 MultiPolygon mapped_extent(const MultiPolygon& extent, const PointMapping& to_raster);
 
-/// The pixels over the areas: their box, snapped outward to multiples of the pixel's side, which is
-/// `resolution`, or 0 for the longer side in 2,000. A multiple stays, whatever rounding does.
-/// Throws Error beyond 400 million pixels, or 100,000 on a side, or where the areas have no extent.
+/// The grid of pixels over the areas: their box, extended outward to multiples of the pixel's side.
+/// The side is `resolution`, or where that is 0 a 2,000th of the longer side of the box. A box that
+/// ends on a multiple is not extended there, whatever rounding does. Throws Error beyond 400
+/// million pixels, or 100,000 on a side, or where the areas have no extent.
 PixelGrid grid_over(const std::vector<MultiPolygon>& areas, double resolution);
 
 }  // namespace thiessen
