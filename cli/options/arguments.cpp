@@ -24,7 +24,7 @@ void declare_all(CLI::App& app, const std::vector<const OptionList*>& lists) {
   }
 }
 
-/// How the option is written on the command line, for messages.
+/// The spelling of an option in messages: as it is written on the command line.
 std::string spelling_of(const CLI::Option& option, const std::vector<std::string>& arguments) {
   const std::string name = option.get_name();
   const bool is_written_out =
@@ -45,7 +45,8 @@ std::vector<Arguments::Given> given_options(const CLI::App& app,
   return given;
 }
 
-/// What the parser knows nothing of comes in its order, the end of the options too.
+/// Sorts the arguments that the parser does not know. They come in their order, and so does the
+/// sign that ends the options.
 void sort_remaining(const std::vector<std::string>& remaining, Arguments& sorted) {
   bool only_words = false;
   for (const std::string& argument : remaining) {
@@ -71,7 +72,7 @@ Arguments parse_arguments(std::vector<std::string> arguments,
   Arguments sorted;
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-  } catch (const CLI::ArgumentMismatch& mismatch) {  // its sentence begins with the option's name
+  } catch (const CLI::ArgumentMismatch& mismatch) {  // what() begins with the option's name
     const std::string sentence = mismatch.what();
     sorted.incomplete = sentence.substr(0, sentence.find(':'));
   }

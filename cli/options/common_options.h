@@ -6,7 +6,7 @@
 
 namespace thiessen::cli {
 
-/// Options of every command that computes.
+/// The options of every command that computes.
 class CommonOptions : public OptionBlock {
  public:
   std::size_t threads;

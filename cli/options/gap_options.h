@@ -7,11 +7,11 @@
 
 namespace thiessen::cli {
 
-/// How steps with silent gauges are treated.
+/// The options that say how steps with silent gauges are treated.
 class GapOptions : public OptionBlock {
  public:
   void declare(OptionList& options);
-  /// Only how much may be remembered.
+  /// Declares only the option that says how much may be remembered.
   void declare_cache(OptionList& options);
   ArealRainfallSettings settings() const {
     ArealRainfallSettings settings = settings_;

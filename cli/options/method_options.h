@@ -14,9 +14,9 @@ class MethodOptions : public OptionBlock {
   void declare(OptionList& options);
   /// Throws UsageError for options that contradict each other.
   void check() const;
-  /// One, or several in the order of their columns.
+  /// The methods chosen, in the order of their columns.
   const std::vector<RainMethod>& methods() const { return methods_; }
-  /// In a basin.
+  /// The number of points in a basin over which a method averages.
   std::size_t points() const { return points_; }
 
  private:

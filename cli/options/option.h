@@ -6,47 +6,48 @@
 
 namespace thiessen::cli {
 
-/// What a shell completes where a value stands.
+/// The kinds of names that a shell completes where a value stands.
 enum class Completion { nothing, file, folder };
 
-/// What is wrong with a value, as it goes on after the option's name: "is empty".
+/// Thrown for a wrong value. The complaint goes on after the option's name: "is empty".
 struct WrongValue {
   std::string complaint;
 };
 
-/// The value of an option: what stands for it in the help, and how its text is read.
+/// The value of an option: the word for it in the help, and how its text is read.
 struct OptionValue {
-  /// FIELD, or `a|b` where it is one of a list. It is empty for a flag, which takes no value, and
-  /// for an argument, for which its own name stands.
+  /// The word that stands for the value in the help: FIELD, or `a|b` for a choice. It is empty for
+  /// a flag, which takes no value, and for an argument, whose own name stands there.
   std::string kind;
-  /// Takes the text of the command line. Throws WrongValue.
+  /// Reads the text of the command line into its target. Throws WrongValue.
   std::function<void(const std::string& text)> read;
-  /// What a shell offers; they are all there is where `kind` lists them.
+  /// The values that a shell offers; where `kind` lists them there are no others.
   std::vector<std::string> choices;
   Completion completion = Completion::nothing;
   bool may_be_repeated = false;
 
-  /// What it may be, in words: `FIELD`, or `geodesic or planar`.
+  /// Says in words what the value may be: `FIELD`, or `geodesic or planar`.
   std::string in_words() const;
 };
 
 enum class Need { required, optional };
 
-/// An option, or an argument: a value such as STATIONS, which its place tells and no name.
+/// An option, or an argument such as STATIONS: a value that is known by its place and not by a
+/// name.
 struct Option {
   std::string name;    ///< `--output`, or STATIONS
-  char letter = '\0';  ///< of `-o`; zero: none
+  char letter = '\0';  ///< the letter of `-o`; zero: none
   std::string group;   ///< the heading under which it stands
-  std::string help;    ///< what it is for, as it follows the name
+  std::string help;    ///< its purpose, in words that follow the name
   OptionValue value;
   Need need = Need::optional;
-  /// What the command line says, a text each time that the option stands there.
+  /// The texts that the command line gives, one for each time that the option stands there.
   std::vector<std::string> texts;
 
   bool is_argument() const { return name.front() != '-'; }
   bool is_flag() const { return !is_argument() && value.kind.empty(); }
   bool is_given() const { return !texts.empty(); }
-  /// `-o` where it has a letter, else its name.
+  /// `-o` where the option has a letter, else its name.
   std::string short_name() const;
 };
 

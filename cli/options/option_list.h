@@ -11,7 +11,7 @@ namespace thiessen::cli {
 class OptionBlock;
 class OptionList;
 
-/// The heading of what has nothing to do with the command's own matter.
+/// The heading of options that have nothing to do with the command's own matter.
 inline constexpr const char* general_group = "General";
 
 /// A heading of the help, under which options are declared.
@@ -31,32 +31,34 @@ class OptionGroup {
   OptionBlock* block_;
 };
 
-/// What a command line may say, in the order of the help. Parsing, help, manual and completion all
-/// come from this list.
+/// The options and arguments that a command line may have, in the order of the help. Parsing, help,
+/// manual and completion all come from this list.
 class OptionList {
  public:
   OptionList() = default;
   OptionList(const OptionList&) = delete;
   OptionList& operator=(const OptionList&) = delete;
 
-  /// What is declared in it stands under this heading, and belongs to the block if one is given.
+  /// A heading of the list. Options declared in it stand under the heading, and belong to the block
+  /// if one is given.
   OptionGroup group(std::string name) { return {*this, std::move(name), nullptr}; }
   OptionGroup group(std::string name, OptionBlock& block) {
     return {*this, std::move(name), &block};
   }
 
   const std::deque<Option>& options() const { return options_; }
-  /// The headings, in the order in which they first came.
+  /// The headings, in the order in which they first occur.
   std::vector<std::string> groups() const;
   std::vector<Option*> arguments();
   std::vector<const Option*> arguments() const;
-  /// By `--output`, `-o` or STATIONS; none: nullptr.
+  /// The option or argument with this name: `--output`, `-o` or STATIONS; nullptr where there is
+  /// none.
   Option* find(const std::string& name);
   const Option* find(const std::string& name) const;
 
  private:
   friend class OptionGroup;
-  std::deque<Option> options_;  // their addresses stay
+  std::deque<Option> options_;  // a deque: references to its options stay valid
 };
 
 /// Options that are declared together and kept in one place: the classes that hold what the
@@ -66,8 +68,8 @@ class OptionBlock {
   OptionBlock(const OptionBlock&) = delete;
   OptionBlock& operator=(const OptionBlock&) = delete;
 
-  /// The first option of the block, in the order of the help, that the command line says; none:
-  /// nullptr.
+  /// The first option of the block, in the order of the help, that the command line gives; nullptr
+  /// where it gives none.
   const Option* first_given() const;
 
  protected:

@@ -13,10 +13,11 @@
 
 namespace thiessen::cli {
 
-// The kinds of values. Each is read by our own grammar, whatever the locale, into a target that has
-// to outlive the option; a wrong text throws WrongValue with what was wanted.
+// \file
+// The kinds of values that options take. Each is read by our own grammar, whatever the locale, into
+// a target that has to outlive the option. A wrong text throws WrongValue with what was wanted.
 
-/// Numbers that an option takes.
+/// A range of numbers that an option takes.
 struct NumberRange {
   double low;
   double high;
@@ -26,9 +27,9 @@ struct NumberRange {
 inline constexpr NumberRange above_zero{std::numeric_limits<double>::min(), 1e9,
                                         "a number above 0, to 1e9"};
 
-/// No value: the option is there or not, and may stand there twice.
+/// The value of a flag: it takes none, sets the target where it is given, and may be given twice.
 OptionValue flag(bool& target);
-/// The same, where the list alone is asked.
+/// The value of a flag that has no target: whether it is given is asked of the option itself.
 OptionValue sign();
 OptionValue number(double& target, NumberRange range);
 OptionValue whole_number(std::size_t& target, std::size_t low, std::size_t high);
@@ -36,15 +37,16 @@ OptionValue whole_number(std::size_t& target, std::size_t low, std::size_t high)
 OptionValue text(std::string& target, const std::string& kind);
 /// A text that may be empty.
 OptionValue any_text(std::string& target, const std::string& kind);
-/// The option may be repeated; each time adds a text, which may be empty.
+/// Texts of an option that may be repeated: each time adds one, which may be empty.
 OptionValue texts(std::vector<std::string>& target, const std::string& kind);
-/// The name of a file, or of a folder; `kind` is empty for an argument. That an empty name is no
-/// usage error, but a file that cannot be opened, is told after all options are read.
+/// The name of a file, or of a folder; `kind` is empty for an argument. An empty name is accepted
+/// here, and refused after all options are read, as it is no usage error but a file that cannot be
+/// opened.
 OptionValue file(std::string& target, const std::string& kind = {});
 OptionValue folder(std::string& target, const std::string& kind);
-/// A time of ISO 8601.
+/// A time in the form of ISO 8601.
 OptionValue iso_time(std::optional<IsoTime>& target);
-/// Two numbers and a comma between them; the option may be repeated.
+/// Points of an option that may be repeated: each is two numbers with a comma between them.
 OptionValue points(std::vector<Point>& target);
 /// One character, or `tab`.
 OptionValue separator(char& target);
@@ -56,12 +58,12 @@ struct PixelSize {
 };
 OptionValue pixel_size(PixelSize& target);
 
-/// What the names of choices look like in the help: `a|b|c`.
+/// The names of the choices as the help lists them: `a|b|c`.
 std::string listed_choices(const std::vector<std::string>& names);
-/// Throws WrongValue: `text` is none of the choices.
+/// Throws WrongValue, because `text` is none of the choices.
 [[noreturn]] void refuse_choice(const std::vector<std::string>& names, const std::string& text);
 
-/// A value out of a list, by name.
+/// A value chosen by name out of a list.
 template <typename Value>
 OptionValue choice(Value& target, std::vector<std::pair<std::string, Value>> choices) {
   OptionValue value;

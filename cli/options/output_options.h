@@ -9,16 +9,16 @@
 
 namespace thiessen::cli {
 
-/// Where results go.
+/// The options that say where results are written.
 class OutputOptions : public OptionBlock {
  public:
   std::string output = "-";
 
-  /// `kind` is what the output is called in the help, such as `map.png`.
+  /// `kind` is the word for the output in the help, such as `map.png`.
   void declare(OptionList& options, Need need, const std::string& kind, const std::string& help);
-  /// The same where the output is a folder.
+  /// Declares the options of an output that is a folder.
   void declare_folder(OptionList& options, const std::string& help);
-  /// `inputs` are files that may not be written.
+  /// The rules by which the output is written. `inputs` are files that may not be overwritten.
   OutputRules rules(std::vector<std::string> inputs) const {
     return {overwrite_, std::move(inputs)};
   }

@@ -10,17 +10,18 @@
 
 namespace thiessen::cli {
 
-/// Which steps count, and what they are summed over.
+/// The options that say which steps count, and over which periods they are summed.
 class PeriodOptions : public OptionBlock {
  public:
   void declare(OptionList& options);
-  /// Only which steps count.
+  /// Declares only the options that say which steps count.
   void declare_range(OptionList& options);
   /// Throws UsageError for options that contradict each other.
   void check() const;
-  /// What is asked of the times, if anything.
+  /// What is required of the times of steps: their range, and how precise totals need them; none
+  /// where nothing is required.
   std::optional<StepTimes> times() const;
-  /// None: the steps themselves are wanted.
+  /// The periods over which steps are summed; none where the steps themselves are wanted.
   std::optional<Totalling> totalling() const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace thiessen::cli {
 
-/// How rain.csv looks.
+/// The options of the format of rain.csv.
 class RainFormatOptions : public OptionBlock {
  public:
   void declare(OptionList& options);

@@ -7,19 +7,19 @@
 
 namespace thiessen::cli {
 
-/// RAINFALL and what says how to read it.
+/// The argument RAINFALL, and the options that say how to read it.
 class RainfallOptions : public OptionBlock {
  public:
   std::string rainfall;
 
   void declare(OptionList& options, Need need);
-  /// RAINFALL as the value of an option, which stands under the given heading.
+  /// Declares RAINFALL as the value of an option under the given heading, and not as an argument.
   void declare_as_option(OptionList& options, const std::string& group, const std::string& name,
                          const std::string& help);
-  /// `decimal_comma` is an option of the study.
+  /// The settings of the reader. `decimal_comma` is passed in because it is an option of the study.
   ReadingsOptions readings(bool decimal_comma) const;
   bool given() const { return !rainfall.empty(); }
-  /// For messages.
+  /// The name of RAINFALL in messages.
   std::string name() const { return rainfall == "-" ? "standard input" : rainfall; }
 
  private:

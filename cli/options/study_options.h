@@ -8,19 +8,21 @@
 
 namespace thiessen::cli {
 
-/// STATIONS, BASINS and what says how to read them.
+/// The arguments STATIONS and BASINS, and the options that say how to read them.
 class StudyOptions : public OptionBlock {
  public:
   std::string stations;
   std::string basins;
   bool attributes = false;
-  std::vector<Point> opened;  ///< gauges that STATIONS lacks, in its coordinates
+  std::vector<Point>
+      opened;  ///< gauges that a what-if opens and STATIONS lacks, in its coordinates
 
   void declare(OptionList& options, Need basins_need);
   void declare_attributes(OptionList& options);
   /// Throws UsageError for options that contradict each other.
   void check() const;
-  /// Throws Error where the name of a CRS is empty.
+  /// The request to read the study as the options say. Throws Error where the name of a CRS is
+  /// empty.
   StudyRequest request() const;
   char separator() const { return separator_; }
   bool decimal_comma() const { return decimal_comma_; }

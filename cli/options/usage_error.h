@@ -4,7 +4,7 @@
 
 namespace thiessen::cli {
 
-/// A wrong command line: exit status 2.
+/// Thrown for a wrong command line: the program ends with exit status 2.
 struct UsageError {
   std::string text;
   std::string hint;

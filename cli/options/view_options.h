@@ -7,7 +7,7 @@
 
 namespace thiessen::cli {
 
-/// Which step a picture or the cells show, and how a picture looks.
+/// The options that say which step a picture or the cells show, and how a picture looks.
 class ViewOptions : public OptionBlock {
  public:
   std::string time;
