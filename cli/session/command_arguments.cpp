@@ -21,7 +21,8 @@ constexpr const char* blanks_hint =
 
 double read_coordinate(const std::string& name, std::string_view text) {
   const auto number = parse_number(text);
-  if (number && in_exact_range(number.value)) return number.value + 0.0;  // -0 becomes 0
+  if (number && in_exact_range(number.value))
+    return number.value + 0.0;  // adding zero turns -0 into 0
   if (number.fault != NumberFault::not_a_number)
     refuse(name + " is " + std::string(outside_exact_range) + ": " + quoted(text, 60));
   const bool has_comma = text.find(',') != std::string_view::npos;

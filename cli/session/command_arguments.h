@@ -11,19 +11,20 @@
 
 namespace thiessen::cli {
 
-/// What follows a command's name in a session. All throw Error where it is not what the command
-/// takes.
+/// \file
+/// Readers of the words that follow a command's name in a session. All throw Error where these are
+/// not what the command takes.
 
-/// As many coordinates as there are dimensions, in the exact range; -0 becomes 0.
+/// Reads as many coordinates as there are dimensions, in the exact range; -0 becomes 0.
 template <int Dimension>
 CoordinatesIn<Dimension> read_coordinates(const std::string& command,
                                           const std::vector<std::string>& words);
 
-/// The name of one file.
+/// Requires a single word, the name of a file.
 std::string require_file(const std::string& command, const std::vector<std::string>& words);
 void require_none(const std::string& command, const std::vector<std::string>& words);
 
-/// FILE.png [--view X,Y,Z --site X,Y,Z]
+/// The arguments of `show`: FILE.png [--view X,Y,Z --site X,Y,Z].
 struct ShowArguments {
   std::string file;
   std::optional<View> view;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t findings_listed = 20;
 
-/// A command's words but the first.
+/// The words of a command after its name.
 using Arguments = std::vector<std::string>;
 
 [[noreturn]] void refuse(std::string text, std::string hint = {}) {
@@ -77,7 +77,7 @@ class SessionInterpreter : public Interpreter {
     }
   }
 
-  /// For a person alone.
+  /// Prints a sentence that is of use only to a person at a terminal.
   void say(const std::string& sentence) {
     if (surroundings_.is_terminal) surroundings_.output.append(sentence + "\n");
   }
@@ -164,7 +164,7 @@ class SessionInterpreter : public Interpreter {
     }
   }
 
-  /// Replaces the file, whole or not at all.
+  /// Writes a file that replaces the one of this name, either whole or not at all.
   void write_file(const std::string& name, const std::function<void(OutputFile&)>& fill) {
     surroundings_.output.flush();
     Outputs outputs({true, surroundings_.inputs});

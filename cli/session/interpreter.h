@@ -11,32 +11,33 @@
 
 namespace thiessen::cli {
 
-/// Where the commands of a session come from, and where what they say goes.
+/// The surroundings of a session: where its commands come from, and where its answers go.
 struct Surroundings {
   OutputFile& output;
   Warnings& warnings;
   bool is_terminal;                 ///< a person reads the output: every command says what it did
-  bool is_standard_input;           ///< the commands come from it
-  std::vector<std::string> inputs;  ///< files that may not be written
+  bool is_standard_input;           ///< the commands come from the standard input
+  std::vector<std::string> inputs;  ///< files that may not be overwritten
 };
 
 /// Carries out the commands of a session.
 class Interpreter {
  public:
   virtual ~Interpreter() = default;
-  /// Carries out what stands on a line; false where it ends the session. Throws Error, without a
-  /// place in the script, where that cannot be done: then nothing is changed.
+  /// Carries out the command on a line, and returns false where it ends the session. Throws Error,
+  /// without a place in the script, where the command cannot be carried out: then nothing is
+  /// changed.
   virtual bool perform(std::string_view line) = 0;
-  /// How many faults `check` has found.
+  /// The number of faults that `check` has found so far.
   virtual std::size_t faults() const = 0;
 };
 
-/// Dimension 2 or 3.
+/// Makes the interpreter of a session in 2 or 3 dimensions.
 std::unique_ptr<Interpreter> make_interpreter(std::size_t dimension, Surroundings surroundings);
 
-/// The commands' names, in the order of the help.
+/// The names of the commands, in the order of the help.
 std::vector<std::string> session_commands();
-/// What they do, and the form of what they print.
+/// Explains the commands, and the form of what they print.
 std::string session_help();
 
 }  // namespace thiessen::cli

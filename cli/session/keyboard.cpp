@@ -19,7 +19,7 @@ namespace {
 
 constexpr int lines_remembered = 1000;
 
-/// What all of them begin with.
+/// The longest beginning that all of the words share.
 std::string common_beginning(const std::vector<std::string>& words) {
   std::string common = words.front();
   for (const std::string& word : words) {
@@ -29,7 +29,8 @@ std::string common_beginning(const std::vector<std::string>& words) {
   return common;
 }
 
-/// Waits until something can be read; false where a signal came first, be it just before.
+/// Waits until a key can be read. Returns false where a signal came first, even one just before the
+/// wait.
 bool wait_for_key() {
   sigset_t interrupts;
   sigset_t before;
@@ -37,7 +38,8 @@ bool wait_for_key() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&interrupts, signal);
   pthread_sigmask(SIG_BLOCK, &interrupts, &before);
   pollfd keys{STDIN_FILENO, POLLIN, 0};
-  // The signals are let through while it waits, and only then.
+  // Signals are blocked but during the wait, so that none can slip in between the test and the
+  // wait.
   while (interrupt_signal() == 0 && ::ppoll(&keys, 1, nullptr, &before) < 0 && errno == EINTR) {
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
@@ -47,7 +49,7 @@ bool wait_for_key() {
 }  // namespace
 
 Keyboard::Keyboard(std::vector<std::string> words) : words_(std::move(words)) {
-  std::setlocale(LC_CTYPE, "");  // what the terminal's bytes are
+  std::setlocale(LC_CTYPE, "");  // the encoding of the terminal's bytes
   FILE* const shown = isatty(STDOUT_FILENO) == 1 ? stdout : stderr;
   history_.reset(history_init());
   editor_.reset(el_init("thiessen", stdin, shown, stderr));
@@ -92,7 +94,7 @@ std::optional<std::string> Keyboard::next() {
   return line;
 }
 
-// The editor's own would try again after Ctrl-C.
+// Stands in for the editor's own reader, which would try again after Ctrl-C.
 int Keyboard::read_character(EditLine* editor, wchar_t* into) {
   Keyboard& keyboard = of(editor);
   for (;;) {

@@ -10,16 +10,17 @@
 
 namespace thiessen::cli {
 
-/// Lines from a terminal: a prompt, editing, the lines before with the arrow keys, and completion
-/// of a line's first word with the tab key.
+/// Reads lines from a terminal: with a prompt, editing, earlier lines by the arrow keys, and
+/// completion of a line's first word by the tab key.
 class Keyboard {
  public:
-  /// `words` may begin a line. Requires that the standard input is a terminal.
+  /// `words` are offered as the first word of a line. Requires that the standard input is a
+  /// terminal.
   explicit Keyboard(std::vector<std::string> words);
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// The next line; none at the end of the input. Throws Interrupted.
+  /// Reads the next line; none at the end of the input. Throws Interrupted.
   std::optional<std::string> next();
 
  private:

@@ -10,22 +10,22 @@
 
 namespace thiessen::cli {
 
-/// The lines of a script: UTF-8, ended by LF, CRLF or CR, the last need not end; one byte order
-/// mark at the beginning is passed over. Throws Error, with file and line, for a NUL byte, what is
-/// not UTF-8, and a line beyond the limit.
+/// Reads the lines of a script: UTF-8, ended by LF, CRLF or CR, though the last line need not be
+/// ended; a byte order mark at the beginning is skipped. Throws Error, with file and line, for a
+/// NUL byte, bytes that are not UTF-8, and a line beyond the limit.
 class ScriptLines {
  public:
   static constexpr std::size_t longest_line = std::size_t{64} << 10;
 
-  /// `-` is the standard input. Throws Error as InputFile.
+  /// Opens the script; `-` is the standard input. Throws Error as InputFile does.
   explicit ScriptLines(const std::string& file) : input_(file) {}
 
-  /// As the user named it.
+  /// The name of the script as the user gave it.
   const std::string& file() const { return input_.name(); }
-  /// Of the line that came last, from 1.
+  /// The number of the line last read, from 1.
   std::size_t line() const { return line_; }
-  /// The next line, valid until the one after; none at the end. Calls `before_waiting` whenever
-  /// all that has arrived is read.
+  /// Reads the next line, valid until the one after it; none at the end. Calls `before_waiting`
+  /// whenever all that has arrived is read, so that answers can be shown before the wait.
   std::optional<std::string_view> next(const std::function<void()>& before_waiting);
 
  private:
@@ -35,10 +35,11 @@ class ScriptLines {
 
   InputFile input_;
   std::string buffer_;
-  std::size_t at_ = 0;      // in the buffer
-  std::size_t origin_ = 0;  // of the buffer in the file
+  std::size_t at_ = 0;      // position in the buffer
+  std::size_t origin_ = 0;  // position of the buffer in the file
   std::size_t line_ = 0;
-  bool after_return_ = false;  // a line feed here belongs to the line before
+  bool after_return_ =
+      false;  // a line feed here belongs to the line before, as its CR was read already
 };
 
 }  // namespace thiessen::cli

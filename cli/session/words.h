@@ -6,9 +6,9 @@
 
 namespace thiessen::cli {
 
-/// The words of a command, parted by blanks. A word in single or double quotes may hold blanks;
-/// what follows a # at the beginning of a word is a comment. Throws Error for a quote that is never
-/// closed.
+/// Splits a command into its words, which blanks part. A word in single or double quotes may hold
+/// blanks; text from a # at the beginning of a word on is a comment. Throws Error for a quote that
+/// is never closed.
 std::vector<std::string> words_of(std::string_view line);
 
 }  // namespace thiessen::cli
