@@ -65,7 +65,7 @@ std::vector<std::string> spellings(const Option& option) {
   return {option.name, option.short_name()};
 }
 
-/// `--crs | -o | --output`: all that a value follows.
+/// The pattern of all options that a value follows: `--crs | -o | --output`.
 std::string options_with_values(const Commands& commands) {
   std::vector<std::string> names;
   for (const auto& command : commands.all()) {
@@ -79,7 +79,8 @@ std::string options_with_values(const Commands& commands) {
   return joined(names, " | ");
 }
 
-/// What may stand for a value, as settings of the script; empty: nothing that can be told.
+/// What may stand for a value, as settings of the script's variables; empty where nothing can be
+/// offered.
 std::string setting(const OptionValue& value) {
   if (!value.choices.empty()) return "words='" + joined(value.choices, " ") + "'";
   switch (value.completion) {
@@ -102,7 +103,7 @@ std::string names_of(const OptionList& options) {
   return joined(names, " ");
 }
 
-/// The branches of a `case` for what completes the options' values.
+/// The branches of a `case` that complete the values of options.
 std::string branches_of_values(const OptionList& options) {
   std::string text;
   for (const Option& option : options.options()) {
@@ -113,7 +114,7 @@ std::string branches_of_values(const OptionList& options) {
   return text;
 }
 
-/// The same for the arguments, by their place.
+/// The branches of a `case` that complete the arguments by their place.
 std::string branches_of_arguments(const OptionList& options) {
   std::string text;
   const std::vector<const Option*> arguments = options.arguments();

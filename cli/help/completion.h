@@ -6,21 +6,22 @@
 
 namespace thiessen::cli {
 
+/// \file
 /// Scripts that teach a shell to complete the program's command lines: commands, the options of the
-/// command that stands there, values out of a list, and names of files where a file belongs. The
-/// same bytes from every build of a version.
+/// command in the line, the values of a choice, and names of files where a file belongs. Every
+/// build of a version gives the same bytes.
 
-/// To be sourced by bash 4 or later, or put where bash-completion looks, as `thiessen`.
+/// The script for bash 4 or later, to be sourced, or put as `thiessen` where bash-completion looks.
 std::string bash_completion(const Commands& commands);
-/// To be put into a folder of zsh's fpath, as `_thiessen`.
+/// The script for zsh, to be put as `_thiessen` into a folder of its fpath.
 std::string zsh_completion(const Commands& commands);
-/// To be put where fish looks, as `thiessen.fish`.
+/// The script for fish, to be put as `thiessen.fish` where fish looks.
 std::string fish_completion(const Commands& commands);
 
-/// The text in single quotes as a shell reads them; `quote` is what stands for a quote within:
-/// `'\''` in bash and zsh, `\'` in fish.
+/// Puts the text in single quotes for a shell. `quote` is written in place of a single quote
+/// within: `'\''` in bash and zsh, `\'` in fish.
 std::string shell_quoted(const std::string& text, const std::string& quote);
-/// What an option is for, in few words: its help up to the first semicolon.
+/// The purpose of an option in few words: its help up to the first semicolon.
 std::string in_few_words(const Option& option);
 
 }  // namespace thiessen::cli

@@ -6,7 +6,8 @@ namespace {
 constexpr const char* quote = "\\'";
 constexpr const char* line = "complete -c thiessen";
 
-/// In single quotes fish reads a backslash before a backslash or a quote alone.
+/// Within single quotes fish takes a backslash for an escape only before a backslash or a quote, so
+/// no other character needs one.
 std::string fish_quoted(const std::string& text) {
   std::string doubled;
   for (const char c : text) {
@@ -16,7 +17,8 @@ std::string fish_quoted(const std::string& text) {
   return shell_quoted(doubled, quote);
 }
 
-/// What completes a value: nothing else than the choices, or names of files.
+/// The part of a line that says what completes a value: the choices and nothing else, or names of
+/// files.
 std::string source_of(const OptionValue& value) {
   if (!value.choices.empty()) {
     std::string words;
@@ -41,7 +43,8 @@ std::string option_line(const Option& option, const std::string& condition) {
   return text + " -d " + fish_quoted(in_few_words(option)) + "\n";
 }
 
-/// Files and choices that stand by their place; fish does not tell the places apart.
+/// The line for arguments that are files or choices. There is one line for all of them, as fish
+/// does not tell their places apart.
 std::string argument_line(const Option& option, const std::string& condition) {
   if (option.value.choices.empty()) return line + condition + " -F\n";
   return line + condition + source_of(option.value) + "\n";

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t column = 28;
 constexpr std::size_t width = 80;
 
-/// The term in the left column, and beside it the text, broken between words.
+/// An entry in two columns: the term on the left, and beside it the text, broken between words.
 std::string entry(const std::string& term, std::string_view text) {
   std::string all = "  " + term;
   const std::string next_line = "\n" + std::string(column, ' ');

@@ -6,15 +6,17 @@
 
 namespace thiessen::cli {
 
-/// How the help looks: the arguments and the options that must be there in the usage line, options
-/// in groups, no line longer than a terminal's 80 columns where a word allows it.
+/// \file
+/// The help: the usage line has the arguments and the options that are required, options stand in
+/// groups, and no line is longer than a terminal's 80 columns where a word allows it.
 
 /// The help on the program as a whole.
 std::string help_on(const Commands& commands);
-/// The help on one of them.
+/// The help on one command.
 std::string help_on(const Commands& commands, const Command& command);
 
-/// The command's name and what follows it: `rain STATIONS BASINS RAINFALL [options]`.
+/// The usage line of a command: its name and what follows it, as in `rain STATIONS BASINS RAINFALL
+/// [options]`.
 std::string usage_of(const Command& command);
 
 }  // namespace thiessen::cli

@@ -36,7 +36,7 @@ std::vector<SharedOption> shared_options(const Commands& commands) {
   return shared;
 }
 
-/// The headings in the order in which they come, but what is general last.
+/// The headings in the order in which they first occur, but with the general one last.
 std::vector<std::string> headings(const std::vector<SharedOption>& options) {
   std::vector<std::string> names;
   for (const SharedOption& shared : options) {
@@ -57,7 +57,7 @@ std::string sentence(const std::string& text) {
   return capitalised(text) + (text.ends_with('.') ? "" : ".");
 }
 
-/// `-o, --output FILE`, in the fonts of a manual.
+/// An option and its value, `-o, --output FILE`, in the fonts of a manual.
 std::string term(const Option& option) {
   if (option.is_argument()) return roff_italic(option.name);
   std::string text = option.letter == '\0' ? "" : roff_bold(option.short_name()) + ", ";

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t width = 80;
 
-/// A line that begins with a dot or a quote is a command.
+/// Guards a line that begins with a dot or a quote, as the formatter would take it for a command.
 std::string guarded(const std::string& line) {
   const bool is_command = !line.empty() && (line[0] == '.' || line[0] == '\'');
   return is_command ? "\\&" + line : line;

@@ -16,7 +16,7 @@ _thiessen() {
   commands=(
 )";
 
-/// Text in a specification of _arguments or _describe, where these signs have a meaning.
+/// Escapes the signs that have a meaning in a specification of _arguments or _describe.
 std::string escaped(const std::string& text) {
   constexpr std::string_view signs = "\\[]:";
   std::string result;
@@ -27,7 +27,7 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// What completes a value: `:KIND:(a b)`.
+/// The part of a specification that completes a value: `:KIND:(a b)`.
 std::string action(const std::string& kind, const OptionValue& value) {
   std::string message = ":" + escaped(kind) + ":";
   if (!value.choices.empty()) {
@@ -46,7 +46,7 @@ std::string action(const std::string& kind, const OptionValue& value) {
   return message;
 }
 
-/// An option as _arguments wants it, once for each spelling.
+/// The specifications of an option for _arguments, one for each spelling.
 std::string specifications(const Option& option, const std::string& margin) {
   const std::string repeated = option.value.may_be_repeated ? "*" : "";
   const std::string rest = "[" + escaped(in_few_words(option)) + "]" +
