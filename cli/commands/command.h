@@ -8,7 +8,7 @@
 
 namespace thiessen::cli {
 
-/// A verb of the command line. Its constructor declares its files and options, and opens nothing.
+/// A command of the program. Its constructor declares its files and options, and opens nothing.
 class Command {
  public:
   Command() = default;
@@ -18,17 +18,20 @@ class Command {
 
   virtual const char* name() const = 0;
   virtual const char* description() const = 0;
-  /// What follows the command's name in a line that runs in the project's folder, for the help.
+  /// The words that follow the command's name in an example of the help, which runs in the
+  /// project's folder.
   virtual const char* example() const = 0;
-  /// What the help says between the options and the example; may be empty.
+  /// Text of the help between the options and the example; may be empty.
   virtual std::string notes() const { return {}; }
-  /// What is said where a signal ends the command; a literal.
+  /// The sentence that is printed where a signal ends the command. It has to be a literal, as the
+  /// command is gone by then.
   virtual const char* when_interrupted() const { return "interrupted; nothing was written"; }
   /// Throws UsageError for options that contradict each other. Opens nothing.
   virtual void check() const {}
-  /// Does the work, of options that are read and checked. Throws UsageError, Error and Interrupted.
+  /// Does the work, after the options are read and checked. Throws UsageError, Error and
+  /// Interrupted.
   virtual void run(Warnings& warnings) = 0;
-  /// Whether warnings are not to be shown.
+  /// Whether warnings are to be kept back.
   virtual bool quiet() const = 0;
 
   OptionList& options() { return options_; }

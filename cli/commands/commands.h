@@ -17,24 +17,25 @@ std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_tessel_command();
 
 class Commands;
-/// It tells of the commands, which must outlive it, and of itself.
+/// Makes the command `help`, which explains the given commands, itself included. They must outlive
+/// it.
 std::unique_ptr<Command> make_help_command(const Commands& commands);
 
-/// All that the program offers: the commands, and the options that need none.
+/// All that the program offers: its commands, and the options that need no command.
 class Commands {
  public:
-  /// `program` is the name by which it was called, for examples that run.
+  /// `program` is the name by which the program was called, so that examples in the help run.
   explicit Commands(std::string program);
   Commands(const Commands&) = delete;
   Commands& operator=(const Commands&) = delete;
 
   const std::string& program() const { return program_; }
 
-  /// In the order of the help.
+  /// The commands in the order of the help.
   const std::vector<std::unique_ptr<Command>>& all() const { return commands_; }
-  /// None: nullptr.
+  /// The command of this name; nullptr where there is none.
   Command* find(const std::string& name) const;
-  /// What may stand without a command.
+  /// The options that may be given without a command.
   const OptionList& options() const { return options_; }
   std::vector<std::string> names() const;
 

@@ -144,7 +144,7 @@ class RainCommand : public Command {
     }
   }
 
-  /// A pipe can be read once.
+  /// Refuses a pipe, as it can be read only once.
   void require_two_readings() const {
     std::error_code none;
     const auto kind = std::filesystem::status(rainfall_.rainfall, none).type();
@@ -156,7 +156,8 @@ class RainCommand : public Command {
     }
   }
 
-  /// Reads RAINFALL for the first time; what is odd in it is told of the second time.
+  /// Reads RAINFALL for the first time. Its warnings are dropped here, as they are given when it is
+  /// read again.
   std::unique_ptr<const RainfallError> fit_errors(Inputs& inputs, const ArealRainfall& values,
                                                   Warnings& warnings) const {
     Warnings told_later;

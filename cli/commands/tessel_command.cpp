@@ -17,7 +17,7 @@
 namespace thiessen::cli {
 namespace {
 
-/// What is wrong in a line of a script, all of it with that line's place.
+/// The error of a line of a script: all of its messages, with the place of that line.
 Error placed(const Error& error, const std::string& file, std::size_t line) {
   std::vector<Message> messages;
   for (const Message& message : error.messages())
@@ -36,7 +36,8 @@ void run_script(ScriptLines& lines, Interpreter& interpreter, OutputFile& output
   }
 }
 
-/// Whether the session goes on. What cannot be done is told, and does no harm.
+/// Carries out a typed line, and returns whether the session goes on. A command that fails is
+/// reported and changes nothing.
 bool perform_typed(const std::string& line, Interpreter& interpreter) {
   try {
     if (const auto invalid = find_invalid_utf8(line))

@@ -14,7 +14,7 @@ std::string where_help_is(const Commands& commands) {
   return "the commands are " + and_list(commands.names()) + "; thiessen --help says what they do";
 }
 
-/// Its names, without those that are there already.
+/// Adds the names of the options, but for those that are in the list already.
 void add_names(const OptionList& options, std::vector<std::string>& names) {
   for (const Option& option : options.options()) {
     const bool is_there = std::find(names.begin(), names.end(), option.name) != names.end();
@@ -41,7 +41,7 @@ std::vector<std::string> commands_with(const Commands& commands, const std::stri
   return names;
 }
 
-/// Two parts of a hint, of which the first may be empty.
+/// Joins two parts of a hint, of which the first may be empty.
 std::string hint(const std::string& first, const std::string& second) {
   return first + (first.empty() ? "" : " ") + second;
 }

@@ -7,15 +7,17 @@
 
 namespace thiessen::cli {
 
-/// What is said of a command line that names what does not exist, with the nearest names.
+/// \file
+/// The errors of a command line that names what does not exist, with the nearest names as a hint.
 
-/// `command` is null where none is chosen: then the options of all are looked at.
+/// The error for an option that does not exist. `command` is null where no command is chosen: then
+/// the options of all commands are compared.
 UsageError unknown_option(const Commands& commands, const Command* command,
                           const std::string& option);
 UsageError unknown_command(const Commands& commands, const std::string& name);
 UsageError no_command(const Commands& commands);
 
-/// The hint of all other faults in the use of a command.
+/// The hint for any other fault in the use of a command: where to find its help.
 std::string where_help_is(const Command& command);
 
 }  // namespace thiessen::cli
