@@ -9,16 +9,17 @@
 
 namespace thiessen::cli {
 
-/// The cells of the gauges that report (all of them without readings), by basin.
+/// The cells of the gauges that report, for each basin; without `readings` all gauges report.
 std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
                                                unsigned threads);
 
-/// The same, as they are written.
+/// Prepares the cells to be written, with their weights, the rainfall of `readings` if there are
+/// any, and the stations' attributes if the options ask for them.
 CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                          const GaugeReadings* readings, const StudyOptions& options);
 
-/// Says so where the cells are not in longitude and latitude, because no CRS is known. `file`:
-/// where they go.
+/// Warns where no CRS is known, so that the cells are not in longitude and latitude. `file` is the
+/// file to which they are written.
 void warn_of_own_coordinates(const Inputs& inputs, const std::string& file, Warnings& warnings);
 
 }  // namespace thiessen::cli

@@ -7,8 +7,8 @@
 
 namespace thiessen::cli {
 
-/// The readings that cells and pictures show: none without RAINFALL, else the step at `time`, or
-/// the means. Throws Error where RAINFALL has no such time or no time at all.
+/// The readings that cells and pictures show: the step at `time`, or the means where no time is
+/// given; none without RAINFALL. Throws Error where RAINFALL has no such time or no time at all.
 std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings);

@@ -17,11 +17,11 @@
 
 namespace thiessen::cli {
 
-/// The inputs of a command, read and checked: what every command begins with.
+/// The inputs of a command, read and checked, with which every command begins.
 class Inputs {
  public:
-  /// Reads stations and basins. Without basins the stations' extent, grown by `margin` percent, is
-  /// the study area. Throws Error.
+  /// Reads stations and basins. Without basins the extent of the stations, grown by `margin`
+  /// percent, is the study area. Throws Error.
   Inputs(const StudyOptions& options, double margin, Warnings& warnings);
 
   const StudyFiles& study() const { return *files_; }
@@ -33,14 +33,14 @@ class Inputs {
   AreaUnit area_unit() const { return {study_.km2_per_area()}; }
   ReportingStations all_report() const { return study_.all_report(); }
 
-  /// RAINFALL, opened, and of it the steps of the times that are wanted, if any are said. Any
-  /// thread may ask it for the share that is read. The inputs must outlive it.
+  /// Opens RAINFALL; where times are wanted, only their steps are read from it. Any thread may ask
+  /// it which share has been read. The inputs must outlive it.
   std::unique_ptr<WatchedReadings> open_readings(
       const StudyOptions& study, const RainfallOptions& rainfall, Warnings& warnings,
       const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
-  std::shared_ptr<StudyFiles> files_;  // their stations are in the study's network
+  std::shared_ptr<StudyFiles> files_;  // their stations have moved into the study's network
   std::vector<std::string> filtered_ids_;
   Study study_;
 };

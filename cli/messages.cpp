@@ -10,7 +10,8 @@ std::string option(std::string_view name, std::string_view value) {
   std::string text = "--" + std::string(name);
   std::replace(text.begin(), text.end(), '_', '-');
   if (value.empty()) return text;
-  // After a space a negative number would be read as an option.
+  // The sign `=` keeps a negative number from being read as an option, as it would be after a
+  // space.
   return text + (value.starts_with('-') ? "=" : " ") + std::string(value);
 }
 

@@ -7,17 +7,18 @@
 
 namespace thiessen::cli {
 
-/// The words as the program shows them: a setting is an option (`--time-field`, `--missing=-99`),
-/// an input an argument (`STATIONS`); control characters are shown as \x1b.
+/// The words as the program shows them: a setting becomes an option (`--time-field`,
+/// `--missing=-99`), an input an argument (`STATIONS`), and control characters are shown as \x1b.
 std::string shown(const Wording& words);
 
-/// Prints on the standard error: what stands before it (`thiessen: error: `), the message on a line
-/// and its hint on another.
+/// Prints on the standard error: `before` (such as `thiessen: error: `) and the message on one
+/// line, and the hint on another.
 void print(std::string_view before, const Message& message);
-/// The same of a text and a hint that may be shown as they are.
+/// Prints a text and a hint, which have to be fit for the terminal as they are, in the form of a
+/// message.
 void print(std::string_view before, const std::string& text, const std::string& hint);
 
-/// All of an error's messages, and how many more there were.
+/// Prints all messages of an error, and how many more there were.
 void print(std::string_view before, const Error& error);
 
 }  // namespace thiessen::cli

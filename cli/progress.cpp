@@ -13,14 +13,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// 12,345
+/// Writes a number with its digits in groups of three: 12,345.
 std::string grouped(std::size_t number) {
   std::string text = std::to_string(number);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, ",");
   return text;
 }
 
-/// 40 s, 3 min, 2 h 5 min: rounded up.
+/// Writes a duration, rounded up: 40 s, 3 min, 2 h 5 min.
 std::string duration(double seconds) {
   const auto whole = [](double value) { return fixed_text(std::ceil(value), 0); };
   if (seconds <= 59) return whole(seconds) + " s";

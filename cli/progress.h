@@ -7,14 +7,14 @@
 
 namespace thiessen::cli {
 
-/// Counts a long step's units on the terminal, and says how much is done and how long the rest will
-/// take: a line that is written over. Silent in a pipe, and for the first second.
+/// Counts the units of a long task on the terminal, and says which share is done and how long the
+/// rest will take, in a line that is written over. Silent in a pipe, and for the first second.
 class Progress {
  public:
-  /// How much is done, from 0 to 1; NaN where nobody knows.
+  /// Returns the share of the work that is done, from 0 to 1, or NaN where it is not known.
   using Share = std::function<double(std::size_t done)>;
 
-  /// `unit`: what is counted, one of them.
+  /// `unit` names one of the things counted.
   Progress(std::string unit, bool quiet, Share share);
   ~Progress();
   Progress(const Progress&) = delete;

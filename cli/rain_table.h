@@ -10,20 +10,23 @@
 
 namespace thiessen::cli {
 
-/// rain.csv as the options want it: the steps, or their totals over periods.
+/// Writes rain.csv as the options want it: the steps, or their totals over periods.
 class RainTable {
  public:
-  /// `rainfall` is the file of the readings, for messages. The file and the basins must outlive it.
+  /// `rainfall` is the file of the readings, for messages. The file and the basins must outlive the
+  /// table.
   RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
             const std::optional<Totalling>& totalling, const std::string& rainfall);
   RainTable(const RainTable&) = delete;
   RainTable& operator=(const RainTable&) = delete;
 
-  /// Makes a step's rows, where they need nothing that comes in order. Safe for several threads.
+  /// Makes a step's rows ahead of time, where they need nothing that is known only in the order of
+  /// the steps. Safe for several threads.
   void prepare(RainStep& step) const;
-  /// `pattern`: of its gauges, where the format has such a column.
+  /// Adds the next step in order. `pattern` is the number of its set of reporting gauges, and is
+  /// used where the format has such a column.
   void add(const RainStep& step, std::size_t pattern = 0);
-  /// Writes what is still held, and warns of what is odd about it; nothing comes after.
+  /// Writes what is still held, and warns of what is odd about it. No step may be added afterwards.
   void finish(Warnings& warnings);
 
  private:

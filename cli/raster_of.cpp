@@ -17,7 +17,7 @@ PointMapping mapping(const std::optional<Crs>& from, const std::optional<Crs>& t
   return [transformation](std::vector<Point>& points) { transformation->apply_unproved(points); };
 }
 
-/// The study area in the raster's coordinates.
+/// The shapes of the study area in the raster's coordinates.
 std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
   const StudyFiles& study = inputs.study();
   if (inputs.has_basins()) return study.native_basins;

@@ -9,9 +9,9 @@
 
 namespace thiessen::cli {
 
-/// The GeoTIFF `path` and its side files: of each pixel the number of the nearest station, or the
-/// rainfall where there are readings. `resolution` 0: the longer side in 2,000 pixels. Throws Error
-/// where the raster would be too large.
+/// The GeoTIFF `path` and its side files. A pixel holds the number of the nearest station, or where
+/// there are readings the rainfall. `resolution` is the pixel's side; 0 gives the longer side 2,000
+/// pixels. Throws Error where the raster would be too large.
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
                                    double resolution, const std::string& path, unsigned threads);
 
