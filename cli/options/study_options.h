@@ -14,8 +14,8 @@ class StudyOptions : public OptionBlock {
   std::string stations;
   std::string basins;
   bool attributes = false;
-  std::vector<Point>
-      opened;  ///< gauges that a what-if opens and STATIONS lacks, in its coordinates
+  /// The gauges that a what-if opens and STATIONS lacks, in its coordinates.
+  std::vector<Point> opened;
 
   void declare(OptionList& options, Need basins_need);
   void declare_attributes(OptionList& options);

@@ -38,8 +38,8 @@ class ScriptLines {
   std::size_t at_ = 0;      // position in the buffer
   std::size_t origin_ = 0;  // position of the buffer in the file
   std::size_t line_ = 0;
-  bool after_return_ =
-      false;  // a line feed here belongs to the line before, as its CR was read already
+  // A line feed that comes next belongs to the line before, as its CR was read already.
+  bool after_return_ = false;
 };
 
 }  // namespace thiessen::cli

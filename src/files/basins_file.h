@@ -12,11 +12,13 @@
 
 namespace thiessen {
 
+/// A file of basins to be read, and the field of their ids.
 struct BasinsRequest {
   Source source;
   std::string id;  ///< name of the field of ids; empty: found by the usual names and by its values
 };
 
+/// The basins of a file, in its coordinates, with the CRS that they are known to have.
 struct BasinsFile : BasinList {
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;

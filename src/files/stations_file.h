@@ -14,6 +14,7 @@
 
 namespace thiessen {
 
+/// A file of stations to be read, and the fields of their ids and coordinates.
 struct StationsRequest {
   Source source;
   std::string id, x, y;  ///< names of fields; empty: found by usual names

@@ -280,8 +280,8 @@ class StudyMaker {
   StationsFile stations_;
   std::optional<BasinsFile> basins_;
   StudyFiles study_;
-  std::vector<std::set<double>>
-      on_antimeridian_;  // by basin: latitudes of vertices that are its own, not of a cut
+  // For each basin the latitudes of its own vertices on the antimeridian, without those of cuts.
+  std::vector<std::set<double>> on_antimeridian_;
   std::optional<ShapeTracer> tracer_;
 };
 

@@ -14,11 +14,12 @@
 
 namespace thiessen {
 
+/// The files of a study to be read, and the metric and plane that are asked for.
 struct StudyRequest {
   StationsRequest stations;
   std::optional<BasinsRequest> basins;
-  std::vector<Point>
-      opened;  ///< gauges that a what-if opens and the file lacks, in the file's coordinates
+  /// The gauges that a what-if opens and the file lacks, in the file's coordinates.
+  std::vector<Point> opened;
   std::string opened_from =
       "opened gauges";           ///< name that messages give these gauges in place of a file's
   std::optional<Metric> metric;  ///< nothing: geodesic where the coordinates have a CRS

@@ -26,8 +26,8 @@ struct CellFeature {
 struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
-  const Attributes* attributes =
-      nullptr;  ///< not null: every field of the station is written with its cell
+  /// The stations' attributes, where every field of a station is written with its cell; else null.
+  const Attributes* attributes = nullptr;
 };
 
 /// The names under which the stations' attributes are written beside the cells' own fields

@@ -10,6 +10,7 @@
 
 namespace thiessen {
 
+/// The columns and rows in which areal rainfall is written.
 struct RainFormat {
   bool rows_for_basins = false;  ///< a row for each basin and step (the setting `long`), and not a
                                  ///< column for each basin
@@ -19,8 +20,8 @@ struct RainFormat {
   /// one method, which is then not named.
   std::vector<std::string> methods = {};
   bool patterns = false;  ///< rows for basins have a column `pattern` that refers to WeightsLog
-  bool errors =
-      false;  ///< standard errors are written too, in columns `<basin id>_se` or a column `se`
+  /// Whether standard errors are written too, in columns `<basin id>_se` or a column `se`.
+  bool errors = false;
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...[,<basin

@@ -11,6 +11,7 @@
 
 namespace thiessen {
 
+/// Settings of a study beside its stations and basins.
 struct StudySettings {
   double margin = 0;       ///< percent by which the extent is grown where there are no basins
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one

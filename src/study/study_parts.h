@@ -28,8 +28,8 @@ struct StudyParts {
   std::string stations_file;
   std::string basins_file;
   std::string opened_from;
-  bool stations_have_lines =
-      false;  ///< Station::line is a line of the file, and not a feature's number
+  /// Whether Station::line is a line of the file, and not a feature's number.
+  bool stations_have_lines = false;
 };
 
 }  // namespace thiessen

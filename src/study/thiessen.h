@@ -18,6 +18,7 @@
 
 namespace thiessen {
 
+/// The gauges and study areas of a study in memory, and how they are to be measured.
 struct ThiessenInput {
   /// The gauges; no two have the same id. Their positions are coordinates of a plane, or WGS 84
   /// longitude and latitude in degrees, as `metric` says.
@@ -28,8 +29,8 @@ struct ThiessenInput {
   std::vector<Basin> basins;
   Metric metric = Metric::planar;
   double metres_per_unit = 1;  ///< length of the plane's unit, in metres
-  double margin =
-      0;  ///< percent by which the extent of the gauges is grown where there are no basins
+  /// Percent by which the extent of the gauges is grown where there are no basins.
+  double margin = 0;
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
 };
 

@@ -124,8 +124,8 @@ class PlaneDrawing {
   };
 
   void write_numbers(const NumberOf& number_of) {
-    constexpr double least_apart =
-        26;  // pixels; where points are closer, numbers would hide all else
+    // Pixels. Where points are closer together, numbers would hide all else.
+    constexpr double least_apart = 26;
     if (apart() < least_apart) {
       notes_.push_back("too many points to number");
       return;

@@ -53,8 +53,8 @@ class BlockOwners {
   std::span<const std::int32_t> numbers_;
   PointMapping to_study_;
   Rows rows_;
-  std::vector<std::vector<PlaceIndex>>
-      rivals_;  ///< by the number of times that the block was quartered
+  /// The rivals by the number of times that the block was quartered.
+  std::vector<std::vector<PlaceIndex>> rivals_;
 };
 
 }  // namespace thiessen

@@ -48,8 +48,8 @@ class PixelPositions {
 
   PixelBlock block_;
   Direction origin_;
-  std::array<Row, terms>
-      terms_;  ///< by power of south, then of east; both run from -1 to 1 in the block
+  /// The terms by power of south, then of east; both run from -1 to 1 in the block.
+  std::array<Row, terms> terms_;
   Tangent middle_;
   double east_varies_ = 0;
   double south_varies_ = 0;

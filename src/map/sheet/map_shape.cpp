@@ -82,8 +82,8 @@ bool cut_by_antimeridian(const MultiPolygon& shape) {
 /// A ring in the study's coordinates, and what tells which of its edges are no outline to draw.
 struct DrawnRing {
   Ring ring;
-  std::size_t
-      outline;  ///< number of edges of the outline; edges after them close the ring over a pole
+  /// The number of edges of the outline; edges after them close the ring over a pole.
+  std::size_t outline;
   bool geographic;
   bool cut;  ///< the antimeridian cuts the shape in two
 

@@ -6,8 +6,8 @@
 namespace thiessen {
 namespace {
 
-constexpr double rim =
-    0.04;  // share of the panel's smaller side that is left free round the study area
+// The share of the panel's smaller side that is left free round the study area.
+constexpr double rim = 0.04;
 
 /// The width of the panel that suits the extent, divided by its height.
 double panel_aspect(const Extent& extent) {

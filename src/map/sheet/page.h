@@ -32,8 +32,8 @@ struct Page {
   int title_baseline = 0;
   int subtitle_baseline = 0;
   PixelBox legend;  ///< the column to the right of the map; no width where there is none
-  PixelBox
-      footer;  ///< scale bar, north arrow and notes, below the map; no height where there is none
+  /// The place of scale bar, north arrow and notes below the map; no height where there is none.
+  PixelBox footer;
 };
 
 /// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map

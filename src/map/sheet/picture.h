@@ -19,11 +19,13 @@ struct PictureCell {
   double rainfall = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no reading
 };
 
+/// A basin, as the picture outlines and names it.
 struct PictureBasin {
   std::string name;  ///< shown where it fits; may be empty
   MultiPolygon shape;
 };
 
+/// A gauge, as the picture marks and labels it.
 struct PictureGauge {
   Point position;
   std::string label;    ///< UTF-8, any script; may be empty
