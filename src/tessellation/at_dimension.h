@@ -4,7 +4,8 @@
 
 namespace thiessen {
 
-/// Calls `work` with the dimension that the points span, 1 to Dimension, as a compile-time number.
+/// Calls `work` with the dimension that the points span as a compile-time number, so that run-time
+/// code can choose a template. Requires a dimension from 1 to Dimension.
 template <int Dimension, typename Work>
 decltype(auto) at_dimension(int dimension, Work&& work) {
   if constexpr (Dimension == 3) {

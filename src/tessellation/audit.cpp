@@ -11,7 +11,7 @@
 namespace thiessen {
 namespace {
 
-/// A layer's view of the structure, whose points span d dimensions, and what it finds there.
+/// Checks one layer of a structure whose points span d dimensions, and collects the findings.
 template <int Dimension, int d>
 class Inspection {
  public:
@@ -99,7 +99,7 @@ class Inspection {
     for (std::size_t back = 0; back <= d; ++back) {
       if (topology_.neighbour(w, back) != v) continue;
       returned = true;
-      // With w's point in the place of v's, the same simplex turned over.
+      // With w's point in place of v's own, this must be w's simplex turned over.
       Simplex turned = simplex(v);
       turned[side] = topology_.forming(w)[back];
       if (parity(turned, simplex(w)) == Parity::odd) return;
@@ -134,8 +134,9 @@ class Inspection {
     if (count_reached(first) != simplices) find(Fault::in_pieces, first);
   }
 
-  // Where all simplices hang together and share their facets two by two, as many edges as points
-  // and simplices together mean that every point's neighbourhood is a sphere's.
+  // Counts the edges. Where all simplices hang together and share their facets two by two, there
+  // are as many edges as points and simplices together only if the neighbourhood of every point is
+  // a sphere's.
   std::size_t count_edges() const {
     IdTable<2> edges;
     topology_.for_each_vertex([&](VertexId v) {
@@ -168,13 +169,14 @@ class Inspection {
     return count;
   }
 
-  /// The forming point of v's neighbour that v does not have.
+  /// The forming point of v's neighbour at this side that v does not have.
   PointId point_across(VertexId v, std::size_t side) const {
     const VertexId w = topology_.neighbour(v, side);
     return topology_.forming(w)[topology_.side_towards(w, v)];
   }
 
-  // No facet of the hull sees a point of the facets next to it.
+  // Finds a fault where a facet of the hull has a point of a facet next to it on its outer side, as
+  // a convex hull never has.
   void inspect_hull_facet(VertexId v) {
     const std::size_t infinite = topology_.corner_of(v, infinite_point);
     for (std::size_t side = 0; side <= d; ++side) {
@@ -185,8 +187,8 @@ class Inspection {
     }
   }
 
-  // How many of the hull's points are before all those next to them, by coordinates: a hull that is
-  // convex everywhere has one such corner each time it goes round.
+  // Counts the hull's points that come, by coordinates, before all hull points next to them. A hull
+  // that is convex everywhere has one such point each time it goes round.
   std::size_t count_first_on_hull() const {
     enum class Rank : std::uint8_t { inside, first, later };
     std::vector<Rank> rank(topology_.point_limit(), Rank::inside);
@@ -206,7 +208,8 @@ class Inspection {
     return static_cast<std::size_t>(std::count(rank.begin(), rank.end(), Rank::first));
   }
 
-  // On the sphere of v's simplex itself.
+  // Whether q is on the circle or sphere of v's simplex itself, so that only a tie-break puts it
+  // inside.
   bool is_tie(VertexId v, const PositionIn<Dimension>& q) const {
     const Simplex s = simplex(v);
     const auto at = [&](std::size_t i) -> const PositionIn<Dimension>& { return position(s[i]); };
@@ -226,8 +229,8 @@ class Inspection {
   Findings findings_;
 };
 
-/// Whether the chain of free rows meets each free one once, and there are as many points as are in
-/// use.
+/// Whether the chain of free rows meets each free row once, and the count of points is the number
+/// of those in use.
 template <int Dimension>
 bool has_sound_free_lists(const Topology<Dimension>& topology) {
   std::size_t used = 0;

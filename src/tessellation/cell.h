@@ -9,42 +9,46 @@
 
 namespace thiessen {
 
-/// A point's Voronoi cell. Vertices that coincide, exactly, are one vertex here, named by the one,
-/// of those that the point forms, whose forming points come first by coordinates. Neighbours are
-/// the points with whose cells an edge (in space a face) is shared that is more than a vertex: no
-/// tie-break shows, and the same points give the same cells. Where the points span less than the
-/// plane or space, cells are strips or prisms: they have neighbours, but neither vertices nor rays.
+/// This file describes the Voronoi cell of a point. Vertices that coincide exactly are one vertex
+/// here. It is named by one of those that the point forms: the one whose forming points come first
+/// by coordinates. Neighbours are the points whose cells share an edge with this cell (in space a
+/// face) that is more than a vertex. So no tie-break shows, and the same points give the same
+/// cells. Where the points span less than the plane or space, cells are strips or prisms: they have
+/// neighbours, but neither vertices nor rays.
 
-/// An edge that never ends: from one of the cell's vertices, in a direction of length 1.
+/// An edge of a cell that never ends: it starts at one of the cell's vertices and has a direction
+/// of length 1.
 template <int Dimension>
 struct CellRay {
-  std::size_t from;  ///< in the cell's vertices
+  std::size_t from;  ///< index into the cell's vertices
   PositionIn<Dimension> direction;
 };
 
+/// The Voronoi cell of a point in the plane.
 struct PlaneCell {
   PointId point;
   bool is_bounded = false;
-  /// Counter-clockwise: of a bounded cell from the first by coordinates, of an unbounded one from
-  /// ray to ray.
+  /// The vertices, counter-clockwise. A bounded cell begins with the first of them by coordinates;
+  /// an unbounded one goes from ray to ray.
   std::vector<VoronoiVertex<2>> vertices;
-  std::vector<CellRay<2>> rays;  ///< of an unbounded cell the first edge, and the last
-  /// Counter-clockwise; on a line from the first by coordinates. The edge shared with
-  /// neighbours[i] ends at vertices[i] and begins at the one before.
+  std::vector<CellRay<2>> rays;  ///< the first and the last edge of an unbounded cell
+  /// The neighbours, counter-clockwise; on a line in the order of their coordinates. The edge
+  /// shared with neighbours[i] begins at the vertex before vertices[i], and ends at vertices[i].
   std::vector<PointId> neighbours;
   double area = std::numeric_limits<double>::infinity();
 };
 
-/// What two cells in space share.
+/// The face that a cell in space shares with a neighbour's.
 struct CellFace {
   PointId neighbour;
   bool is_bounded = false;
-  /// In the cell's vertices; counter-clockwise as seen from the neighbour, of an unbounded face
-  /// from ray to ray.
+  /// The face's vertices, as indices into the cell's vertices; counter-clockwise as seen from the
+  /// neighbour. Those of an unbounded face go from ray to ray.
   std::vector<std::size_t> vertices;
   double area = std::numeric_limits<double>::infinity();
 };
 
+/// The Voronoi cell of a point in space.
 struct SpaceCell {
   PointId point;
   bool is_bounded = false;
@@ -54,10 +58,11 @@ struct SpaceCell {
   double volume = std::numeric_limits<double>::infinity();
 };
 
-/// The cell of a point that is there. Accuracy of area and volume: a sum of positive terms, each
-/// computed from exact determinants, so 1e-14 of itself for any shape in the plane; in space that
-/// times the ratio of a face's diameter to its width. Cost: that of the vertices; a few
-/// microseconds in the plane, about a hundred in space.
+/// Finds the Voronoi cell of p. Requires that p is there.
+/// Accuracy of area and volume: each is a sum of positive terms that are computed from exact
+/// determinants. The relative error is 1e-14 for any shape in the plane; in space it is that times
+/// the ratio of a face's diameter to its width.
+/// Cost: in proportion to the vertices; a few microseconds in the plane, about a hundred in space.
 PlaneCell find_cell(const Tessellation<2>& tessellation, PointId p);
 SpaceCell find_cell(const Tessellation<3>& tessellation, PointId p);
 

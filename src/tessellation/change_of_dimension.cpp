@@ -8,7 +8,7 @@
 namespace thiessen {
 namespace {
 
-/// Turns a simplex over.
+/// Reverses the orientation of a simplex by swapping two of its corners.
 template <typename Row>
 void turn(Row& row) {
   std::swap(row.forming[0], row.forming[1]);
@@ -41,7 +41,7 @@ void begin(Topology<Dimension>& topology, PointId first) {
   topology.fill(outside).neighbours[0] = v;
 }
 
-// From one point to a line: two points and the infinite one, in a ring.
+// Raises the dimension from a point to a line: a ring of the two points and the infinite one.
 template <int Dimension>
 void raise_to_line(Structure<Dimension>& structure, PointId second) {
   Topology<Dimension>& topology = structure.topology();
@@ -108,7 +108,8 @@ void raise(Structure<Dimension>& structure, PointId apex) {
   topology.set_vertex_of(apex, lower.front());
 }
 
-/// Removes p from the vertices that it forms, and the others.
+/// Removes the corner p from the vertices that p forms, and releases all other vertices. Returns
+/// the vertices that are kept.
 template <int Dimension, int d>
 std::vector<VertexId> drop_corner(Topology<Dimension>& topology, PointId p) {
   std::vector<VertexId> kept;

@@ -34,7 +34,8 @@ void CoincidingVertices::unite(VertexId v, VertexId w) {
   same_as_[group_of(w)] = group_of(v);
 }
 
-// Calls `visit(v, w, the corner of w that v does not have)` for neighbours of which both have p.
+// Calls `visit(v, w, across)` once for each pair of neighbouring vertices that p both forms;
+// `across` is the forming point of w that v does not have.
 template <typename Visit>
 void CoincidingVertices::for_each_pair(PointId p, Visit visit) const {
   const auto& topology = tessellation_.topology();
@@ -47,7 +48,8 @@ void CoincidingVertices::for_each_pair(PointId p, Visit visit) const {
   }
 }
 
-// Simplices of one sphere that have p hang together through facets that have p.
+// Comparing neighbours suffices, because simplices of one sphere that have p are connected through
+// facets that have p.
 void CoincidingVertices::unite_spheres(PointId p) {
   const auto& topology = tessellation_.topology();
   for_each_pair(p, [&](VertexId v, VertexId w, PointId across) {

@@ -9,20 +9,25 @@
 
 namespace thiessen {
 
-/// Which of the vertices round a point in space are one vertex: those of points on one sphere; and
-/// which of those with the infinite point stand for one ray: those of facets on one circle.
-/// Decided exactly. Cost: one predicate for each pair of neighbours.
+/// Finds which vertices round a point in space coincide. Finite vertices do where their forming
+/// points are on one sphere. Vertices with the infinite point stand for rays, and count as one
+/// where their facets of the hull are on one circle. Decided exactly. Cost: one predicate for each
+/// pair of neighbours.
 class CoincidingVertices {
  public:
-  /// Requires a span of the space, the star of p, and that both outlive this.
+  /// Groups the vertices of p's star. Requires that the points span the space, that `star` is the
+  /// star of p, and that tessellation and star outlive this object.
   CoincidingVertices(const Tessellation<3>& tessellation, const Star<3>& star, PointId p);
 
-  /// A number below the star's number of vertices, which coinciding ones share.
+  /// The number of v's group, which coinciding vertices share. It is below the number of vertices
+  /// in the star.
   std::size_t group_of(VertexId v) const;
   bool coincide(VertexId v, VertexId w) const { return group_of(v) == group_of(w); }
-  /// By group, the vertex whose forming points come first by coordinates.
+  /// For each group number, the vertex whose forming points come first by coordinates; no_vertex
+  /// where the number is not in use.
   const std::vector<VertexId>& first() const { return first_; }
-  /// Of a vertex with the infinite point: the one within, across the hull's facet.
+  /// The finite vertex on the inner side of the hull's facet that belongs to v. Requires a vertex
+  /// with the infinite point.
   VertexId inside(VertexId v) const;
 
  private:
@@ -35,12 +40,12 @@ class CoincidingVertices {
 
   const Tessellation<3>& tessellation_;
   const Star<3>& star_;
-  mutable IdTable<1> place_;  // in the star
+  mutable IdTable<1> place_;  // by vertex, its place in the star
   mutable std::vector<std::size_t> same_as_;
   std::vector<VertexId> first_;
 };
 
-/// A vertex's forming points in the order of their coordinates.
+/// The positions of the vertex's forming points, in the order of their coordinates.
 std::array<SpacePoint, 4> in_order(const Tessellation<3>& tessellation, VertexId v);
 
 }  // namespace thiessen

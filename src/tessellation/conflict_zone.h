@@ -7,24 +7,26 @@
 namespace thiessen {
 
 /// What a new point deletes (section 2.2, step 1: LISTOFV): the vertices that are nearer to it than
-/// to their forming points, and the rim, the facets between these and the vertices that are kept.
-/// In the plane the rim is in order, counter-clockwise. Cost: the vertices' and their neighbours';
-/// nothing is allocated once the lists have grown, to a byte for every vertex of the structure in
-/// space.
+/// to their own forming points, and the rim, which is the list of facets between these vertices and
+/// the ones that are kept. In the plane the rim is in order, counter-clockwise.
+///
+/// Cost: in proportion to the vertices and their neighbours. Once the lists have grown, nothing is
+/// allocated; in space they grow to one byte for every vertex of the structure.
 template <int Dimension>
 class ConflictZone {
  public:
   struct Facet {
     VertexId inside;
     VertexId outside;
-    std::uint8_t side;          ///< of `inside`
-    std::uint8_t outside_side;  ///< of `outside`
+    std::uint8_t side;          ///< the side of `inside` that the facet is
+    std::uint8_t outside_side;  ///< the side of `outside` that the facet is
   };
 
   const std::vector<VertexId>& vertices() const { return vertices_; }
   const std::vector<Facet>& rim() const { return rim_; }
 
-  /// Requires d = the structure's dimension and a vertex `first` in conflict with q.
+  /// Finds the conflict zone of a new point at q, starting from the vertex `first`. Requires d =
+  /// the structure's dimension, and that `first` is in conflict with q.
   template <int d>
   void find(const Structure<Dimension>& structure, VertexId first, const PositionIn<Dimension>& q) {
     vertices_.assign(1, first);
@@ -37,8 +39,8 @@ class ConflictZone {
   }
 
  private:
-  // On a line and in the plane no point is inside the zone, so its vertices hang together like a
-  // tree: going round it meets each once.
+  // On a line and in the plane no point lies inside the zone, so its vertices are linked like a
+  // tree, and going round it meets each of them once.
   template <int d>
   void walk_round(const Structure<Dimension>& structure, const PositionIn<Dimension>& q) {
     const Topology<Dimension>& topology = structure.topology();
@@ -64,7 +66,7 @@ class ConflictZone {
 
   void search(const Structure<Dimension>& structure, const PositionIn<Dimension>& q) {
     const Topology<Dimension>& topology = structure.topology();
-    if (searching_) fate_.assign(fate_.size(), unknown);  // the last search failed half-way
+    if (searching_) fate_.assign(fate_.size(), unknown);  // an exception left the last search
     searching_ = true;
     fate_.resize(topology.size(), unknown);
     fate_[index(vertices_.front())] = deleted;
@@ -91,8 +93,8 @@ class ConflictZone {
     searching_ = false;
   }
 
-  /// A side of a vertex in the zone that is still to be looked at. One number, for it is read again
-  /// as soon as it is written.
+  /// A side of a vertex in the zone that is still to be looked at. It is packed into one number,
+  /// because it is read again as soon as it is written.
   class Open {
    public:
     Open(VertexId v, std::size_t side) : packed_(std::uint64_t{index(v)} << 2 | side) {}
@@ -107,7 +109,7 @@ class ConflictZone {
   std::vector<Facet> rim_;
   std::vector<Open> open_;
   static constexpr std::uint8_t unknown = 0, kept = 1, deleted = 2;
-  std::vector<std::uint8_t> fate_;  // in space: by vertex; unknown between searches
+  std::vector<std::uint8_t> fate_;  // by vertex, used in space; unknown between searches
   bool searching_ = false;
 };
 

@@ -19,7 +19,7 @@ template <int Dimension>
 template <int d>
 VertexId Deletion<Dimension>::remove_in(Structure<Dimension>& structure, PointId p) {
   Topology<Dimension>& topology = structure.topology();
-  // What will be needed of the star's surroundings is fetched while its vertices are found.
+  // Fetches what the deletion will need round the star while the star's vertices are being found.
   star_.template find<d>(topology, p, [&](PointId q, VertexId beyond) {
     structure.fetch(q);
     topology.fetch(beyond);
@@ -33,8 +33,9 @@ VertexId Deletion<Dimension>::remove_in(Structure<Dimension>& structure, PointId
   return new_vertices_.front();
 }
 
-// All that is left lies in one facet's line or plane where every simplex that p forms has nothing
-// beyond that facet.
+// Whether p is the last point off what the others span. That is so only where the facet across from
+// p is on the hull in every simplex of p, and all points left lie on the line or plane of one such
+// facet.
 template <int Dimension>
 template <int d>
 bool Deletion<Dimension>::is_last_off(const Structure<Dimension>& structure, PointId p) const {
@@ -74,7 +75,8 @@ void Deletion<Dimension>::fill(Structure<Dimension>& structure, PointId p) {
                        : hole_.template fill<d>(structure);
 }
 
-// In the plane the hole is a polygon: the triangle at one of its edges leaves two smaller ones.
+// In the plane the hole is a polygon, which is filled recursively: the triangle at one of its edges
+// leaves two smaller polygons.
 template <int Dimension>
 void Deletion<Dimension>::fill_polygon(Structure<Dimension>& structure, PointId p) {
   Topology<Dimension>& topology = structure.topology();
@@ -93,7 +95,8 @@ void Deletion<Dimension>::fill_polygon(Structure<Dimension>& structure, PointId 
   }
 }
 
-// Fills the polygon of the points from `first` to `last`, which the edge between these two closes.
+// Fills the polygon of the star's points from `first` to `last`, closed by the edge between these
+// two. Returns the side of the new triangle at the closing edge.
 template <int Dimension>
 typename Deletion<Dimension>::Side Deletion<Dimension>::fill_chain(Structure<Dimension>& structure,
                                                                    std::size_t first,
@@ -120,7 +123,8 @@ typename Deletion<Dimension>::Side Deletion<Dimension>::fill_chain(Structure<Dim
   return {v, 2};
 }
 
-// Step 3 in the plane.
+// Step 3 of deletion in the plane: finds the point that forms the triangle at the closing edge, the
+// one whose circle holds no other point of the polygon.
 template <int Dimension>
 std::size_t Deletion<Dimension>::apex_of_chain(const Structure<Dimension>& structure,
                                                std::size_t first, std::size_t last) const {

@@ -8,16 +8,19 @@
 
 namespace thiessen {
 
-/// Deleting a forming point (section 2.3): its vertices go, and the hole is filled from the points
-/// round it. Keeps its lists from one point to the next.
-/// Cost for a point with k neighbours: k^2 at most up to many_points of them, k for each new vertex
-/// in space; beyond, that of a tessellation of the neighbours.
+/// Deletes a forming point (section 2.3): its vertices are removed, and the hole is filled with
+/// simplices of the points round it. The object keeps its lists from one point to the next, so that
+/// they need not be allocated again.
+///
+/// Cost for a point with k neighbours: at most k^2 in the plane, and k for each new vertex in
+/// space, as long as k is at most many_points; beyond that, the cost of a tessellation of the
+/// neighbours.
 template <int Dimension>
 class Deletion {
  public:
   static constexpr std::size_t many_points = Dimension == 2 ? 48 : 100;
 
-  /// Deletes p, its number included. Requires that it is there. Returns a vertex near it;
+  /// Deletes p and frees its number. Requires that p is there. Returns a vertex near it, or
   /// no_vertex where no point is left.
   VertexId remove(Structure<Dimension>& structure, PointId p);
 
@@ -41,7 +44,7 @@ class Deletion {
 
   Star<Dimension> star_;
   std::vector<VertexId> new_vertices_;
-  std::vector<Side> rim_;  // of the polygon round p, edge by edge, as the vertices beyond have it
+  std::vector<Side> rim_;  // the hole's edges in order, as sides of the vertices beyond
   Hole<Dimension> hole_;
 };
 

@@ -8,15 +8,16 @@
 
 namespace thiessen {
 
-/// The vertices round an edge of the tessellation in space, and with it the face between two
-/// cells: counter-clockwise as seen from the edge's end; points[i] and points[i + 1] form
-/// vertices[i] with it.
+/// The ring of vertices round a Delaunay edge in space, which is also the Voronoi face between two
+/// cells. It is counter-clockwise as seen from the edge's end: points[i] and points[i + 1] form
+/// vertices[i] with the edge.
 struct EdgeRing {
   std::vector<PointId> points;
   std::vector<VertexId> vertices;
 };
 
-/// A vertex's forming points, even permutation of their order in the table: p, q, and the others.
+/// The vertex's forming points, reordered so that p and q come first. It is an even permutation of
+/// their order in the table, so the orientation stays the same.
 inline Topology<3>::Forming turned_to(const Topology<3>& topology, VertexId v, PointId p,
                                       PointId q) {
   const auto& forming = topology.forming(v);
@@ -29,7 +30,8 @@ inline Topology<3>::Forming turned_to(const Topology<3>& topology, VertexId v, P
   return {p, q, forming[odd ? l : k], forming[odd ? k : l]};
 }
 
-/// The ring round p → q that begins at v, which both form.
+/// Finds the ring round the edge p → q, beginning at the vertex v. Requires that both p and q form
+/// v.
 inline EdgeRing ring_round(const Topology<3>& topology, PointId p, PointId q, VertexId v) {
   EdgeRing ring;
   const VertexId first = v;

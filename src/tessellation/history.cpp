@@ -4,7 +4,8 @@
 
 namespace thiessen {
 
-// What fails half-way is taken back.
+// Does one operation while its changes are recorded. An operation that fails half-way is taken
+// back, so that the tessellation stays as it was.
 template <int Dimension>
 template <typename Work>
 auto History<Dimension>::recorded(Work&& work) {

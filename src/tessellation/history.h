@@ -8,12 +8,14 @@
 
 namespace thiessen {
 
-/// A tessellation whose operations can be undone and redone, without limit and bit for bit. Kept is
-/// what an operation overwrote, so undoing costs what the operation cost; where many points are
-/// added at once the tessellation before them, which is less. An operation that fails half-way (out
-/// of memory) is taken back, and thrown on.
-/// Memory: about 800 bytes an insertion or deletion in the plane, 4 kB in space, before the slack
-/// of a growing vector.
+/// A tessellation whose operations can be undone and redone, without limit and bit for bit. Each
+/// operation keeps what it overwrote, so undoing it costs as much as the operation did. Where many
+/// points are added at once, a copy of the tessellation before them is kept instead, because that
+/// takes less memory. An operation that fails half-way (out of memory) is taken back before its
+/// exception is passed on.
+///
+/// Memory: about 800 bytes for each insertion or deletion in the plane and 4 kB in space, not
+/// counting the spare capacity of a growing vector.
 template <int Dimension>
 class History {
  public:
@@ -21,16 +23,21 @@ class History {
 
   const Tessellation<Dimension>& tessellation() const { return tessellation_; }
 
-  /// One operation each, as Tessellation's. What was undone before cannot be redone any more.
+  /// Adds one point, as Tessellation::add. Each of add, add_all and remove is one operation, and
+  /// makes operations that were undone before it impossible to redo.
   PointId add(const Position& position, std::optional<PointId> hint = {});
+  /// Adds points, as Tessellation::add_all, in one operation.
   std::vector<PointId> add_all(std::span<const Position> points);
+  /// Deletes a point, as Tessellation::remove, in one operation.
   void remove(PointId p);
 
+  /// How many operations can be undone.
   std::size_t undoable() const { return done_; }
+  /// How many operations were undone and can be redone.
   std::size_t redoable() const { return operations_.size() - done_; }
-  /// Takes the last operation back; false where there is none.
+  /// Undoes the last operation. Returns false where there is none.
   bool undo();
-  /// Makes the operation that was undone last again; false where there is none.
+  /// Redoes the operation that was undone last. Returns false where there is none.
   bool redo();
 
  private:
@@ -39,11 +46,12 @@ class History {
   struct Operation {
     Extent first;
     Extent end;
-    typename Tessellation<Dimension>::Moment moment;  // before it; when undone, after it
-    std::unique_ptr<Tessellation<Dimension>> whole;   // instead of changes
+    typename Tessellation<Dimension>::Moment moment;  // before it, or after it once undone
+    std::unique_ptr<Tessellation<Dimension>> whole;   // a copy in place of changes, or null
   };
 
-  // A copy of so many points takes the place of one point's changes.
+  // A copy of the tessellation takes about as much memory for this many of its points as the
+  // changes of one added point take. add_all compares the two by it.
   static constexpr std::size_t changes_a_copy = Dimension == 2 ? 9 : 12;
 
   void forget_undone();
@@ -54,12 +62,13 @@ class History {
   Tessellation<Dimension> tessellation_;
   Changes changes_;
   std::vector<Operation> operations_;
-  std::size_t done_ = 0;  // of the operations; those after it were undone
+  std::size_t done_ = 0;  // how many operations are in effect; those after them were undone
 };
 
-/// A change that is tried: what is done to the tessellation while the trial lasts is taken back at
-/// its end, bit for bit. Trials may be nested.
-/// Cost: that of the changes once more; `changes` keeps its memory for the next trial.
+/// A trial of changes: whatever is done to the tessellation while this object lives is undone by
+/// its destructor, bit for bit. Trials may be nested.
+///
+/// Cost: that of the changes once more. `changes` keeps its memory for the next trial.
 template <int Dimension>
 class Trial {
  public:

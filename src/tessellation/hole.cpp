@@ -48,7 +48,7 @@ const std::vector<VertexId>& Hole<Dimension>::fill(Structure<Dimension>& structu
   return finish(structure.topology());
 }
 
-// Step 3.
+// Step 3 of deletion: finds the point of the star that completes the facet to a simplex.
 template <int Dimension>
 template <int d>
 PointId Hole<Dimension>::apex_of(const Structure<Dimension>& structure, const Facet& facet) const {
@@ -66,9 +66,10 @@ PointId Hole<Dimension>::apex_of(const Structure<Dimension>& structure, const Fa
   return best;
 }
 
-// Whether p is none of the facet's points, and on the hole's side of it. A facet with the infinite
-// point stands upright on the hull: all points but those of the hull's facet beyond, and of its
-// plane on that side, are within.
+// Whether p may complete the facet: it is none of the facet's points, and is on the hole's side of
+// it. A facet with the infinite point stands upright on the hull. All points are on its inner side
+// but those of the hull's facet beyond it, and those in the plane of that facet that are on the
+// facet's side.
 template <int Dimension>
 template <int d>
 bool Hole<Dimension>::may_complete(const Structure<Dimension>& structure, const Facet& facet,
@@ -116,7 +117,8 @@ void Hole<Dimension>::add_simplex(Topology<Dimension>& topology, const Forming& 
   }
 }
 
-// Steps 4 and 5: a facet that has met its like, and so has a vertex on either side, is closed.
+// Steps 4 and 5 of deletion: a facet that meets its twin has a vertex on either side, and so is
+// closed.
 template <int Dimension>
 void Hole<Dimension>::meet(Topology<Dimension>& topology, const Facet& facet) {
   const auto [found, is_new] = facet_of_.insert(key_of(facet.forming, facet.side),
@@ -164,7 +166,7 @@ const std::vector<VertexId>& Hole<Dimension>::fill_from_tessellation(
   Tessellation<Dimension> round;
   const std::vector<PointId> numbers = round.add_all(positions);
   const Topology<Dimension>& there = round.topology();
-  if (there.dimension() < d) {  // the points round p are on the hull's line or plane
+  if (there.dimension() < d) {  // the points round p all lie on one line or plane of the hull
     const std::size_t rim = facets_.size();
     for (std::size_t i = 0; i < rim; ++i) {
       Forming forming = facets_[i].forming;
@@ -210,7 +212,8 @@ const std::vector<VertexId>& Hole<Dimension>::fill_from_tessellation(
   return finish(structure.topology());
 }
 
-// Whether a simplex with the facet's points, across from its corner `side`, lies in the hole.
+// Whether a simplex lies in the hole and not beyond its rim. Requires that it has the facet's
+// points, across from its corner `side`.
 template <int Dimension>
 template <int d>
 bool Hole<Dimension>::is_inside(const Facet& facet, const Forming& forming,

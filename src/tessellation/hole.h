@@ -10,20 +10,23 @@
 
 namespace thiessen {
 
-/// The hole that a deleted point leaves, and its filling (section 2.3, steps 2 to 5): each open
-/// facet takes for its last forming point the one of the star's whose sphere holds none of the
-/// others, until every facet has met its like.
+/// The hole that a deleted point leaves, and its filling (section 2.3, steps 2 to 5). Each open
+/// facet is completed to a simplex by one point of the star: the one with which the simplex' sphere
+/// holds no other point of the star. This goes on until every facet has met its twin from the other
+/// side.
 template <int Dimension>
 class Hole {
  public:
-  /// Of a point and its star, d being what the points span.
+  /// Opens the hole that the deletion of p leaves, from the star of p. Requires d = the dimension
+  /// that the points span.
   template <int d>
   void open(const Topology<Dimension>& topology, PointId p, const Star<Dimension>& star);
-  /// Returns the new vertices, of which the first take the rows of the star's. Cost: for each new
-  /// vertex the star's points.
+  /// Fills the hole and returns the new vertices, the first of which reuse the rows of the star's.
+  /// Cost: for each new vertex, in proportion to the points of the star.
   template <int d>
   const std::vector<VertexId>& fill(Structure<Dimension>& structure);
-  /// The same from a tessellation of the star's points, for many of these.
+  /// Fills the hole as fill does, but takes the simplices from a tessellation of the star's points,
+  /// which is faster where these are many.
   template <int d>
   const std::vector<VertexId>& fill_from_tessellation(Structure<Dimension>& structure);
 
@@ -31,8 +34,8 @@ class Hole {
   using Forming = typename Topology<Dimension>::Forming;
   using Key = typename IdTable<std::size_t{Dimension}>::Key;
 
-  /// A simplex without its corner `side`, and the vertex beyond. A point of the hole in that corner
-  /// makes a simplex that is not turned over.
+  /// A facet of the hole: a simplex without its corner `side`, and the vertex beyond. A point of
+  /// the hole, put in that corner, makes a simplex that is not turned over.
   struct Facet {
     Forming forming;
     std::size_t side;
@@ -54,10 +57,10 @@ class Hole {
   template <int d>
   bool is_inside(const Facet& facet, const Forming& forming, std::size_t side) const;
 
-  std::vector<Facet> facets_;  // open ones, and those that have met their like: outside no_vertex
-  IdTable<std::size_t{Dimension}> facet_of_;  // by its points
+  std::vector<Facet> facets_;  // open facets, and closed ones, whose `outside` is no_vertex
+  IdTable<std::size_t{Dimension}> facet_of_;  // by the facet's points
   const Star<Dimension>* star_ = nullptr;
-  std::size_t reused_ = 0;  // of the star's rows
+  std::size_t reused_ = 0;  // how many of the star's rows are in use again
   std::vector<VertexId> new_vertices_;
 };
 

@@ -8,9 +8,9 @@
 
 namespace thiessen {
 
-/// A table from keys of `Length` numbers to a number, emptied at once: what an operation has to
-/// look up among the few rows it changes. Cost: constant on average, an allocation only when it
-/// grows beyond what it ever held.
+/// A hash table from keys of `Length` numbers to a number, in which an operation looks up the few
+/// rows that it changes. It is emptied in one step. Cost: constant on average; it allocates only
+/// when it grows beyond what it ever held.
 template <std::size_t Length>
 class IdTable {
  public:
@@ -25,13 +25,14 @@ class IdTable {
   }
   std::size_t size() const { return count_; }
 
-  /// The key's value; none where it has none.
+  /// The address of the key's value, or null where the key has none.
   std::uint32_t* find(const Key& key) {
     if (slots_.empty()) return nullptr;
     Slot& slot = slot_of(key);
     return slot.round == round_ ? &slot.value : nullptr;
   }
-  /// Gives the key a value unless it has one. Returns the key's value, and whether it is new.
+  /// Gives the key this value unless it has one already. Returns the key's value, and whether it is
+  /// new.
   std::pair<std::uint32_t*, bool> insert(const Key& key, std::uint32_t value) {
     if (2 * (count_ + 1) > slots_.size()) grow();
     Slot& slot = slot_of(key);
@@ -45,10 +46,10 @@ class IdTable {
   struct Slot {
     Key key;
     std::uint32_t value;
-    std::uint32_t round = 0;  // in which the slot was taken
+    std::uint32_t round = 0;  // the round in which the slot was taken
   };
 
-  // Without the call of a library that comparing arrays may be.
+  // Compares in place, because comparing arrays may compile to a library call.
   static bool are_equal(const Key& a, const Key& b) {
     std::uint32_t different = 0;
     for (std::size_t i = 0; i < Length; ++i) different |= a[i] ^ b[i];

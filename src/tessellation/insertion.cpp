@@ -5,7 +5,7 @@
 namespace thiessen {
 namespace {
 
-// A vertex has a number below 2^31: the last bit is free.
+// The number of a vertex is below 2^31, so the highest bit is free to mark it.
 constexpr std::uint32_t mark = 0x80000000u;
 
 VertexId marked(VertexId v) {
@@ -42,9 +42,9 @@ VertexId Insertion<Dimension>::insert_in(Structure<Dimension>& structure, PointI
   return new_vertices_.front();
 }
 
-// Steps 2 to 6 in the plane: a new vertex for each facet between a deleted vertex and one that is
-// kept. The rim's points are in order round the new one; the deleted vertices' rows, two fewer, are
-// used again at once.
+// Steps 2 to 6 of insertion in the plane: there is a new vertex for each facet between a deleted
+// vertex and one that is kept. The rim is in order, so each new vertex is linked to the one before
+// and the one after. The rows of the deleted vertices, which are two fewer, are used again at once.
 template <int Dimension>
 void Insertion<Dimension>::fill_ring(Topology<Dimension>& topology, PointId q) {
   const std::vector<Facet>& rim = zone_.rim();
@@ -71,9 +71,9 @@ void Insertion<Dimension>::fill_ring(Topology<Dimension>& topology, PointId q) {
   }
 }
 
-// Steps 2 to 6 otherwise: the new point takes the place of the forming point across from the rim.
-// Deleted vertices show the way until all new ones are linked: across from the rim they lead to the
-// new vertex that came there.
+// Steps 2 to 6 of insertion on a line and in space: in each vertex inside the rim, the new point
+// takes the place of the forming point across from the rim. The deleted vertices show the way until
+// all new ones are linked: across the rim they lead to the new vertex that was made there.
 template <int Dimension>
 template <int d>
 void Insertion<Dimension>::fill_star(Topology<Dimension>& topology, PointId q) {
@@ -101,8 +101,9 @@ void Insertion<Dimension>::fill_star(Topology<Dimension>& topology, PointId q) {
   for (const VertexId v : zone_.vertices()) topology.release(v);
 }
 
-// Finds the new vertex beyond side i: from the rim through the deleted vertices round the ridge
-// that this side has on it, to the rim again.
+// Links the k-th new vertex across its side i. The way to its neighbour starts at the rim, turns
+// round the ridge that the side has on the rim through the deleted vertices, and ends at the rim
+// again.
 template <int Dimension>
 void Insertion<Dimension>::link_round_ridge(Topology<Dimension>& topology, std::size_t k,
                                             std::size_t i) {

@@ -7,13 +7,14 @@
 
 namespace thiessen {
 
-/// Adding a forming point (section 2.2). Keeps its lists from one point to the next.
+/// Adds a forming point (section 2.2). The object keeps its lists from one point to the next, so
+/// that they need not be allocated again.
 template <int Dimension>
 class Insertion {
  public:
-  /// Inserts a point, which the structure has a position for. Requires that `first`, where locate
-  /// found it, is no simplex of an equal point, and a dimension of at least 1, which the point does
-  /// not raise. Returns one of its vertices.
+  /// Inserts the point q, and returns one of its vertices. Requires that the structure has a
+  /// position for q; that `first` is the vertex at which locate found this position, and no forming
+  /// point of it is equal to q; and a dimension of at least 1, which q does not raise.
   VertexId insert(Structure<Dimension>& structure, PointId q, VertexId first);
 
  private:
@@ -27,8 +28,8 @@ class Insertion {
   void link_round_ridge(Topology<Dimension>& topology, std::size_t k, std::size_t i);
 
   ConflictZone<Dimension> zone_;
-  std::vector<VertexId> new_vertices_;  // one for each facet of the zone's rim
-  std::vector<PointId> ring_;           // in the plane: the points of the rim
+  std::vector<VertexId> new_vertices_;  // one for each facet of the conflict zone's rim
+  std::vector<PointId> ring_;           // the points of the rim, used in the plane
 };
 
 }  // namespace thiessen

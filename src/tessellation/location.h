@@ -4,11 +4,14 @@
 
 namespace thiessen {
 
-/// The vertex whose simplex holds q; where q is outside the hull, one with the infinite point whose
-/// facet q sees. Walks from `hint` through facets that have q beyond them, which ends, for the
-/// simplices of a Delaunay tessellation seen from q do not lie before each other in a circle.
-/// Requires a dimension d of at least 1 and q within what the points span. Cost: the simplices on
-/// the way.
+/// The vertex whose simplex contains q. Where q is outside the hull, it is a vertex with the
+/// infinite point whose facet of the hull is visible from q.
+///
+/// The walk starts at `hint` and goes through facets that have q on their far side. It ends
+/// because, seen from q, no simplices of a Delaunay tessellation lie before each other in a circle.
+///
+/// Requires a dimension d of at least 1, and that q is on what the points span. Cost: in proportion
+/// to the simplices on the way.
 template <int d, int Dimension>
 VertexId locate(const Structure<Dimension>& structure, const PositionIn<Dimension>& q,
                 VertexId hint) {

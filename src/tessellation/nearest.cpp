@@ -26,7 +26,8 @@ void Tessellation<Dimension>::find_nearest(const Position& to, std::optional<Poi
     return topology().forming(v)[0];
   };
   const PointId best = walk_to_nearest(to, hint && is_there(*hint) ? *hint : corner_near());
-  // Equally near points lie on one circle or sphere, along which Delaunay edges connect them.
+  // Equally near points lie on one empty circle or sphere, along which Delaunay edges connect them,
+  // so looking at neighbours finds them all.
   nearest.push_back(best);
   Star<Dimension> star;
   IdTable<1> known;
@@ -39,7 +40,8 @@ void Tessellation<Dimension>::find_nearest(const Position& to, std::optional<Poi
   }
 }
 
-// From neighbour to nearer neighbour: a point without a nearer neighbour is the nearest.
+// Walks from neighbour to nearer neighbour. The walk ends at the nearest point, because in a
+// Delaunay tessellation only that has no nearer neighbour.
 template <int Dimension>
 PointId Tessellation<Dimension>::walk_to_nearest(const Position& to, PointId from) const {
   Star<Dimension> star;

@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// What a point is called, from 1.
+/// Gives the number by which the user knows a point, from 1.
 using NumberOf = std::function<std::uint64_t(PointId)>;
 
 }  // namespace thiessen

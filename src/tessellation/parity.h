@@ -8,10 +8,12 @@
 
 namespace thiessen {
 
-/// How one order of points comes from another: by an even or an odd number of swaps, or not at all.
+/// The parity of the permutation that takes one order of points to another: an even or an odd
+/// number of swaps, or `none` where the points are not the same.
 enum class Parity { none, even, odd };
 
-/// Of the first `count` points.
+/// The parity of the permutation from `from` to `to`, in which only the first `count` points are
+/// looked at.
 template <std::size_t Length>
 Parity parity(std::array<PointId, Length> from, const std::array<PointId, Length>& to,
               std::size_t count = Length) {

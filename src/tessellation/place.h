@@ -5,7 +5,8 @@
 
 namespace thiessen {
 
-/// Which place a cell belongs to: a position in the list of distinct positions, from 0.
+/// The index of the place that a cell belongs to: its position in the list of distinct positions,
+/// from 0.
 enum class PlaceIndex : std::uint32_t {};
 
 constexpr std::size_t index(PlaceIndex i) {

@@ -10,7 +10,7 @@
 namespace thiessen {
 namespace {
 
-/// Goes round a point.
+/// Finds a cell of the plane by going round its point once.
 class PlaneCellFinder {
  public:
   PlaneCellFinder(const Tessellation<2>& tessellation, PointId p) : tessellation_(tessellation) {
@@ -40,8 +40,8 @@ class PlaneCellFinder {
   PointId after(std::size_t i) const { return points_[i + 1 < points_.size() ? i + 1 : 0]; }
   PointId before(std::size_t i) const { return points_[i > 0 ? i - 1 : points_.size() - 1]; }
 
-  // The infinite point comes last, where there is one; else the round begins at the first neighbour
-  // by coordinates.
+  // Finds the point's neighbours in order. The infinite point comes last where there is one;
+  // otherwise the round begins with the edge to the first neighbour by coordinates.
   void look_round() {
     Star<2> star;
     tessellation_.find_star(cell_.point, star);
@@ -105,7 +105,8 @@ class PlaneCellFinder {
     const Point& previous = position(cell_.neighbours.back());
     cell_.rays = {{0, outward(p, next)}, {cell_.vertices.size() - 1, outward(previous, p)}};
   }
-  // At right angles to the hull's edge, which has the points to its left.
+  // The direction of length 1 at right angles to an edge of the hull, away from the points, which
+  // are to the edge's left.
   static Point outward(Point from, Point to) {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     return {(to.y - from.y) / length, (from.x - to.x) / length};
@@ -122,7 +123,7 @@ class PlaneCellFinder {
 
   const Tessellation<2>& tessellation_;
   PlaneCell cell_;
-  std::vector<PointId> points_;  // round the point; vertices_[i] is formed by i and i + 1
+  std::vector<PointId> points_;  // in order round the point; points i and i + 1 form vertices_[i]
   std::vector<VertexId> vertices_;
 };
 

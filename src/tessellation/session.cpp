@@ -89,7 +89,8 @@ PointId TessellationSession<Dimension>::nearest(const Position& to) const {
                            [&](PointId p, PointId q) { return number_of(p) < number_of(q); });
 }
 
-// For the changes of one step: once it is made, nothing may fail.
+// Reserves memory for the changes of one step, because once the tessellation is changed nothing may
+// fail.
 template <int Dimension>
 void TessellationSession<Dimension>::make_room(std::size_t points) {
   reserve_more(steps_, 1);
@@ -98,7 +99,8 @@ void TessellationSession<Dimension>::make_room(std::size_t points) {
   if (limit > numbers_.size()) reserve_more(numbers_, limit - numbers_.size());
 }
 
-// Of the operation just done. What was undone before it is forgotten, as by History.
+// Begins the step of the operation just done. Steps that were undone before it are forgotten, as
+// History forgets their operations.
 template <int Dimension>
 void TessellationSession<Dimension>::begin_step() {
   const std::size_t before = history_.undoable() - 1;
@@ -117,7 +119,8 @@ void TessellationSession<Dimension>::change_number(PointId p, std::uint64_t numb
   numbers_[index(p)] = number;
 }
 
-// A step changes no number twice, so the changes' order does not matter.
+// Undoes or redoes the changes of numbers in one step. A step changes no number twice, so the order
+// does not matter.
 template <int Dimension>
 void TessellationSession<Dimension>::exchange(std::size_t step) {
   const std::size_t end = step + 1 < steps_.size() ? steps_[step + 1].first : changes_.size();

@@ -10,50 +10,53 @@
 
 namespace thiessen {
 
-/// A tessellation that is changed by commands, forwards and backwards, and the numbers by which its
-/// user knows the points: from 1 in the order in which they are added, and no number is used twice;
-/// undo takes the number back too, and redo gives it again. Whatever cannot be done throws Error
-/// with a sentence, and leaves everything as it was. Positions must be in the exact range.
+/// A tessellation that commands change, undo and redo, and the numbers by which its user knows the
+/// points. Numbers count from 1 in the order in which points are added, and none is used twice;
+/// undo takes a number back too, and redo gives it again. A command that cannot be carried out
+/// throws Error with a sentence, and leaves everything as it was. Requires positions in the exact
+/// range.
 template <int Dimension>
 class TessellationSession {
  public:
   using Position = PositionIn<Dimension>;
-  /// What came of many points at once.
+  /// The result of adding many points at once.
   struct Added {
     std::uint64_t first = 0;   ///< number of the first new point
-    std::size_t points = 0;    ///< new ones: the numbers from `first` on
-    std::size_t repeated = 0;  ///< that equal another of them
+    std::size_t points = 0;    ///< how many are new: they have the numbers from `first` on
+    std::size_t repeated = 0;  ///< how many equal another of the new ones
     std::size_t there_already = 0;
   };
 
   const Tessellation<Dimension>& tessellation() const { return history_.tessellation(); }
-  /// Of a point that is there.
+  /// The user's number of a point. Requires that the point is there.
   std::uint64_t number_of(PointId p) const { return numbers_[index(p)]; }
 
-  /// Adds a point; returns its number. Error: there is a point already.
+  /// Adds a point and returns its number. Error: there is a point at this position already.
   std::uint64_t add(const Position& position);
-  /// Adds points in their order, in one step; of equal ones, and those that are there, one.
+  /// Adds points in their order, as one step for undo. Of equal points one is added, and none where
+  /// one is there already.
   Added add_all(std::span<const Position> positions);
-  /// Deletes the point at this very position; returns its number. Error: there is none.
+  /// Deletes the point at exactly this position and returns its number. Error: there is none.
   std::uint64_t remove(const Position& position);
-  /// Error: there is nothing to take back, or to make again.
+  /// Undoes the last step. Error: there is nothing to undo.
   void undo();
+  /// Redoes the step that was undone last. Error: there is nothing to redo.
   void redo();
 
-  /// The point at this very position. Error: there is none.
+  /// The point at exactly this position. Error: there is none.
   PointId point_at(const Position& position) const;
-  /// The nearest point, of equally near ones that with the lowest number. Error: there are no
+  /// The nearest point; of equally near ones the one with the lowest number. Error: there are no
   /// points.
   PointId nearest(const Position& to) const;
 
  private:
   struct NumberChange {
     PointId point;
-    std::uint64_t number;  // before it; when undone, after it. 0 where there is no point
+    std::uint64_t number;  // before the step, or after it once undone; 0 where there is no point
   };
   struct Step {
-    std::size_t first;   // of its changes
-    std::uint64_t next;  // number to be given before it; when undone, after it
+    std::size_t first;   // index of the step's first change
+    std::uint64_t next;  // the next number to give: before the step, or after it once undone
   };
 
   void make_room(std::size_t points);

@@ -14,7 +14,8 @@ namespace {
 
 using Vector = SpaceVector<double>;
 
-/// Goes round every edge of the tessellation at a point. Requires a span of the space.
+/// Finds a cell in space by going round every Delaunay edge at its point. Requires that the points
+/// span the space.
 class SpaceCellFinder {
  public:
   SpaceCellFinder(const Tessellation<3>& tessellation, PointId p)
@@ -73,7 +74,7 @@ class SpaceCellFinder {
     return {normal.x, normal.y, normal.z};
   }
 
-  // The neighbours in the order of their coordinates, each with a vertex that it forms with p.
+  // The neighbours in the order of their coordinates, each with one vertex that it forms with p.
   std::vector<std::pair<PointId, VertexId>> edges() const {
     std::vector<std::pair<PointId, VertexId>> edges;
     for (const VertexId v : star_.vertices()) {
@@ -112,8 +113,9 @@ class SpaceCellFinder {
     cell_.faces.push_back(std::move(face));
   }
 
-  // The infinite point comes last, where there is one; else the first by coordinates comes first.
-  // Returns whether there is none.
+  // Rotates the ring so that the infinite point comes last, or where there is none, so that the
+  // first point by coordinates comes first. Returns whether there is none, that is, whether the
+  // face is bounded.
   bool begin_well(EdgeRing& ring) const {
     auto first = std::find(ring.points.begin(), ring.points.end(), infinite_point);
     const bool is_closed = first == ring.points.end();
@@ -129,8 +131,9 @@ class SpaceCellFinder {
     return is_closed;
   }
 
-  // At right angles to the face; a sum over triangles with a corner at the first vertex, all turned
-  // alike.
+  // A vector at right angles to the face whose length is twice the face's area. It is the sum over
+  // triangles with a corner at the first vertex, which all turn the same way, so that nothing
+  // cancels.
   Vector doubled_area_of(const EdgeRing& ring, PointId q) const {
     const std::size_t count = ring.points.size();
     const SpacePoint& p = position(cell_.point);
@@ -147,7 +150,8 @@ class SpaceCellFinder {
     }
     return sum;
   }
-  // Of the pyramid on the face, which is half-way to q.
+  // Twelve times the volume of the pyramid from the point to the face. The face is half-way to q,
+  // so the vector to q is twice the pyramid's height.
   double twelvefold_volume(const Vector& doubled_area, PointId q) const {
     const SpacePoint& from = position(cell_.point);
     const SpacePoint& to = position(q);
@@ -160,10 +164,11 @@ class SpaceCellFinder {
   Star<3> star_;
   CoincidingVertices same_;
   SpaceCell cell_;
-  std::vector<std::size_t> number_;  // by group, in the cell's vertices
+  std::vector<std::size_t> number_;  // by group, its index in the cell's vertices
 };
 
-// Round the point in the plane of all: neighbours but for a tie are none.
+// Finds the neighbours of a cell that is a prism, because the points span less than the space.
+// Points that are neighbours only by a tie-break are left out.
 SpaceCell prism(const Tessellation<3>& tessellation, PointId p) {
   SpaceCell cell;
   cell.point = p;

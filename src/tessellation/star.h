@@ -7,9 +7,9 @@
 
 namespace thiessen {
 
-/// Goes round a point of the plane, counter-clockwise: calls `meet(v, next, beyond)` for every
-/// vertex v that it forms, with the point that follows it in v's simplex and the vertex across from
-/// it. Requires that the points span two dimensions.
+/// Goes counter-clockwise round a point of the plane, and calls `meet(v, next, beyond)` for every
+/// vertex v that it forms: `next` is the point that follows it in v's simplex, and `beyond` is the
+/// vertex across from it. Requires that the points span two dimensions.
 template <int Dimension, typename Meet>
 void walk_round(const Topology<Dimension>& topology, PointId p, Meet&& meet) {
   const VertexId first = topology.vertex_of(p);
@@ -24,19 +24,20 @@ void walk_round(const Topology<Dimension>& topology, PointId p, Meet&& meet) {
 }
 
 /// The vertices that a point forms, and the points that form them with it. In the plane both are in
-/// order round the point, counter-clockwise: points()[i] and points()[i + 1] form vertices()[i]
-/// with it. For a point to be deleted they are the thesis' LISTOFV and LISTOFP (section 2.3, step
-/// 1). Cost: the vertices'.
+/// counter-clockwise order round the point: points()[i] and points()[i + 1] form vertices()[i] with
+/// it. For a point that is to be deleted they are the thesis' LISTOFV and LISTOFP (section 2.3,
+/// step 1). Cost: in proportion to the vertices.
 template <int Dimension>
 class Star {
  public:
   const std::vector<VertexId>& vertices() const { return vertices_; }
-  /// The infinite point among them, where the point is on the hull.
+  /// The points that form the vertices with it. The infinite point is among them where the point is
+  /// on the hull.
   const std::vector<PointId>& points() const { return points_; }
 
-  /// Requires d = the topology's dimension, at least 1, and a point that is there. Calls
-  /// `meet(neighbour, beyond)` as it goes for every vertex, with one of its points and the vertex
-  /// across from p.
+  /// Finds the star of p. For every vertex it calls `meet(neighbour, beyond)` on the way, with one
+  /// of the vertex's other points and the vertex across from p, so that the caller can fetch them
+  /// early. Requires d = the topology's dimension, at least 1, and that p is there.
   template <int d, typename Meet>
   void find(const Topology<Dimension>& topology, PointId p, Meet&& meet) {
     vertices_.clear();

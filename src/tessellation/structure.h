@@ -12,9 +12,10 @@
 
 namespace thiessen {
 
-/// The topology, the positions of its points, and what is decided by both. Where the points span
-/// less than the space, decisions are made within what they span: on their line or plane. `d` is
-/// that dimension, topology().dimension(), told at compile time.
+/// The topology, the positions of its points, and the decisions that depend on both. Where the
+/// points span less than the space, decisions are made within what they span, that is, on their
+/// line or plane. The template parameter `d` of the functions is the dimension that the points
+/// span, topology().dimension(), known at compile time.
 template <int Dimension>
 class Structure {
  public:
@@ -27,7 +28,7 @@ class Structure {
     typename Topology<Dimension>::State topology;
     Axis dropped = Axis::x;
   };
-  /// What operations changed: see Topology.
+  /// A place in the list of changes: how many of each kind come before it, as in Topology.
   struct Extent {
     typename Topology<Dimension>::Extent topology;
     std::size_t positions = 0;
@@ -50,7 +51,7 @@ class Structure {
   Topology<Dimension>& topology() { return topology_; }
   const Position& position(PointId p) const { return positions_[index(p)]; }
 
-  /// A number for a point at `position`, of no simplex yet.
+  /// Gives a number to a new point at `position`, which is no corner of a simplex yet.
   PointId add_point(const Position& position) {
     const PointId p = topology_.allocate_point();
     if (index(p) == positions_.size()) {
@@ -60,7 +61,7 @@ class Structure {
     positions_[index(p)] = position;
     return p;
   }
-  /// Hints that the point will be needed soon.
+  /// Prefetches what is stored of the point, because it will be needed soon.
   void fetch(PointId p) const {
     __builtin_prefetch(positions_.data() + index(p));
     topology_.fetch(p);
@@ -70,13 +71,14 @@ class Structure {
     reserve_more(positions_, points);
   }
 
-  /// The vertex's forming points, as far as there are any.
+  /// The forming points of the vertex: the d + 1 corners that its row uses.
   template <int d>
   Simplex<d> simplex(VertexId v) const {
     Simplex<d> simplex;
     for (std::size_t i = 0; i <= d; ++i) simplex[i] = topology_.forming(v)[i];
     return simplex;
   }
+  /// The corner of the simplex that is the infinite point, or d + 1 where there is none.
   template <int d>
   static std::size_t infinite_corner(const Simplex<d>& simplex) {
     std::size_t i = 0;
@@ -84,8 +86,8 @@ class Structure {
     return i;
   }
 
-  /// Orientation of the simplex with its corner `replaced` moved to q: 1 as it should be, -1 turned
-  /// over, 0 flat. Requires the other corners finite.
+  /// The orientation of the simplex with its corner `replaced` moved to q: 1 as it should be, -1
+  /// turned over, 0 flat. Requires that the other corners are finite.
   template <int d>
   int orientation_with(const Simplex<d>& simplex, std::size_t replaced, const Position& q) const {
     const auto at = [&](std::size_t i) -> const Position& {
@@ -101,15 +103,17 @@ class Structure {
       return orientation_in_plane(dropped_, at(0), at(1), at(2));
     }
   }
+  /// The orientation of a finite simplex: 1 as it should be, -1 turned over, 0 flat.
   template <int d>
   int orientation_of(const Simplex<d>& simplex) const {
     return orientation_with<d>(simplex, 0, position(simplex[0]));
   }
 
-  /// Whether q is nearer to the simplex' vertex than its forming points are, ties broken by
-  /// perturbation: inside its sphere, or beyond a facet of the hull where one corner is infinite
-  /// (on that facet's plane: inside its sphere). Requires that q is none of the corners, and
-  /// orientation_of(simplex) > 0 where it is finite.
+  /// Whether q is in conflict with the simplex, that is, would delete its vertex: q is inside the
+  /// circumscribed circle or sphere, and so nearer to the vertex than the forming points are. Where
+  /// one corner is infinite, q is in conflict if it lies beyond the facet of the hull, or on the
+  /// facet's plane and inside its circumscribed circle. Ties are broken by perturbation. Requires
+  /// that q is none of the corners, and orientation_of(simplex) > 0 where the simplex is finite.
   template <int d>
   bool in_conflict(const Simplex<d>& simplex, const Position& q) const {
     const std::size_t infinite = infinite_corner<d>(simplex);
@@ -118,7 +122,8 @@ class Structure {
     return side != 0 ? side > 0 : in_facet_sphere<d>(simplex, infinite, q);
   }
 
-  /// Whether q lies off what the points span. Requires at least one point.
+  /// Whether q lies off what the points span, so that it would raise the dimension. Requires at
+  /// least one point.
   bool is_off(const Position& q) const {
     const VertexId v = finite_vertex();
     const auto& f = topology_.forming(v);
@@ -134,11 +139,13 @@ class Structure {
     }
     return false;
   }
-  /// In space: the coordinate that is dropped to look at the points' plane.
+  /// The coordinate that is dropped to project the points' plane. It matters only for points in
+  /// space that span a plane.
   Axis dropped() const { return dropped_; }
   void set_dropped(Axis dropped) { dropped_ = dropped; }
 
-  /// A vertex without the infinite point, near `hint`. Requires at least one point.
+  /// A finite vertex (one without the infinite point) at or next to `hint`. Requires at least one
+  /// point.
   VertexId finite_vertex(VertexId hint) const {
     const std::size_t infinite = topology_.corner_of(hint, infinite_point);
     return infinite == Topology<Dimension>::corners ? hint : topology_.neighbour(hint, infinite);
@@ -151,7 +158,8 @@ class Structure {
   }
   Changes* recorded_in() const { return changes_.list; }
   State state() const { return {topology_.state(), dropped_}; }
-  /// As Topology's, for the changes between two extents.
+  /// Undoes or redoes the changes between two extents, as Topology::exchange does, positions
+  /// included.
   void exchange(Changes& changes, const Extent& first, const Extent& end, State& then,
                 bool backward) {
     positions_.resize(std::max<std::size_t>(positions_.size(), then.topology.points));
@@ -169,7 +177,7 @@ class Structure {
   }
 
  private:
-  // 0 where the three are on one line.
+  // The result is 0 where the three points are on one line, and not 0 elsewhere.
   int orientation_off_line(PointId a, PointId b, const Position& q) const {
     if constexpr (Dimension == 2) {
       return orientation(position(a), position(b), q);
@@ -192,7 +200,7 @@ class Structure {
     }
   }
 
-  // q is on the line or plane of the facet across from the infinite corner.
+  // Decides in_conflict for a facet of the hull where q is on the facet's own line or plane.
   template <int d>
   bool in_facet_sphere(const Simplex<d>& simplex, std::size_t infinite, const Position& q) const {
     const auto at = [&](std::size_t i) -> const Position& {
@@ -211,7 +219,8 @@ class Structure {
   }
 
   Topology<Dimension> topology_;
-  std::vector<Position> positions_ = std::vector<Position>(1);  // the infinite point's: unused
+  // The infinite point has the first position, which is never used.
+  std::vector<Position> positions_ = std::vector<Position>(1);
   Axis dropped_ = Axis::x;
   Recorded<Changes> changes_;
 };

@@ -12,7 +12,8 @@
 namespace thiessen {
 namespace {
 
-// Enough for queries; where points keep coming without a hint, there are more signposts.
+// One signpost for 32 points is enough for queries. Where points keep coming without a hint, walks
+// are more frequent and there is one for 8.
 constexpr std::size_t points_a_signpost_at_first = 32;
 constexpr std::size_t points_a_signpost = 8;
 
@@ -24,7 +25,7 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
   structure_.reserve(points.size());
   const std::vector<std::uint32_t> order = insertion_order(points);
   std::vector<PointId> numbers(points.size());
-  constexpr std::size_t ahead = 16;  // the order goes across the input: fetch before it is needed
+  constexpr std::size_t ahead = 16;  // points are fetched early: the order jumps in the input
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k + ahead < order.size()) __builtin_prefetch(&points[order[k + ahead]]);
     const Position& position = points[order[k]];
@@ -34,7 +35,7 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
   if (few) {
     renew_signposts(points_a_signpost);
   } else if (!is_tried()) {
-    // The first points in order are a random choice of all.
+    // The points inserted first are a random sample of all, so they make good signposts.
     std::vector<PointId> sample;
     for (std::size_t k = 0; k < order.size() / points_a_signpost_at_first; ++k) {
       sample.push_back(numbers[order[k]]);
@@ -106,14 +107,14 @@ PointId Tessellation<Dimension>::insert(const Position& position, VertexId hint)
   return p;
 }
 
-/// A vertex to walk from: the hint's; else a signpost's or the one of the last change, whichever is
-/// nearer, for points often come in order.
+/// Chooses the vertex that a walk starts from: the hint's, or without a hint the nearer of a
+/// signpost's and the vertex of the last change, because points often come in order.
 template <int Dimension>
 VertexId Tessellation<Dimension>::start(const Position& position,
                                         std::optional<PointId> hint) const {
   if (hint && topology().is_there(*hint)) return topology().vertex_of(*hint);
   const VertexId last = standing(last_);
-  // A number may have been given to a point elsewhere since.
+  // A signpost's point may have been deleted since, and its number given to a point elsewhere.
   const auto signpost = signposts_.near(position, [&](const auto& post) {
     return topology().is_there(PointId{post.number}) &&
            structure_.position(PointId{post.number}) == post.position;
@@ -128,7 +129,7 @@ VertexId Tessellation<Dimension>::start(const Position& position,
   return last_is_nearer ? last : topology().vertex_of(PointId{*signpost});
 }
 
-/// The vertex, or another where it is gone.
+/// Returns v where it is still in use, and another vertex where it is gone.
 template <int Dimension>
 VertexId Tessellation<Dimension>::standing(VertexId v) const {
   const bool stands = index(v) < topology().size() && !topology().is_free(v);
@@ -183,7 +184,8 @@ std::vector<PointId> Tessellation<Dimension>::along_line() const {
   if (topology().dimension() == 0)
     points.push_back(topology().forming(structure_.finite_vertex())[0]);
   if (topology().dimension() != 1) return points;
-  // The ring begins behind the infinite point.
+  // The points of a line and the infinite point form a ring, so the line begins after the infinite
+  // point.
   VertexId v = topology().vertex_of(infinite_point);
   if (topology().forming(v)[0] != infinite_point) v = topology().neighbour(v, 0);
   while (topology().forming(v)[1] != infinite_point) {
@@ -204,8 +206,8 @@ void Tessellation<Dimension>::put_up_signposts(std::span<const PointId> sample) 
   changes_since_signposts_ = 0;
 }
 
-// Once half of the points have changed, or there are many times as many, but not for a trial, which
-// leaves nothing behind.
+// Renews the signposts once half of the points have changed, or there are many times more points
+// than when they were put up. A trial does not renew them, because it leaves nothing behind.
 template <int Dimension>
 void Tessellation<Dimension>::renew_signposts(std::size_t points_each) {
   constexpr std::size_t few = 256;

@@ -11,13 +11,13 @@
 
 namespace thiessen {
 
-/// A forming point's number. Point 0 lies at infinity, so that the hull's outside is made of
-/// simplices like any other.
+/// The number of a forming point. Point 0 is the infinite point: with it, the outside of the hull
+/// is made of simplices like any other.
 enum class PointId : std::uint32_t {};
 inline constexpr PointId infinite_point{0};
 inline constexpr PointId no_point{0xFFFFFFFFu};
 
-/// A vertex of the Voronoi tessellation, and with it the Delaunay simplex that it is the centre of.
+/// The number of a Voronoi vertex, and of the Delaunay simplex whose centre it is.
 enum class VertexId : std::uint32_t {};
 inline constexpr VertexId no_vertex{0xFFFFFFFFu};
 
@@ -28,7 +28,8 @@ constexpr std::size_t index(VertexId id) {
   return static_cast<std::size_t>(id);
 }
 
-/// Where changes are kept. What is copied or moved is not recorded there.
+/// A pointer to the list in which changes are recorded. A copy starts without a list, and an object
+/// that is assigned to keeps its own, so that only the original is recorded.
 template <typename Changes>
 struct Recorded {
   Recorded() = default;
@@ -39,7 +40,8 @@ struct Recorded {
   Changes* list = nullptr;
 };
 
-/// Makes room for more elements, growing by half at least.
+/// Reserves room for `more` further elements. The capacity grows by half at least, so that many
+/// calls for a few elements stay cheap.
 template <typename Element>
 void reserve_more(std::vector<Element>& elements, std::size_t more) {
   const std::size_t needed = elements.size() + more;
@@ -49,13 +51,13 @@ void reserve_more(std::vector<Element>& elements, std::size_t more) {
 }
 
 /// The thesis' table of the structure (section 2.4): for each vertex its forming points and its
-/// neighbouring vertices; neighbour i lies across from forming point i. It holds no coordinates.
-/// Freed rows are used again first, and so are freed points' numbers. Where the points span less
-/// than the space (dimension() < Dimension), rows have dimension() + 1 corners, and the rest of
-/// them is empty. Every row but those of dimension 0 is oriented like its neighbours.
+/// neighbouring vertices, where neighbour i lies across from forming point i. It holds no
+/// coordinates. Freed rows and freed point numbers are used again before new ones. Where the points
+/// span less than the space (dimension() < Dimension), a row uses its first dimension() + 1 corners
+/// and leaves the rest empty. Every row is oriented like its neighbours, except in dimension 0.
 ///
-/// While changes are recorded, whatever is about to be overwritten is kept first, so that
-/// exchange() can take the changes back, and make them again, bit for bit.
+/// While changes are recorded, whatever is about to be overwritten is saved first, so that
+/// exchange() can undo the changes and redo them, bit for bit.
 template <int Dimension>
 class Topology {
  public:
@@ -65,7 +67,7 @@ class Topology {
     Forming forming;
     std::array<VertexId, corners> neighbours;
   };
-  /// What holds for the table as a whole.
+  /// What describes the table as a whole: its dimension, its sizes and the heads of its free lists.
   struct State {
     int dimension = -1;
     std::uint32_t rows = 0;
@@ -82,7 +84,7 @@ class Topology {
     PointId point;
     std::uint32_t vertex;
   };
-  /// How many changes there are.
+  /// A place in the list of changes: how many of each kind come before it.
   struct Extent {
     std::size_t rows = 0;
     std::size_t points = 0;
@@ -92,7 +94,7 @@ class Topology {
     std::vector<PointChange> points;
 
     Extent extent() const { return {rows.size(), points.size()}; }
-    /// Forgets those after the extent.
+    /// Drops the changes that were recorded after the extent.
     void cut(const Extent& extent) {
       rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(extent.rows), rows.end());
       points.erase(points.begin() + static_cast<std::ptrdiff_t>(extent.points), points.end());
@@ -101,29 +103,29 @@ class Topology {
 
   Topology() : vertex_of_(1, absent) {}
 
-  /// Of what the points span: -1 for none, then 0 to Dimension.
+  /// The dimension that the points span: -1 where there are none, 0 for one point, up to Dimension.
   int dimension() const { return state_.dimension; }
   void set_dimension(int dimension) { state_.dimension = dimension; }
-  /// Rows that were ever used: valid ids are below. Some may be free.
+  /// How many rows were ever used. Valid ids lie below it; some of them may be free.
   std::size_t size() const { return rows_.size(); }
   bool is_free(VertexId v) const { return row(v).forming[0] == no_point; }
   const Row& row(VertexId v) const { return rows_[index(v)]; }
   const Forming& forming(VertexId v) const { return row(v).forming; }
   VertexId neighbour(VertexId v, std::size_t i) const { return row(v).neighbours[i]; }
-  /// Which of v's corners the point is; `corners` where it is none.
+  /// Which corner of v the point is, or `corners` where it is none of them.
   std::size_t corner_of(VertexId v, PointId p) const {
     std::size_t corner = corners;
     for (std::size_t i = 0; i < corners; ++i) corner = row(v).forming[i] == p ? i : corner;
     return corner;
   }
-  /// Which of v's neighbours w is. Requires that it is one.
+  /// Which of v's neighbours w is. Requires that w is one of them.
   std::size_t side_towards(VertexId v, VertexId w) const {
     std::size_t side = 0;
     for (std::size_t i = 1; i < corners; ++i) side += row(v).neighbours[i] == w ? i : 0;
     return side;
   }
   bool is_infinite(VertexId v) const { return corner_of(v, infinite_point) != corners; }
-  /// Calls `visit(v)` for every vertex, those with the infinite point among them.
+  /// Calls `visit(v)` for every vertex in use, those with the infinite point included.
   template <typename Visit>
   void for_each_vertex(Visit&& visit) const {
     for (std::uint32_t i = 0; i < rows_.size(); ++i) {
@@ -131,17 +133,17 @@ class Topology {
     }
   }
 
-  /// Numbers that were ever given: valid ids are below. Some may be free; number 0 is the infinite
-  /// point's.
+  /// How many point numbers were ever given, 0 of the infinite point included. Valid ids lie below
+  /// it; some of them may be free.
   std::size_t point_limit() const { return vertex_of_.size(); }
   std::size_t count() const { return state_.points_there; }
   bool is_there(PointId p) const {
     return index(p) < vertex_of_.size() && vertex_of_[index(p)] < absent;
   }
-  /// One of the vertices that the point forms. Requires that it is there.
+  /// One of the vertices that the point forms. Requires that the point is there.
   VertexId vertex_of(PointId p) const { return VertexId{vertex_of_[index(p)]}; }
 
-  /// A free row, to be filled. Errors: std::length_error beyond 2^31 - 1 rows.
+  /// Takes a free row, which the caller has to fill. Errors: std::length_error beyond 2^31 rows.
   VertexId allocate() {
     VertexId v = state_.first_free;
     if (v == no_vertex) {
@@ -155,20 +157,23 @@ class Topology {
     keep(v);
     return v;
   }
+  /// Frees a row, which will be used again before new ones.
   void release(VertexId v) {
     keep(v);
     rows_[index(v)] = free_row(state_.first_free);
     state_.first_free = v;
   }
-  /// For changing a row.
+  /// Gives the row to be changed, after its old content has been recorded.
   Row& change(VertexId v) {
     keep(v);
     return rows_[index(v)];
   }
-  /// For filling a row that was allocated, or is kept since it was changed, in this operation.
+  /// Gives the row to be filled, without recording it. Requires that it was allocated, or recorded
+  /// by change(), in this operation.
   Row& fill(VertexId v) { return rows_[index(v)]; }
 
-  /// A free number, for a point that is there from now on. Errors: std::length_error beyond 2^31.
+  /// Takes a free number for a point, which is counted from now on. Errors: std::length_error
+  /// beyond 2^31 numbers.
   PointId allocate_point() {
     PointId p{state_.first_free_point & ~absent};
     if (state_.first_free_point == absent) {
@@ -182,6 +187,7 @@ class Topology {
     ++state_.points_there;
     return p;
   }
+  /// Frees a point's number, which will be used again before new ones.
   void release_point(PointId p) {
     keep(p);
     vertex_of_[index(p)] = state_.first_free_point;
@@ -193,23 +199,26 @@ class Topology {
     vertex_of_[index(p)] = static_cast<std::uint32_t>(v);
   }
 
-  /// Hints that the row, or which vertex the point forms, will be needed soon.
+  /// Prefetches the row of a vertex, or the entry of a point, that will be needed soon.
   void fetch(VertexId v) const { __builtin_prefetch(rows_.data() + index(v)); }
   void fetch(PointId p) const { __builtin_prefetch(vertex_of_.data() + index(p)); }
 
-  /// Room for so many more points. Again and again for a few it costs no more than they do.
+  /// Reserves room for so many more points. Many calls for a few points each cost no more than the
+  /// points themselves.
   void reserve(std::size_t points) {
     reserve_more(vertex_of_, points);
     reserve_more(rows_, rows_a_point * points);
   }
 
-  /// Where what is about to be overwritten is kept from now on; nowhere for none.
+  /// Records changes in this list from now on; null ends the recording.
   void record_in(Changes* changes) { changes_.list = changes; }
   Changes* recorded_in() const { return changes_.list; }
   const State& state() const { return state_; }
-  /// Takes the changes between two extents back, `then` being the state before them; afterwards
-  /// they and `then` hold what makes them again. They are gone through backward to take them back,
-  /// and forward to make them again.
+  /// Undoes the recorded changes between the extents `first` and `end`, or redoes them if they were
+  /// undone. `then` is the state that the table had on the other side of the changes: before them
+  /// to undo, after them to redo. The saved rows and `then` are swapped with the table's own, so
+  /// that afterwards they hold what the reverse call needs. A row may be recorded more than once,
+  /// so undoing must go `backward`, from the last change to the first, and redoing forward.
   void exchange(Changes& changes, const Extent& first, const Extent& end, State& then,
                 bool backward) {
     rows_.resize(std::max<std::size_t>(state_.rows, then.rows), free_row(no_vertex));
@@ -233,7 +242,7 @@ class Topology {
   }
 
  private:
-  // Marks a point's number as free; the other bits lead to the next free one.
+  // This bit marks a point's number as free; the other bits then hold the next free number.
   static constexpr std::uint32_t absent = 0x80000000u;
   static constexpr std::size_t rows_a_point = Dimension == 2 ? 2 : 7;
 
@@ -252,7 +261,7 @@ class Topology {
     if (changes_.list != nullptr) [[unlikely]]
       record(p);
   }
-  // Out of line, so that what is not recorded costs next to nothing.
+  // Recording is kept out of line, so that changes which are not recorded cost next to nothing.
   [[gnu::noinline]] void record(VertexId v) { changes_.list->rows.push_back({v, row(v)}); }
   [[gnu::noinline]] void record(PointId p) {
     changes_.list->points.push_back({p, vertex_of_[index(p)]});

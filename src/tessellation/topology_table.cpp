@@ -39,7 +39,7 @@ std::uint64_t number_of_vertex(VertexId v) {
   return std::uint64_t{index(v)} + 1;
 }
 
-/// `vertex ID center X Y [Z] radius R`, without a line end.
+/// Appends `vertex ID center X Y [Z] radius R`, without a line end.
 template <int Dimension>
 void append_vertex(std::string& line, const VoronoiVertex<Dimension>& vertex) {
   line += "vertex";
