@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// A closed rectangle along the axes; empty until a point is taken in.
+/// A closed rectangle along the axes. It is empty until a point is taken in.
 struct Box {
   Point low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   Point high{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -37,7 +37,7 @@ struct Box {
   }
 };
 
-/// The box of a segment.
+/// The smallest box that contains the segment from a to b.
 inline Box box_of(Point a, Point b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }

@@ -8,14 +8,15 @@
 
 namespace thiessen {
 
-/// Finds the boxes that meet a given one: a static tree, packed along Hilbert's curve (Kamel and
-/// Faloutsos, On packing R-trees, 1993). Building: n log n; a search: log n and what it finds, for
-/// boxes that overlap little. Memory: 36 bytes a box.
+/// Finds the boxes that meet a given one. It is a static tree, packed along Hilbert's curve (Kamel
+/// and Faloutsos, On packing R-trees, 1993). Cost: n log n to build; a search takes log n and what
+/// it finds, for boxes that overlap little. Memory: 36 bytes a box.
 class BoxTree {
  public:
   explicit BoxTree(std::span<const Box> boxes);
 
-  /// Calls `found(position)` for every box that meets `sought`, in an order of the tree's own.
+  /// Calls `found(position)` for every box that meets `sought`, where `position` is the box's index
+  /// in the list that the tree was built from. The order is the tree's own.
   template <typename Found>
   void search(const Box& sought, Found&& found) const {
     if (levels_.empty()) return;

@@ -8,14 +8,14 @@
 
 namespace thiessen {
 
-/// A position's coordinates, x first, or as many numbers of another kind.
+/// The coordinates of a position, x first, or as many numbers of another kind.
 template <int Dimension, typename Number = double>
 using CoordinatesIn = std::array<Number, std::size_t{Dimension}>;
 
-/// What the axes are called.
+/// The names of the axes, in the order of the coordinates.
 inline constexpr std::array<std::string_view, 3> axis_names = {"x", "y", "z"};
 
-/// A position's coordinates by number, for what is written once for every dimension.
+/// The coordinates of a position by number, for code that is written once for every dimension.
 inline CoordinatesIn<2> coordinates(const Point& p) {
   return {p.x, p.y};
 }
@@ -23,7 +23,7 @@ inline CoordinatesIn<3> coordinates(const SpacePoint& p) {
   return {p.x, p.y, p.z};
 }
 
-/// In doubles, rounded.
+/// The square of the distance between a and b, computed in doubles and rounded.
 template <std::size_t Axes>
 double square_distance(const std::array<double, Axes>& a, const std::array<double, Axes>& b) {
   double sum = 0;

@@ -2,14 +2,14 @@
 
 namespace thiessen {
 
-/// A vector of the plane, over doubles, whole numbers or estimates.
+/// A vector of the plane, whose components are doubles, whole numbers or estimates.
 template <class Number>
 struct PlaneVector {
   Number x;
   Number y;
 };
 
-/// A vector of space.
+/// A vector of space, whose components are doubles, whole numbers or estimates.
 template <class Number>
 struct SpaceVector {
   Number x;
@@ -17,10 +17,11 @@ struct SpaceVector {
   Number z;
 };
 
-/// The determinants whose signs the predicates are. One formula serves all arithmetics: a number
-/// needs +, - and *, whose results may be of wider types.
+/// The determinants whose signs the predicates return. One formula serves every arithmetic: a
+/// number needs +, - and *, whose results may be of wider types.
 namespace determinant {
 
+/// The square of the vector's length.
 template <class Number>
 auto square(const PlaneVector<Number>& u) {
   return u.x * u.x + u.y * u.y;
@@ -36,7 +37,8 @@ auto area(const PlaneVector<Number>& u, const PlaneVector<Number>& v) {
   return u.x * v.y - u.y * v.x;
 }
 
-/// The areas of the triangle's projections along each axis.
+/// The cross product of u and v: twice the signed areas of the triangle 0, u, v projected along
+/// each axis.
 template <class Number>
 auto cross(const SpaceVector<Number>& u, const SpaceVector<Number>& v) {
   using Area = decltype(u.x * v.y - u.y * v.x);
@@ -53,8 +55,9 @@ auto volume(const SpaceVector<Number>& u, const SpaceVector<Number>& v,
   return u.z * vw + v.z * wu + w.z * uv;
 }
 
-/// Positive where 0 is inside the circle through u, v, w, which turn left. The squares are those of
-/// the vectors, or of vectors in space that they are the projections of.
+/// The in-circle determinant: positive where 0 is inside the circle through u, v, w. Requires that
+/// these turn left. The squares are those of u, v and w, or of vectors in space whose projections
+/// these are.
 template <class Square, class Number>
 auto in_circle(const Square& u_square, const PlaneVector<Number>& u, const Square& v_square,
                const PlaneVector<Number>& v, const Square& w_square, const PlaneVector<Number>& w) {
@@ -66,7 +69,8 @@ auto in_circle(const PlaneVector<Number>& u, const PlaneVector<Number>& v,
   return in_circle(square(u), u, square(v), v, square(w), w);
 }
 
-/// Positive where 0 is inside the sphere through a, b, c, d, whose orientation is positive.
+/// The in-sphere determinant: positive where 0 is inside the sphere through a, b, c, d. Requires
+/// that their orientation is positive.
 template <class Number>
 auto in_sphere(const SpaceVector<Number>& a, const SpaceVector<Number>& b,
                const SpaceVector<Number>& c, const SpaceVector<Number>& d) {

@@ -7,21 +7,22 @@
 
 namespace thiessen {
 
-/// Things, by number, of which some turn out to be one. A set is known by one of its members.
-/// Cost: nearly constant.
+/// A union-find structure: numbered things, some of which turn out to be one. One member of each
+/// set stands for the set. Cost: nearly constant for each call.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : first_(count) {
     std::iota(first_.begin(), first_.end(), 0u);
   }
 
-  /// The member by which i's set is known.
+  /// The member that stands for i's set.
   std::uint32_t find(std::size_t i) {
     auto member = static_cast<std::uint32_t>(i);
     while (first_[member] != member) member = first_[member] = first_[first_[member]];
     return member;
   }
-  /// Makes one of two sets; it is known by what `kept` was known by.
+  /// Unites the sets of two things. The member that stood for the set of `kept` stands for the
+  /// union.
   void unite(std::uint32_t kept, std::uint32_t other) { first_[find(other)] = find(kept); }
 
  private:

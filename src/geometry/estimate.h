@@ -10,36 +10,41 @@
 
 namespace thiessen {
 
-/// A polynomial computed in doubles, beside the sum of its terms' magnitudes computed the same way.
-/// What rounding has done to the value is at most a multiple of that sum, which the number of
-/// roundings on the longest way from a coordinate to the sum's last step gives: with u = 2^-53, k
-/// of them change a term by (1 + u)^k - 1 at most, and the last step never changes the sign. So a
-/// value of (k u + O(u^2)) times the magnitude, or more, has the right sign; and where all terms
-/// are zero, as among points along an axis, the value is zero for certain. Holds without underflow:
-/// see the exact range of predicates.h.
+/// The value of a polynomial in doubles, with the means to bound its rounding error: `magnitude` is
+/// the sum of the magnitudes of its terms, computed the same way.
+///
+/// The error of the value is at most a multiple of the magnitude. Let u = 2^-53. A term that goes
+/// through k roundings, on the longest way from a coordinate to the last step of the sum, changes
+/// by (1 + u)^k - 1 of itself at most, and the last step itself never changes the sign. So a value
+/// that is at least (k u + O(u^2)) times the magnitude has the right sign. Where all terms are
+/// zero, as among points along an axis, the value is zero for certain.
+///
+/// Requires that nothing underflows: see the exact range of predicates.h.
 struct Estimate {
   double value;
   double magnitude;
 
-  /// Whether the value's sign is right after that many roundings of a term.
+  /// Whether the sign of the value is certain, for terms that go through this many roundings.
   template <int Roundings>
   bool is_certain_after() const {
     static_assert(Roundings <= 16);
     constexpr double u = 0x1p-53;
-    // The 32 stands for all that is of the order of u^2, and for the roundings of the magnitude.
+    // The 32 covers all errors of the order of u^2, and the roundings of the magnitude itself.
     constexpr double bound = Roundings * u * (1 + 32 * u);
     return std::abs(value) >= bound * magnitude;
   }
-  /// Whether the value is exact: whether all coordinates are whole numbers of a unit so large that
-  /// the terms, products of Degree differences, add up to less than 2^53 in it. Then nothing that
-  /// counts has been rounded. So it is on lattices of moderate size, where values are often zero.
+  /// Whether the value is exact. It is where all coordinates are whole multiples of a unit so large
+  /// that the terms, products of Degree differences, add up to less than 2^53 in powers of that
+  /// unit: then no rounding has changed anything. That is so on lattices of moderate size, where
+  /// values are often zero.
   template <int Degree, class... Coordinates>
   bool is_exact_for(Coordinates... coordinates) const {
-    // magnitude < 2^(exponent + 1); the unit's exponent is (exponent - 52) / Degree, rounded up.
+    // The magnitude is below 2^(exponent + 1), and the exponent of the unit is (exponent - 52) /
+    // Degree, rounded up.
     const auto biased = static_cast<int>(std::bit_cast<std::uint64_t>(magnitude) >> 52);
     const int unit = (biased - 1075 + Degree * 1024 - 1) / Degree + 1 - 1024;
-    // Adding 2^52 units leaves multiples of the unit alone, as the sum's last digit is worth one or
-    // more.
+    // Adding 2^52 units and taking them away again rounds to multiples of the unit, because the
+    // last digit of the sum is worth one unit or more.
     const double grid = std::bit_cast<double>(static_cast<std::uint64_t>(unit + 1075) << 52);
     const auto change = [grid](double coordinate) {
       const double size = std::abs(coordinate);
@@ -65,6 +70,7 @@ struct Estimate {
   }
 };
 
+/// The vector from one point to another, with its rounding error estimated.
 inline PlaneVector<Estimate> estimated_vector(const Point& from, const Point& to) {
   return {Estimate::difference(to.x, from.x), Estimate::difference(to.y, from.y)};
 }
@@ -86,9 +92,10 @@ inline Estimate estimated_lift(const SpacePoint& a, const SpacePoint& b, const S
                                 estimated_vector(e, c), estimated_vector(e, d));
 }
 
-/// The same with a larger bound for less work: a square adds up to that of the largest differences
-/// along the axes at most, the six terms of a volume to six times their product, and there are four
-/// of each.
+/// The in-sphere determinant of a, b, c, d as seen from e, with a larger magnitude than that of
+/// estimated_lift, but for less work. The bound uses the largest differences along the axes: a
+/// square is at most the square of these, the six terms of a volume are at most six times their
+/// product, and there are four of each.
 inline Estimate quick_lift(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c,
                            const SpacePoint& d, const SpacePoint& e) {
   const auto from_e = [&e](const SpacePoint& p) {

@@ -7,13 +7,14 @@
 
 #include "geometry/coordinates.h"
 
-/// Hilbert's curve as a machine that reads a cell's coordinates from the first bits on and writes
-/// the distance along the curve: in each half of the cube it is the curve again, turned.
+/// Hilbert's curve as a state machine: it reads the coordinates of a cell from the leading bits on,
+/// and writes the distance along the curve. This works because the curve in each half of a cube is
+/// the same curve again, turned; the turn is the state.
 namespace thiessen::hilbert {
 
-/// How the curve lies in a cube: the corner in which it starts (a bit an axis) and the axis along
-/// which its end lies from there (C. H. Hamilton, Compact Hilbert indices, 2006,
-/// sections 2.1, 2.2).
+/// How the curve lies in a cube: the corner in which it starts (one bit for each axis), and the
+/// axis along which its end lies from there (C. H. Hamilton, Compact Hilbert indices, 2006,
+/// sections 2.1 and 2.2).
 template <int Dimension>
 struct Turn {
   static constexpr std::uint32_t corners = 1u << Dimension;
@@ -27,7 +28,7 @@ struct Turn {
   }
   constexpr std::uint32_t number() const { return start * Dimension + axis; }
 
-  /// Which of the cube's halves (quarters, eighths) on the curve the one in this corner is.
+  /// The rank along the curve of the part of the cube (quarter or eighth) that is in this corner.
   constexpr std::uint32_t rank(std::uint32_t corner) const {
     std::uint32_t gray = rotated(corner ^ start, Dimension - 1 - axis);
     for (std::uint32_t shift = 1; shift < Dimension; shift *= 2) gray ^= gray >> shift;
@@ -44,14 +45,14 @@ struct Turn {
   }
 
  private:
-  /// The bits, one for each axis, moved up round the circle by `places`.
+  /// Rotates the bits, one for each axis, upward by so many places.
   static constexpr std::uint32_t rotated(std::uint32_t bits, std::uint32_t places) {
     places %= Dimension;
     return (bits << places | bits >> (Dimension - places)) & (corners - 1);
   }
 };
 
-/// Several levels of the curve in one look: 4 in the plane, 2 in space.
+/// A table that takes several levels of the curve in one look-up: 4 in the plane, 2 in space.
 template <int Dimension>
 class Steps {
  public:
@@ -66,8 +67,9 @@ class Steps {
     }
   }
 
-  /// From `before`, an earlier answer or 0, and the next bits of the coordinates, x above y above
-  /// z: the next `bits` bits of the distance, and above them the new turn.
+  /// Takes one step. `before` is the answer of the step before, or 0 at the start; `cell` holds the
+  /// next bits of the coordinates, x above y above z. Returns the next `bits` bits of the distance,
+  /// and above them the new turn.
   constexpr std::uint32_t next(std::uint32_t before, std::uint32_t cell) const {
     return steps_[(before >> bits << bits) | cell];
   }
@@ -95,7 +97,7 @@ template <int Dimension>
 inline constexpr Steps<Dimension> steps;
 
 /// How far along the curve the cell lies in a grid of 2^levels cells a side. Requires a cell of the
-/// grid, and levels in whole steps.
+/// grid, and that `levels` is a multiple of Steps::levels.
 template <int Dimension, int levels>
 std::uint32_t along_curve(const CoordinatesIn<Dimension, std::uint32_t>& cell) {
   using Step = Steps<Dimension>;

@@ -21,7 +21,8 @@ std::uint32_t InsertionRounds::of(std::size_t i) const {
   mixed *= golden;
   mixed ^= mixed >> 29;
   mixed *= golden;
-  // A round is left for the one before by a chance of 1 in `ratio`.
+  // Each point belongs to the round before with a chance of 1 in `ratio`, so leading zeros of a
+  // random number choose its round.
   constexpr int bits = std::countr_zero(ratio);
   const auto back = static_cast<std::uint32_t>(std::countl_zero(mixed | 1) / bits);
   return last_ - std::min(back, last_);
@@ -29,7 +30,7 @@ std::uint32_t InsertionRounds::of(std::size_t i) const {
 
 namespace {
 
-/// What is sorted: a rank above a point's index.
+/// The entries that are sorted: a rank in the high bits, a point's index in the low ones.
 using Entry = std::uint64_t;
 constexpr int index_bits = 32;
 
@@ -40,9 +41,9 @@ bool same_rank(Entry a, Entry b) {
   return (a ^ b) >> index_bits == 0;
 }
 
-/// Sorts entries by rank, those of one rank as they come: few by comparison, many digit by digit.
-/// Requires ranks of so many bits and a spare place of the same size; returns whichever of the two
-/// holds the result.
+/// Sorts entries by rank, and keeps the order of those with one rank: few are sorted by comparison,
+/// many digit by digit. Requires ranks of at most `bits` bits, and `spare` of the size of
+/// `entries`; returns whichever of the two holds the result.
 std::span<Entry> sorted(std::span<Entry> entries, std::span<Entry> spare, int bits) {
   constexpr std::size_t few = 256;
   constexpr int widest_digit = 10;
@@ -88,13 +89,14 @@ class CurveOrder {
   }
 
  private:
-  /// Of the order: from `begin` up to before `end`.
+  /// A stretch of the order, from `begin` up to before `end`.
   struct Stretch {
     std::uint32_t begin;
     std::uint32_t end;
   };
 
-  /// So many points of one cell stay as they come: the order among them hardly matters.
+  /// At most this many points of one cell stay in the order in which they come, because the order
+  /// among so few hardly matters.
   static constexpr std::size_t crowd = 8;
 
   void sort_in_rounds() {
@@ -121,8 +123,8 @@ class CurveOrder {
     take_sorted(cell, curve.bits);
   }
 
-  /// The curve through the box of some points, with as many bits of the distance as tell most of
-  /// them apart.
+  /// The curve through the box of some points. It uses as many bits of the distance as tell most of
+  /// the points apart.
   struct CellCurve {
     Grid grid;
     int bits;

@@ -9,17 +9,19 @@
 
 namespace thiessen {
 
-/// The order in which points are inserted: rounds of points chosen at random, each eight times the
-/// one before (after Amenta, Choi and Rote, Incremental constructions con BRIO, 2003), and along
-/// Hilbert's curve within a round, so that each point is near the one before and cavities stay
-/// small whatever the input's order. Points that share a cell of the curve's grid, clusters say,
-/// are in their order along the curve through their own box, and so on until a cell holds 8 or its
-/// points are equal.
+/// The order in which points are inserted. Points are put into rounds at random, each round eight
+/// times the one before (after Amenta, Choi and Rote, Incremental constructions con BRIO, 2003),
+/// and follow Hilbert's curve within a round. So each point is near the one before, and the
+/// cavities stay small whatever the order of the input. Points that share a cell of the curve's
+/// grid, as in clusters, are ordered along the curve through their own box, and so on until a cell
+/// holds 8 points, or its points are equal.
 ///
-/// Returns indices into `points`; the same for the same input. Requires finite coordinates and
-/// fewer than 2^32 points. Cost, measured for a million: 12 to 20 ns a point spread over a square
-/// or a cube, 35 in two clusters 1e-3 wide and 1e6 apart, 60 on a line, 750 where each cell is
-/// crowded in one corner down to 1e-300. Takes 17 bytes a point beyond the result.
+/// Returns indices into `points`, the same for the same input. Requires finite coordinates and
+/// fewer than 2^32 points.
+/// Cost, measured for a million points: 12 to 20 ns a point spread over a square or a cube, 35 in
+/// two clusters 1e-3 wide and 1e6 apart, 60 on a line, 750 where each cell is crowded in one corner
+/// down to 1e-300.
+/// Memory: 17 bytes a point beyond the result.
 template <int Dimension>
 std::vector<std::uint32_t> insertion_order(std::span<const PositionIn<Dimension>> points);
 
@@ -30,11 +32,11 @@ inline std::vector<std::uint32_t> insertion_order(std::span<const SpacePoint> po
   return insertion_order<3>(points);
 }
 
-/// The round, from 0, in which `insertion_order` puts a point: a matter of its place in the input
-/// and of the number of points alone.
+/// Tells in which round, from 0, `insertion_order` puts a point. This depends only on the point's
+/// place in the input and the number of points.
 class InsertionRounds {
  public:
-  /// The first round has `smallest` points or up to `ratio` times as many, in the mean.
+  /// The mean size of the first round is between `smallest` points and `ratio` times as many.
   static constexpr std::size_t smallest = 64;
   static constexpr std::size_t ratio = 8;
 

@@ -7,8 +7,8 @@
 
 namespace thiessen {
 
-/// As p < q, without a branch: where ties are broken the answer is anyone's guess, the processor's
-/// too.
+/// Whether p < q, computed without a branch. Where ties are broken the answer is as good as random,
+/// so the processor could not predict a branch.
 inline bool is_lexicographically_before(const Point& p, const Point& q) {
   const auto x = static_cast<unsigned>(p.x < q.x), x_tie = static_cast<unsigned>(p.x == q.x);
   return (x | (x_tie & static_cast<unsigned>(p.y < q.y))) != 0;
@@ -19,7 +19,8 @@ inline bool is_lexicographically_before(const SpacePoint& p, const SpacePoint& q
   return (x | (x_tie & (y | (y_tie & static_cast<unsigned>(p.z < q.z))))) != 0;
 }
 
-/// Which of the points comes last in lexicographic order, one of them left out where it is named.
+/// The index of the point that comes last in lexicographic order. The point with the index
+/// `left_out`, if there is one, does not count.
 template <class P, std::size_t Count>
 std::size_t lexicographically_last(const std::array<const P*, Count>& points,
                                    std::size_t left_out = Count) {

@@ -2,9 +2,9 @@
 
 namespace thiessen {
 
-/// A sum of doubles carried in two of them, to 2^-100 of its largest partial sum, so that the order
-/// of its terms does not show in the result (T. J. Dekker, A floating-point technique for extending
-/// the available precision, 1971).
+/// A sum of doubles that is carried in two doubles, with an error of 2^-100 of its largest partial
+/// sum, so that the order of the terms does not show in the result (T. J. Dekker, A floating-point
+/// technique for extending the available precision, 1971).
 class LongSum {
  public:
   void add(double term) {

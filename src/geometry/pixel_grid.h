@@ -4,21 +4,21 @@
 
 namespace thiessen {
 
-/// Where a raster's pixels lie: row 0 is the northern one.
+/// The georeference of a raster: where its pixels lie. Row 0 is the northern one.
 struct PixelGrid {
   Point north_west;  ///< the outer corner of the first pixel
-  double pixel = 0;  ///< its side, in the unit of the coordinates
+  double pixel = 0;  ///< the side of a pixel, in the unit of the coordinates
   int columns = 0;
   int rows = 0;
 
-  /// So many pixels east and south of the outer corner.
+  /// The point that lies so many pixels east and south of the outer corner.
   Point at(double columns_east, double rows_south) const {
     return {north_west.x + columns_east * pixel, north_west.y - rows_south * pixel};
   }
   Point centre(int column, int row) const { return at(column + 0.5, row + 0.5); }
 };
 
-/// A rectangle of a raster's pixels.
+/// A rectangle of a raster's pixels, from its first column and row on.
 struct PixelBlock {
   int column = 0;
   int row = 0;

@@ -4,8 +4,8 @@
 
 namespace thiessen {
 
-/// A position in a plane: east and north in a projection, or longitude and latitude in degrees.
-/// The default order is lexicographic, x before y; the tessellation breaks its ties by it.
+/// A position in a plane: easting and northing in a projection, or longitude and latitude in
+/// degrees. The default order is lexicographic, x before y; the tessellation breaks its ties by it.
 struct Point {
   double x = 0;
   double y = 0;
@@ -37,7 +37,7 @@ struct Position<3> {
 };
 }  // namespace of_dimension
 
-/// Point in the plane, SpacePoint in space.
+/// The type of a position: Point in the plane, SpacePoint in space.
 template <int Dimension>
 using PositionIn = typename of_dimension::Position<Dimension>::Type;
 

@@ -7,8 +7,8 @@
 
 namespace thiessen {
 
-/// Takes points from one system of coordinates to another, in place; NaN where that cannot be. May
-/// keep state: one for a thread.
+/// Transforms points from one coordinate system to another, in place. A point that cannot be
+/// transformed becomes NaN. A mapping may keep state, so each thread needs its own.
 using PointMapping = std::function<void(std::vector<Point>&)>;
 
 }  // namespace thiessen

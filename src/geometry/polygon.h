@@ -9,8 +9,9 @@ namespace thiessen {
 /// A closed line: the last point joins the first, which is not repeated.
 using Ring = std::vector<Point>;
 
-/// A part of the plane inside `outer` and outside every hole. Rings of a mended polygon run
-/// counter-clockwise outside and clockwise round holes, and touch in single points at most.
+/// The part of the plane that is inside `outer` and outside every hole. In a mended polygon the
+/// outer ring runs counter-clockwise and the holes clockwise, and rings touch in single points at
+/// most.
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;

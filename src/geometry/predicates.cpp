@@ -16,7 +16,8 @@ int exact::orientation(Point a, Point b, Point c, Estimate area) {
 }
 
 double doubled_area(Point a, Point b, Point c) {
-  // Above this share of its terms' magnitudes, 8 times three roundings and the last are 25.
+  // Where the area is more than this share of its terms' magnitudes, three roundings of a term
+  // count 8 times at most; with the last one these are the 25 that are promised.
   constexpr double trusted_share = 1.0 / 8;
   const Estimate area = determinant::area(estimated_vector(c, a), estimated_vector(c, b));
   if (std::abs(area.value) >= trusted_share * area.magnitude) return area.value;
@@ -32,9 +33,10 @@ int exact::in_circle(Point a, Point b, Point c, Point d, Estimate lift) {
   });
 }
 
-// The highest lift decides: of four different points on a circle no three are on a line, so that
-// its coefficient in the determinant, an orientation, is not zero. Lifting d makes it outside;
-// lifting a corner makes d inside where d sees the other two as the corner does.
+// The highest lift decides, because its coefficient in the determinant is an orientation of the
+// other three points, which is not zero: of four different points on a circle no three are on a
+// line. If d has the highest lift, it is outside. If a corner has it, d is inside where d sees the
+// other two corners in the same sense as the corner does.
 bool exact::breaks_tie_inside(Point a, Point b, Point c, Point d) {
   std::array<const Point*, 4> points{&a, &b, &c, &d};
   const std::size_t highest = lexicographically_last(points);

@@ -7,21 +7,24 @@
 
 namespace thiessen {
 
-// Each predicate first computes in doubles with a bound on the rounding errors (estimate.h), here
-// in the header; where that does not decide, in whole numbers (whole_vectors.h), out of line. The
-// bounds count roundings to nearest, each operation by itself: so the processor's rounding mode
-// must be to nearest (a caller's fesetround is to be taken back), and -ffp-contract=off in
-// CMakeLists.txt keeps multiplications and additions from being fused, which would also make
-// doubled_area(b, a, c) differ from -doubled_area(a, b, c), and results from one machine to the
-// next.
+// Each predicate works in two stages. The first computes in doubles with a bound on the rounding
+// errors (estimate.h); it is here in the header, so that it is put in line. Where the bound does
+// not decide, the second computes in whole numbers (whole_vectors.h), out of line.
+//
+// The bounds count roundings to nearest, each operation by itself. So the processor's rounding mode
+// must be to nearest (a caller's fesetround is to be taken back). For the same reason
+// -ffp-contract=off in CMakeLists.txt keeps multiplications and additions from being fused, which
+// would also make doubled_area(b, a, c) differ from -doubled_area(a, b, c), and the results of one
+// machine from those of the next.
 
 /// The coordinates for which every predicate below is exact: zero, or a magnitude from
-/// smallest_coordinate to largest_coordinate. Differences of such numbers are multiples of 2^-194,
-/// so the products of five of them that the in-sphere test takes neither underflow nor overflow,
-/// nor do the products of four of the in-circle test.
+/// smallest_coordinate to largest_coordinate. Differences of such numbers are multiples of 2^-194.
+/// So neither the products of five of them that the in-sphere test takes nor the products of four
+/// of the in-circle test underflow or overflow.
 inline constexpr double smallest_coordinate = 0x1p-142;  // 1.8e-43
 inline constexpr double largest_coordinate = 0x1p201;    // 3.2e60
 
+/// Whether the predicates are exact for this coordinate, or for all coordinates of a point.
 inline bool in_exact_range(double coordinate) {
   const double magnitude = std::abs(coordinate);
   return magnitude == 0 || (magnitude >= smallest_coordinate && magnitude <= largest_coordinate);
@@ -30,7 +33,8 @@ inline bool in_exact_range(Point p) {
   return in_exact_range(p.x) && in_exact_range(p.y);
 }
 
-/// The predicates where their estimates do not decide.
+/// The exact second stages of the predicates, which are called where the estimate of the first
+/// stage does not decide.
 namespace exact {
 int orientation(Point a, Point b, Point c, Estimate area);
 int in_circle(Point a, Point b, Point c, Point d, Estimate lift);
@@ -38,10 +42,12 @@ bool breaks_tie_inside(Point a, Point b, Point c, Point d);
 int compare_distance(Point from, Point a, Point b, Estimate difference);
 }  // namespace exact
 
-/// Which side of the directed line a→b the point c is on: 1 left, -1 right, 0 on the line, exactly.
+/// The side of the directed line a→b on which the point c is, exactly: 1 left, -1 right, 0 on the
+/// line.
 /// Laws: 1. orientation(b, a, c) == -orientation(a, b, c). 2. orientation(b, c, a) ==
-/// orientation(a, b, c). Requires coordinates in the exact range. Cost: a few nanoseconds unless c
-/// is within rounding of the line.
+/// orientation(a, b, c).
+/// Requires coordinates in the exact range. Cost: a few nanoseconds unless c is within rounding of
+/// the line.
 inline int orientation(Point a, Point b, Point c) {
   const Estimate area = determinant::area(estimated_vector(c, a), estimated_vector(c, b));
   if (area.is_certain_after<3>()) [[likely]]
@@ -49,13 +55,14 @@ inline int orientation(Point a, Point b, Point c) {
   return exact::orientation(a, b, c, area);
 }
 
-/// Twice the signed area of the triangle a, b, c with a relative error of 25 * 2^-53 (2^-48.3) at
-/// most, however thin it is. Law: doubled_area(b, a, c) == -doubled_area(a, b, c), bit for bit.
+/// Twice the signed area of the triangle a, b, c. The relative error is at most 25 * 2^-53
+/// (2^-48.3), however thin the triangle is. Law: doubled_area(b, a, c) == -doubled_area(a, b, c),
+/// bit for bit.
 double doubled_area(Point a, Point b, Point c);
 
-/// Where d lies against the circle through a, b, c: 1 inside, -1 outside, 0 on it, exactly.
+/// The side of the circle through a, b, c on which d is, exactly: 1 inside, -1 outside, 0 on it.
 /// Requires orientation(a, b, c) > 0 and coordinates in the exact range.
-/// Laws: 1. any even permutation of a, b, c gives the same. 2. For convex a, b, c, d in order,
+/// Laws: 1. Any even permutation of a, b, c gives the same. 2. For convex a, b, c, d in order,
 /// in_circle(b, c, d, a) == -in_circle(a, b, c, d).
 inline int in_circle(Point a, Point b, Point c, Point d) {
   const Estimate lift = estimated_lift(a, b, c, d);
@@ -64,11 +71,12 @@ inline int in_circle(Point a, Point b, Point c, Point d) {
   return exact::in_circle(a, b, c, d, lift);
 }
 
-/// As in_circle, but never 0: points on one circle are lifted, each infinitely less than the one
-/// after it in lexicographic order (Devillers and Teillaud, Perturbations for Delaunay and weighted
-/// Delaunay 3D triangulations, 2011), so that the answer depends on the positions alone: an even
-/// permutation of a, b, c changes nothing. Requires four different points and
-/// orientation(a, b, c) > 0.
+/// Whether d is inside the circle through a, b, c, where ties are broken by a perturbation: points
+/// on one circle are lifted, each infinitely less than the one after it in lexicographic order
+/// (Devillers and Teillaud, Perturbations for Delaunay and weighted Delaunay 3D triangulations,
+/// 2011). So the answer depends on the positions alone, and an even permutation of a, b, c changes
+/// nothing. Requires four different points, orientation(a, b, c) > 0 and coordinates in the exact
+/// range.
 inline bool in_perturbed_circle(Point a, Point b, Point c, Point d) {
   const Estimate lift = estimated_lift(a, b, c, d);
   if (lift.is_certain_after<10>() && lift.value != 0) [[likely]]
@@ -78,7 +86,7 @@ inline bool in_perturbed_circle(Point a, Point b, Point c, Point d) {
   return exact::breaks_tie_inside(a, b, c, d);
 }
 
-/// Which of a and b is nearer to `from`: -1 the first, 1 the second, 0 neither, exactly.
+/// Which of a and b is nearer to `from`, exactly: -1 for a, 1 for b, 0 where both are equally near.
 /// Requires coordinates in the exact range.
 inline int compare_distance(Point from, Point a, Point b) {
   const Estimate difference = determinant::square(estimated_vector(from, a)) -
@@ -88,8 +96,8 @@ inline int compare_distance(Point from, Point a, Point b) {
   return exact::compare_distance(from, a, b, difference);
 }
 
-/// The centre of the circle through a, b, c; it does not depend on their order, bit for bit.
-/// Requires that they are not on one line. Accuracy: 2^-51 of its distance from the
+/// The centre of the circle through a, b, c. It does not depend on their order, bit for bit.
+/// Requires that they are not on one line. Accuracy: 2^-51 of the centre's distance from the
 /// lexicographically first of the three, however thin the triangle, plus the rounding to doubles.
 Point circumcentre(Point a, Point b, Point c);
 

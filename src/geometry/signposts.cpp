@@ -26,7 +26,8 @@ std::size_t longest_axis(std::span<const Signpost> part) {
   return longest;
 }
 
-/// Parts the signposts at `middle`, the lesser coordinates below; returns the plane between them.
+/// Parts the signposts at `middle`, so that those with lesser coordinates come first. Returns the
+/// plane between the two halves.
 template <typename Signpost>
 double halve(std::span<Signpost> part, std::size_t middle, std::size_t axis) {
   const auto along = [axis](const Signpost& s) { return coordinates(s.position)[axis]; };

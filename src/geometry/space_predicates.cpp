@@ -17,7 +17,7 @@ PlaneVector<Number> projected(Axis dropped, const SpaceVector<Number>& u) {
   return {u.x, u.y};
 }
 
-/// The plane's in-circle determinant, with the squares of the vectors in space.
+/// The in-circle determinant of the projections, with the squares of the vectors in space.
 template <class Number>
 auto circle_in_plane(Axis dropped, const SpaceVector<Number>& u, const SpaceVector<Number>& v,
                      const SpaceVector<Number>& w) {
@@ -51,10 +51,11 @@ int exact::in_sphere(const SpacePoint& a, const SpacePoint& b, const SpacePoint&
   });
 }
 
-// The highest lift decides unless its coefficient in the determinant, an orientation, is zero, that
-// is where the other four are on one circle: then the next decides, as it is on that circle and the
-// highest is not in its plane. Lifting e makes it outside; lifting a corner makes e inside where e
-// sees the other three as the corner does.
+// The highest lift decides unless its coefficient in the determinant is zero. The coefficient is an
+// orientation of the other four points, so it is zero where these are on one circle. Then the next
+// lift decides, because that point is on the circle and the highest is not in its plane. Lifting e
+// makes it outside. Lifting a corner makes e inside where e sees the other three corners in the
+// same sense as the corner does.
 bool exact::breaks_tie_inside(const SpacePoint& a, const SpacePoint& b, const SpacePoint& c,
                               const SpacePoint& d, const SpacePoint& e) {
   const std::array<const SpacePoint*, 5> points{&a, &b, &c, &d, &e};
@@ -127,7 +128,7 @@ int in_circle_in_plane(Axis dropped, const SpacePoint& a, const SpacePoint& b, c
                                  });
 }
 
-// As in the plane, the highest lift decides.
+// The highest lift decides, as in the plane.
 bool in_perturbed_circle_in_plane(Axis dropped, const SpacePoint& a, const SpacePoint& b,
                                   const SpacePoint& c, const SpacePoint& d) {
   const int side = in_circle_in_plane(dropped, a, b, c, d);

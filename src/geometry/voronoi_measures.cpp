@@ -47,7 +47,8 @@ double circumradius(const SpacePoint& a, const SpacePoint& b, const SpacePoint& 
   });
 }
 
-// As a fraction, its numerator is the in-circle determinant.
+// The sum of the cotangents is a fraction whose numerator is the in-circle determinant, so it
+// cancels exactly.
 double edge_ratio(Point p, Point q, Point r, Point s) {
   return exact::in_whole_numbers(std::array<Point, 4>{q, r, s, p}, [](const auto& vectors) {
     const auto& [u, v, w] = vectors.to;
@@ -65,7 +66,8 @@ double square_difference(Point from, Point a, Point b) {
   });
 }
 
-// The edge's length over half that of pq is the sum of the cotangents at r and s: see edge_ratio.
+// The edge's length divided by half that of pq is the sum of the cotangents at r and s: see
+// edge_ratio.
 double sector_area(Point p, Point q, Point r, Point s) {
   return exact::in_whole_numbers(std::array<Point, 4>{q, r, s, p}, [](const auto& vectors) {
     const auto& [u, v, w] = vectors.to;
@@ -77,7 +79,8 @@ double sector_area(Point p, Point q, Point r, Point s) {
   });
 }
 
-// Along the normal of p, q, s to where the sphere that keeps these three has t on it.
+// The edge is along the normal of the triangle p, q, s, up to the centre where the sphere through
+// these three passes through t.
 SpaceVector<double> voronoi_edge(const SpacePoint& p, const SpacePoint& q, const SpacePoint& r,
                                  const SpacePoint& s, const SpacePoint& t) {
   return exact::in_whole_numbers(std::array<SpacePoint, 5>{q, r, s, t, p}, [](const auto& vectors) {

@@ -10,7 +10,8 @@
 #include "geometry/point.h"
 #include "geometry/wide_integer.h"
 
-/// The predicates' exact stages: differences of points as whole numbers of one unit.
+/// This namespace holds what the exact stages of the predicates work with: differences of points as
+/// whole numbers of one unit.
 namespace thiessen::exact {
 
 template <class P, class Number>
@@ -34,8 +35,8 @@ struct WholeVectors {
 template <class P>
 inline constexpr std::size_t dimension_of = sizeof(P) / sizeof(double);
 
-/// The coordinates of some points as digits * 2^exponent, the largest unit in which all are whole,
-/// and the digits that differences from the last point take in it.
+/// The coordinates of some points as whole numbers, digits * 2^exponent, in the largest unit in
+/// which all are whole; and how many binary digits the differences from the last point take in it.
 template <class P, std::size_t Points>
 class WholeCoordinates {
  public:
@@ -53,14 +54,14 @@ class WholeCoordinates {
     digits_of_differences_ = static_cast<int>(largest >> 53) - 1022 - unit_;
   }
 
-  /// Whether differences are below 2^(64 Limbs - 2) in magnitude, which leaves room for the sums in
-  /// the determinants.
+  /// Whether the differences are below 2^(64 Limbs - 2) in magnitude, which leaves room for the
+  /// sums in the determinants.
   template <std::size_t Limbs>
   bool fit() const {
     return digits_of_differences_ <= static_cast<int>(Limbs) * 64 - 2;
   }
 
-  /// The vectors from the last point to the others. Requires that they fit.
+  /// The vectors from the last point to the others. Requires that they fit into so many limbs.
   template <std::size_t Limbs>
   WholeVectors<P, Points, Limbs> differences() const {
     WholeVectors<P, Points, Limbs> vectors;
@@ -112,9 +113,10 @@ class WholeCoordinates {
   int digits_of_differences_;
 };
 
-/// f(the vectors from the last point to the others), at the least of three widths that holds them.
-/// One limb holds nearly all that is measured: decimals at one offset, degrees, lattices. Seven
-/// hold all of the exact range: differences up to 2^202 in units of 2^-194 and more.
+/// Returns f(vectors), with the vectors from the last point to the others in the narrowest of three
+/// widths that holds them. One limb holds nearly all that is measured: decimals at one offset,
+/// degrees, lattices. Seven limbs hold all of the exact range: differences up to 2^202 in units of
+/// 2^-194 or more.
 template <class P, std::size_t Points, class F>
 auto in_whole_numbers(const std::array<P, Points>& points, F f) {
   const WholeCoordinates<P, Points> whole(points);

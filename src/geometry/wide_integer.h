@@ -11,10 +11,10 @@ namespace thiessen {
 __extension__ using LongInteger = __int128;
 __extension__ using UnsignedLongInteger = unsigned __int128;
 
-/// A whole number in two's complement of a fixed width: 64 bits a limb, lowest limb first. A
-/// product is as wide as its factors together, and so never overflows; sums and differences are as
-/// wide as their terms, and the caller sees to it that they fit. Cost: a sum takes time in
-/// proportion to the limbs; a product to the product of their numbers.
+/// A whole number of fixed width in two's complement: 64 bits a limb, lowest limb first. A product
+/// is as wide as its factors together, so it never overflows. A sum or difference is as wide as its
+/// terms, and the caller must see to it that it fits. Cost: a sum takes time in proportion to the
+/// number of limbs, and a product in proportion to the product of the factors' numbers of limbs.
 template <std::size_t Limbs>
 class WideInteger {
   static_assert(Limbs > 0);
@@ -33,7 +33,8 @@ class WideInteger {
     return result;
   }
 
-  /// digits * 2^shift, but for what does not fit: modulo 2^(64 Limbs). Requires shift >= 0.
+  /// The number digits * 2^shift, modulo 2^(64 Limbs), that is, without the bits that do not fit.
+  /// Requires shift >= 0.
   static constexpr WideInteger shifted(std::int64_t digits, int shift) {
     const auto low = static_cast<std::uint64_t>(digits);
     if constexpr (Limbs == 1) return static_cast<std::int64_t>(shift < 64 ? low << shift : 0);
@@ -52,8 +53,8 @@ class WideInteger {
     return static_cast<int>(any != 0) - 2 * static_cast<int>(is_negative());
   }
 
-  /// The double nearest to the value times 2^exponent, the even one of two. Requires that it is
-  /// zero or within the normal doubles.
+  /// The double nearest to the value times 2^exponent; of two equally near ones the even one.
+  /// Requires that the result is zero or a normal double.
   double to_double(int exponent = 0) const {
     if (is_negative()) return -magnitude_to_double(-*this, exponent);
     return magnitude_to_double(*this, exponent);
@@ -85,7 +86,7 @@ class WideInteger {
     return difference;
   }
 
-  // Short products are put in line: half their time would go into calls.
+  // Short products are put in line, because half their time would go into calls.
   template <std::size_t M>
   [[gnu::always_inline]] WideInteger<Limbs + M> operator*(const WideInteger<M>& b) const
       requires(Limbs <= 6 / M) {
@@ -100,7 +101,7 @@ class WideInteger {
   template <std::size_t>
   friend class WideInteger;
 
-  // The limbs as a number of the processor's own, where it has one as wide; sums wrap around in it.
+  // The limbs as one built-in integer, where there is one as wide. Its sums wrap around.
   auto native() const requires(Limbs <= 2) {
     if constexpr (Limbs == 1) return limbs_[0];
     if constexpr (Limbs == 2) return UnsignedLongInteger{limbs_[1]} << 64 | limbs_[0];
@@ -127,7 +128,8 @@ class WideInteger {
       }
       result.limbs_[i + M] = carry;
     }
-    // The limbs as unsigned numbers exceed a negative factor by 2^(64 of its limbs).
+    // The product of the limbs as unsigned numbers is too large where a factor is negative: as an
+    // unsigned number, the factor exceeds its value by 2^(64 of its limbs).
     const auto take_from_high = [&result](std::size_t low, const auto& factor, bool negative) {
       const std::uint64_t mask = negative ? ~std::uint64_t{0} : 0;
       std::uint64_t borrow = 0;
@@ -148,7 +150,8 @@ class WideInteger {
     while (top > 0 && value.limbs_[top] == 0) --top;
     const int zeros = std::countl_zero(value.limbs_[top]);
     std::uint64_t digits = value.limbs_[top];
-    // The highest 64 digits, the last of them 1 where any that is left out is.
+    // Keeps the highest 64 digits, and makes the last of them 1 where any digit that is left out is
+    // 1, so that the rounding is right.
     if (top > 0) {
       const UnsignedLongInteger two = (UnsignedLongInteger{digits} << 64 | value.limbs_[top - 1])
                                       << zeros;
