@@ -11,39 +11,40 @@
 
 namespace thiessen {
 
-/// Stands for none of Diagram::nodes.
+/// The index that stands for none of Diagram::nodes.
 inline constexpr std::uint32_t no_node = 0xFFFFFFFFu;
 
 /// A straight piece of the edge between two cells.
 struct Chord {
-  std::uint32_t from;  ///< a position in Diagram::nodes
+  std::uint32_t from;  ///< the node it starts at, an index into Diagram::nodes
   std::uint32_t to;
-  PlaceIndex left;  ///< whose cell lies to the left, going from `from` to `to`
+  PlaceIndex left;  ///< the place whose cell lies to the left, going from `from` to `to`
   PlaceIndex right;
 };
 
 /// The edges of the Thiessen cells of some places, in the coordinates of a study, as far as they
-/// come near a frame. Chords meet at nodes of equal number; where an edge leaves the frame it just
-/// ends. Whatever is made of a Diagram takes its nodes' coordinates as exact, so that it fits
-/// together exactly.
+/// come near a frame. Chords that meet have the same node; where an edge leaves the frame, it just
+/// ends. All code that uses a Diagram takes the nodes' coordinates as exact, so that what it makes
+/// fits together exactly.
 struct Diagram {
   Box frame;
-  double period = 0;  ///< after which x repeats: 360 for longitudes; 0 in a plane
+  double period = 0;  ///< the period after which x repeats: 360 for longitudes; 0 in a plane
   std::vector<Point> nodes;
   std::vector<Chord> chords;
-  /// Where chords stand for curved edges: for each the area between the true edge and the chord,
-  /// positive where the edge lies to the chord's right, as in Basin::bulges. Empty where they are
-  /// as near to them as they have to be.
+  /// The area between the true edge and its chord, for each chord, where chords stand for curved
+  /// edges. It is positive where the edge lies to the chord's right, as in Basin::bulges. The list
+  /// is empty where the chords are as near to the edges as they have to be.
   std::vector<double> bulges;
-  /// A place whose cell is at or near a point of the frame, and that place's position in the
-  /// frame's coordinates: where a search for the point's cell may start.
+  /// Returns a place whose cell is at or near a point of the frame, so that a search for the
+  /// point's cell may start there.
   std::function<PlaceIndex(Point)> near;
+  /// The places' positions in the frame's coordinates.
   std::vector<Point> places;
-  /// For each place the place whose cell it has: itself, but where rounding cannot tell it from
-  /// another, less than a micrometre away, with which it shares one cell.
+  /// For each place, the place that owns its cell. This is the place itself, unless rounding cannot
+  /// tell it from another one less than a micrometre away: then the two share one cell.
   std::vector<PlaceIndex> cell_of;
-  /// Pairs of places whose cells have an edge in common; also some, far from the frame, whose cells
-  /// may. Those that share a cell have pairs too.
+  /// The pairs of places whose cells have an edge in common. Far from the frame there are also some
+  /// pairs whose cells only may have one. Places that share a cell have pairs too.
   std::vector<std::pair<PlaceIndex, PlaceIndex>> neighbours;
 };
 

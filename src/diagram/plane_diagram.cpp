@@ -17,12 +17,12 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The bisector of two points as a line with the first point's side to its left.
+/// The perpendicular bisector of two points, as a line with the first point's side to its left.
 struct Bisector {
   Point middle;
   Point direction;
 
-  // Going from a to b, a quarter turn to the left leads along the edge, with a on the left of it.
+  // The direction is that from a to b turned left by a quarter, so that a is on its left.
   Bisector(Point a, Point b)
       : middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2}, direction{-(b.y - a.y), b.x - a.x} {}
 
@@ -38,7 +38,7 @@ struct Stretch {
   double to;
 };
 
-/// The stretch of the line within the box; none where it passes by.
+/// The stretch of the line that is within the box, or nothing where the line misses the box.
 std::optional<Stretch> within(const Box& box, const Bisector& line) {
   Stretch stretch{-infinity, infinity};
   const auto cut = [&](double start, double step, double low, double high) {
@@ -54,9 +54,9 @@ std::optional<Stretch> within(const Box& box, const Bisector& line) {
   return meets ? std::optional(stretch) : std::nullopt;
 }
 
-/// The centres of a tessellation's simplices. Cocircular ones have one centre, and so have those
-/// next to each other that rounding cannot tell apart: an edge so short would turn any way. A group
-/// is known by the number of one of its simplices.
+/// The circumcentres of a tessellation's simplices. Cocircular simplices have one centre. So have
+/// neighbouring simplices whose centres rounding cannot tell apart, because an edge so short could
+/// point in any direction. A group of such simplices is known by the number of one of them.
 class Centres {
  public:
   explicit Centres(const Tessellation<2>& tessellation)
@@ -90,8 +90,8 @@ class Centres {
     });
   }
 
-  // A group's centre is that of its lexicographically first simplex, so that it does not depend on
-  // the order in which the places came.
+  // Computes the centre of each group from its lexicographically first simplex, so that it does not
+  // depend on the order in which the places came.
   void compute() {
     std::vector<VertexId> first(topology_.size(), no_vertex);
     const auto for_each_simplex = [&](auto&& visit) {
@@ -192,7 +192,7 @@ class PlaneDiagramBuilder {
         if (w < v) continue;
         const PointId a = topology().forming(v)[(side + 1) % 3];
         const PointId b = topology().forming(v)[(side + 2) % 3];
-        // v lies to the left of a→b: the edge runs from w's centre to v's.
+        // The vertex v lies to the left of a→b, so the edge runs from w's centre to v's.
         if (a == infinite_point || b == infinite_point) continue;
         add_neighbours(a, b);
         add_edge(a, b, w, v);
@@ -204,13 +204,13 @@ class PlaneDiagramBuilder {
     diagram_.neighbours.emplace_back((*place_of_)[index(a)], (*place_of_)[index(b)]);
   }
 
-  // The edge between the cells of a and b, from `start` to `end` (vertices to the right and the
-  // left of a→b; infinite or none where it has no end).
+  // Adds the edge between the cells of a and b, from `start` to `end`: the vertices to the right
+  // and to the left of a→b, which are infinite or no_vertex where the edge has no end.
   void add_edge(PointId a, PointId b, VertexId start, VertexId end) {
     const bool starts = start != no_vertex && !topology().is_infinite(start);
     const bool ends = end != no_vertex && !topology().is_infinite(end);
     if (starts && ends && centres_->group_of(start) == centres_->group_of(end)) return;
-    // One way only, so that rounding is the same for any order of places.
+    // Always goes in one direction, so that rounding is the same for any order of places.
     if (position(b) < position(a)) {
       add_edge(b, a, end, start);
       return;
@@ -225,8 +225,8 @@ class PlaneDiagramBuilder {
     diagram_.chords.push_back({first, last, (*place_of_)[index(a)], (*place_of_)[index(b)]});
   }
 
-  // The vertex's node, or one where the edge towards it leaves the box: the rounding of a far
-  // centre would turn the edge.
+  // The vertex's node. Where the centre is outside the box, it is a new node at which the edge
+  // leaves the box, because the rounding of a far centre would turn the edge.
   std::uint32_t node_at(VertexId v, Point leaving) {
     if (v == no_vertex) return new_node(leaving);
     const Point centre = centres_->of(v);
@@ -246,7 +246,7 @@ class PlaneDiagramBuilder {
   Box cutting_box_;
   Diagram diagram_;
   std::optional<Centres> centres_;
-  std::vector<std::uint32_t> node_of_;  // by group of centres
+  std::vector<std::uint32_t> node_of_;  // the node of each group of centres, or no_node
 };
 
 }  // namespace
