@@ -23,7 +23,8 @@ Descriptor::~Descriptor() {
 }
 
 bool Descriptor::close() {
-  // After EINTR the number is gone on Linux, and may already be another file's: never close twice.
+  // After EINTR the number is free again on Linux, and may already belong to another file, so it
+  // must never be closed twice.
   return !is_open() || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR;
 }
 
@@ -42,8 +43,8 @@ Error system_error(const std::string& file, const std::string& what, int error_n
 void hold_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(number, F_GETFD) >= 0 || errno != EBADF) continue;
-    // The lowest free number is this one. It is open the wrong way round, so that its use still
-    // fails.
+    // The file gets this number, because it is the lowest free one. It is opened in the wrong
+    // direction, so that using it still fails.
     const int way = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
     if (::open("/dev/null", way) < 0) return;
   }

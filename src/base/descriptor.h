@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-/// An open file, closed when it goes.
+/// Owns the descriptor of an open file, and closes it in its destructor.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -18,23 +18,24 @@ class Descriptor {
 
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
-  /// Closes it; whether that succeeded. `errno` tells why not.
+  /// Closes the file. Returns whether that succeeded; if not, `errno` tells why.
   bool close();
 
  private:
   int number_ = -1;
 };
 
-/// `open` with O_CLOEXEC and O_NOCTTY, tried again when a signal came that is no reason to stop.
-/// Not open where it failed; `errno` tells why.
+/// Opens a file with O_CLOEXEC and O_NOCTTY, and tries again after a signal that is no reason to
+/// stop. Throws Interrupted where it is one. Where opening fails the descriptor is not open, and
+/// `errno` tells why.
 Descriptor open_descriptor(const std::string& path, int flags, unsigned mode = 0);
 
-/// The Error for a call of the system that failed: `file: what: reason of errno`.
+/// Makes the Error for a system call that failed: `file: what: reason of errno`.
 Error system_error(const std::string& file, const std::string& what, int error_number);
 
-/// Fills the standard input, output and error, where the program was started with one of them
-/// closed, so that no file it opens takes their number; whatever reads or writes such a one fails
-/// as before.
+/// Opens whichever of the standard input, output and error the program was started without, so that
+/// no file it opens takes their number. Whatever reads from or writes to such a stream fails as
+/// before.
 void hold_standard_streams();
 
 }  // namespace thiessen

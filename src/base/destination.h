@@ -10,14 +10,14 @@
 
 namespace thiessen {
 
-/// Which files may be replaced.
+/// The rules for which files a run may replace.
 struct OutputRules {
   bool overwrite = false;  ///< whether a file that exists may be replaced
-  std::vector<std::string>
-      inputs;  ///< files that no output may be, whatever it is called; others are passed over
+  /// Files that no output may be, by whatever name. Those that do not exist are passed over.
+  std::vector<std::string> inputs;
 };
 
-/// What stands at a name that is to be written.
+/// What is found at a name that is to be written.
 struct Destination {
   enum class Kind {
     nothing,  ///< a new file, with the mode that the umask leaves
@@ -26,21 +26,23 @@ struct Destination {
     stream,   ///< a pipe or a character device
   };
   Kind kind = Kind::nothing;
-  struct stat status = {};  ///< of what is there, through links
+  struct stat status = {};  ///< the status of what is there, after following links
 };
 
-/// Looks at a name before it is written. Throws Error where it is empty, a folder, a disk, a link
-/// that leads nowhere, an input of the run, or a file that may not be replaced.
+/// Looks at a name before it is written. Throws Error where the name is empty, a folder, a disk, a
+/// link that leads nowhere, an input of the run, or a file that may not be replaced.
 Destination examine_destination(const std::string& path, const OutputRules& rules);
 
-/// The open file that names such as /dev/stdout and /dev/fd/3 stand for.
+/// The number of the open file that names such as /dev/stdout and /dev/fd/3 stand for, or nothing
+/// for other names.
 std::optional<int> standing_descriptor(const std::string& path);
 
-/// The folder a name is in, "." where it has none; the name within it.
+/// The folder that a path is in, or "." where it names none.
 std::string folder_of(const std::string& path);
+/// The last part of a path: the name within its folder.
 std::string name_in_folder(const std::string& path);
 
-/// A name in the folder, hidden and random, that nobody else uses.
+/// Makes up a hidden, random name in the folder that nobody else uses.
 std::string fresh_name(const std::string& folder);
 
 }  // namespace thiessen

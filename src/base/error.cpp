@@ -34,8 +34,8 @@ std::size_t length_of(char first) {
   return lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
 }
 
-/// Characters that a terminal obeys instead of showing: controls, line separators, and the marks
-/// that turn the direction of the text around them.
+/// Whether a terminal obeys the character instead of showing it: controls, line separators, and
+/// marks that turn the direction of the text around them.
 bool is_control(std::uint32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E || c == 0x200F ||
          (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;

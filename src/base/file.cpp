@@ -24,7 +24,7 @@ void wait_for(int descriptor, short event) {
   if (::poll(&wanted, 1, -1) < 0) throw_if_interrupted();
 }
 
-/// After a call that failed with this errno: whether to try again.
+/// Whether a call that failed with this errno should be tried again.
 bool may_go_on(int error_number, int descriptor, short event) {
   if (error_number == EINTR) {
     throw_if_interrupted();
@@ -69,7 +69,7 @@ InputFile::InputFile(const std::string& name) : name_(name) {
 }
 
 void InputFile::open(const std::string& path) {
-  // Without O_NONBLOCK, the opening of a pipe that nobody writes to would never come back.
+  // Without O_NONBLOCK, opening a pipe to which nobody writes would never return.
   file_ = open_descriptor(path, O_RDONLY | O_NONBLOCK);
   if (!file_.is_open()) throw system_error(name_, "cannot open", errno);
   struct stat status = {};
@@ -87,7 +87,7 @@ void InputFile::await_writer() {
   pollfd pipe = {file_.number(), POLLIN, 0};
   const int ready = ::poll(&pipe, 1, writer_patience_ms);
   throw_if_interrupted();
-  if (ready > 0) return;  // there are bytes, or there was a writer
+  if (ready > 0) return;  // there are bytes, or a writer has come and gone
   char byte = 0;
   const ssize_t count = ::read(file_.number(), &byte, 1);
   if (count > 0) first_ = byte;
@@ -141,7 +141,8 @@ void OutputFile::write(std::string_view text) {
 
 void OutputFile::finish() {
   if (!file_.is_open()) return;
-  if (care_ == Care::held && !spool_.is_open()) care_ = Care::closed;  // all is in the buffer
+  // Where nothing was spooled, everything is still in the buffer and can be written now.
+  if (care_ == Care::held && !spool_.is_open()) care_ = Care::closed;
   flush();
   if (spool_.is_open())
     copy_spool(spool_, [&](std::string_view text) { write_whole(file_.number(), text, name_); });

@@ -18,12 +18,12 @@ class InputFile {
   /// which nobody writes within three seconds.
   explicit InputFile(const std::string& name);
 
-  /// As the user named it; "standard input" for `-`.
+  /// The name as the user gave it; "standard input" for `-`.
   const std::string& name() const { return name_; }
-  /// In bytes, as it was when it was opened; 0 where that is not known, as of a pipe.
+  /// The size in bytes when the file was opened; 0 where it is not known, as for a pipe.
   std::size_t size() const { return size_; }
-  /// Fills the beginning of `into` with what comes next and returns how many bytes that is, 0 at
-  /// the end. Throws Error where reading fails, Interrupted where a signal came.
+  /// Reads the next bytes into the beginning of `into`, and returns how many they are; 0 at the
+  /// end. Throws Error where reading fails, and Interrupted where a signal came.
   std::size_t read(std::span<char> into);
 
  private:
@@ -33,29 +33,31 @@ class InputFile {
   std::string name_;
   Descriptor file_;
   std::size_t size_ = 0;
-  std::optional<char> first_;  ///< already read, while waiting for a writer
+  std::optional<char> first_;  ///< a byte that was read while waiting for a writer
 };
 
-/// A file being written, through a buffer; every write is checked. See Outputs, which makes them.
+/// A file that is written through a buffer; every write is checked. See Outputs, which makes such
+/// files.
 class OutputFile {
  public:
   /// What has to happen before the bytes count as written.
   enum class Care {
-    closed,  ///< the system took them: pipes, devices, the standard output
-    held,    ///< the same, but none of them goes there before `finish`: what was printed cannot be
-             ///< taken back. What the buffer cannot hold waits in a temporary file (see spool.h)
-    synced,  ///< they are on the disk
+    closed,  ///< the system took the bytes: for pipes, devices, the standard output
+    held,    ///< as closed, but no byte goes there before `finish`, because what was printed cannot
+             ///< be taken back; what the buffer cannot hold waits in a temporary file (spool.h)
+    synced,  ///< the bytes are on the disk
   };
 
   OutputFile(std::string name, Descriptor file, Care care);
 
-  /// As the user named it, for messages; "standard output" for `-`.
+  /// The name as the user gave it, for messages; "standard output" for `-`.
   const std::string& name() const { return name_; }
-  /// Adds to the end. Throws Error where the system refuses: a full disk, a closed pipe.
+  /// Appends the text. Throws Error where the system refuses it: a full disk, a closed pipe.
   void append(std::string_view text);
-  /// Hands over what the buffer holds, so that a reader of a pipe sees it (held: nobody does yet).
+  /// Hands over what the buffer holds, so that the reader of a pipe sees it. Held bytes stay where
+  /// no reader sees them yet.
   void flush();
-  /// Writes the rest, syncs and closes; only when this does not throw are the bytes safe.
+  /// Writes the rest, syncs and closes the file. The bytes are safe only when this does not throw.
   void finish();
 
  private:
@@ -71,7 +73,7 @@ class OutputFile {
 /// The standard output as a checked file. Throws Error where it is closed.
 OutputFile standard_output(OutputFile::Care care = OutputFile::Care::closed);
 
-/// Asks the disk for what a file or folder holds. Throws Error where that fails.
+/// Waits until what a file or folder holds is on the disk. Throws Error where that fails.
 void sync_to_disk(int descriptor, const std::string& name);
 
 }  // namespace thiessen

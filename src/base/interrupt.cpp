@@ -20,7 +20,7 @@ void note(int signal) {
   struct sigaction action = {};
   action.sa_handler = note_signal;
   sigemptyset(&action.sa_mask);
-  action.sa_flags = 0;  // without SA_RESTART, so that a read that waits comes back
+  action.sa_flags = 0;  // without SA_RESTART, so that a waiting read returns
   sigaction(signal, &action, nullptr);
 }
 

@@ -11,7 +11,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// What is left of a text, taken from its beginning piece by piece.
+/// The rest of a text from whose beginning pieces are taken.
 class Rest {
  public:
   explicit Rest(std::string_view text) : text_(text) {}
@@ -24,7 +24,7 @@ class Rest {
     text_.remove_prefix(1);
     return true;
   }
-  /// So many digits.
+  /// Takes exactly so many digits as a number.
   bool take(int digits, int& number) {
     number = 0;
     for (; digits > 0; --digits) {
@@ -110,7 +110,7 @@ bool there_is(const IsoTime& time, const Zone& zone) {
          time.second < 60 && zone.hours < 24 && zone.minutes < 60;
 }
 
-/// On the time's own clock, from the beginning of 1970.
+/// The seconds from the beginning of 1970, by the time's own clock.
 std::int64_t seconds_of(const IsoTime& time) {
   const std::int64_t days = std::chrono::sys_days(day_of(time)).time_since_epoch().count();
   return ((days * 24 + time.hour) * 60 + time.minute) * 60 + time.second;

@@ -10,24 +10,25 @@
 namespace thiessen {
 namespace {
 
-/// Powers of ten that a double holds exactly.
+/// The powers of ten that a double holds exactly.
 constexpr std::array<double, 23> exact_tens = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t exact_integers = std::uint64_t{1} << 53;
 constexpr int digits_that_fit = 18;  ///< any 18 digits fit 64 bits
-/// Far beyond what any count of decimals could bring back, far below overflow.
+/// The exponent is capped at this value, which is far beyond what any count of decimals could bring
+/// back, and far below overflow.
 constexpr std::int64_t exponent_ceiling = 1'000'000'000'000'000;
 
 unsigned digit(char c) {
   return static_cast<unsigned>(c) - unsigned{'0'};
 }
 
-/// The number's parts, as the grammar finds them: mantissa * 10^exponent, where they fit.
+/// The parts of a number that the grammar finds: mantissa * 10^exponent, where they fit.
 struct Decimal {
   std::uint64_t mantissa = 0;
-  int significant =
-      0;  ///< digits in the mantissa from the first that is not 0; beyond 18 it is not whole
+  /// Digits in the mantissa from the first that is not 0. Beyond 18 the mantissa is not whole.
+  int significant = 0;
   std::int64_t exponent = 0;
   bool negative = false;
 };
@@ -37,7 +38,7 @@ class DecimalScanner {
   DecimalScanner(std::string_view text, DecimalMark mark)
       : at_(text.data()), end_(text.data() + text.size()), mark_(static_cast<char>(mark)) {}
 
-  /// Whether the whole text is a number; fills `decimal`.
+  /// Reads the whole text into `decimal`. Returns whether it is a number.
   bool scan(Decimal& decimal) {
     decimal.negative = take('-');
     if (!decimal.negative) take('+');
@@ -85,7 +86,8 @@ class DecimalScanner {
   char mark_;
 };
 
-/// For numbers, not zero, that do not fit in a mantissa of 53 bits times an exact power of ten.
+/// Reads a number that does not fit in a mantissa of 53 bits times an exact power of ten. Requires
+/// that it is not zero.
 Parsed<double> parse_long_number(std::string_view text) {
   if (text.front() == '+') text.remove_prefix(1);
   double value = 0;

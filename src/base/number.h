@@ -10,21 +10,23 @@
 
 namespace thiessen {
 
-/// Numbers in and out of text, the same in every locale.
+/// This file reads and writes numbers as text, in the same way in every locale.
 ///
 /// A number is `[+-] digits [. digits] [e [+-] digits]`, with digits on at least one side of the
-/// point: 5, 5., .5, +5, 1e+5, 007 and any count of digits. Refused: blanks, nan, inf, hexadecimal,
-/// 1_000, 1,234.5, digits that are not ASCII.
+/// point: 5, 5., .5, +5, 1e+5, 007 and any count of digits. Refused are blanks, nan, inf,
+/// hexadecimal, 1_000, 1,234.5, and digits that are not ASCII.
 
-/// Which character parts the whole from the fraction.
+/// The character that separates the whole part from the fraction.
 enum class DecimalMark : char { point = '.', comma = ',' };
 
+/// Why a text is not read as a number.
 enum class NumberFault : std::uint8_t {
   none,
   not_a_number,  ///< the text is outside the grammar
-  out_of_range,  ///< a number, but too large for the type, or not zero and too small
+  out_of_range,  ///< a number, but too large for the type, or too small without being zero
 };
 
+/// A number that was read, or the reason why there is none.
 template <typename T>
 struct Parsed {
   T value = {};
@@ -33,18 +35,20 @@ struct Parsed {
   explicit operator bool() const { return fault == NumberFault::none; }
 };
 
-/// What `parse_number` does with texts that are not plain and short: signs, exponents, many digits.
+/// Reads a number in its general form: with a sign, an exponent or many digits. parse_number calls
+/// it for texts that are not plain and short.
 Parsed<double> parse_any_number(std::string_view text, DecimalMark mark);
 
-/// The double nearest to the number that the text names, ties to even. The whole text must be the
-/// number. Linear in the digits; about 4 ns for readings such as 0 and 12.5, which are read inline.
+/// Reads the double nearest to the number that the text names, ties to even. The whole text must be
+/// the number. Cost: linear in the digits; about 4 ns for readings such as 0 and 12.5, which are
+/// read inline.
 inline Parsed<double> parse_number(std::string_view text, DecimalMark mark = DecimalMark::point) {
   static constexpr std::array<double, 16> tens = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                   1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   if (text.empty() || text.size() >= tens.size()) return parse_any_number(text, mark);
   const char* at = text.data();
   const char* const end = at + text.size();
-  std::int64_t digits = 0;  // 15 at most, so exact as a double, and one division rounds once
+  std::int64_t digits = 0;  // at most 15, so exact as a double, and the division rounds once
   const auto take_digits = [&] {
     for (; at != end && *at >= '0' && *at <= '9'; ++at) digits = digits * 10 + (*at - '0');
   };
@@ -59,12 +63,12 @@ inline Parsed<double> parse_number(std::string_view text, DecimalMark mark = Dec
   return parse_any_number(text, mark);
 }
 
-/// How many bytes `parse_padded_number` may look at.
+/// How many bytes `parse_padded_number` may read.
 constexpr std::size_t number_padding = 8;
 
-/// The same as parse_number, where number_padding bytes can be read at text.data() whatever the
-/// text's size. Texts of so many digits and marks at most take no branch on their length, so that
-/// short numbers of mixed lengths are read in half the time.
+/// Reads a number as parse_number does, but faster. Requires that number_padding bytes can be read
+/// at text.data(), whatever the text's size. Texts of at most number_padding characters are read
+/// without a branch on their length, so short numbers of mixed lengths take half the time.
 inline Parsed<double> parse_padded_number(std::string_view text,
                                           DecimalMark mark = DecimalMark::point) {
   static constexpr std::array<double, 8> tens = {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
@@ -99,18 +103,20 @@ inline Parsed<double> parse_padded_number(std::string_view text,
           NumberFault::none};
 }
 
-/// A whole number in plain ASCII digits, without a sign.
+/// Reads a whole number in plain ASCII digits, without a sign.
 Parsed<std::size_t> parse_size(std::string_view text);
 
-/// The fewest digits that read back to the same double: plain (0.000001, 1000000) where 1e-6 <=
-/// |value| < 1e15, else with an exponent (1e+15, 2.5e-07). Zero is "0", whatever its sign. Requires
-/// a finite value.
+/// Writes the fewest digits that read back to the same double: plain (0.000001, 1000000) where 1e-6
+/// <= |value| < 1e15, otherwise with an exponent (1e+15, 2.5e-07). Zero is "0", whatever its sign.
+/// Requires a finite value.
 std::string shortest_text(double value);
+/// Appends what shortest_text returns.
 void append_shortest(std::string& out, double value);
 
-/// The value with so many decimals (at most 100), correctly rounded, ties to even; never "-0.000".
-/// Requires a finite value.
+/// Writes the value with so many decimals (at most 100), correctly rounded, ties to even; never
+/// "-0.000". Requires a finite value.
 std::string fixed_text(double value, int decimals);
+/// Appends what fixed_text returns.
 void append_fixed(std::string& out, double value, int decimals);
 
 }  // namespace thiessen

@@ -14,15 +14,15 @@
 namespace thiessen {
 namespace {
 
-constexpr unsigned new_file_mode = 0666;  // less the umask
+constexpr unsigned new_file_mode = 0666;  // before the umask is applied
 constexpr mode_t permissions = 0777;      // a new file never takes over set-uid or set-gid
 constexpr int name_trials = 100;
 
 using Kind = Destination::Kind;
 
-/// Calls `make` with fresh names beside the final one until it does not find the name taken. The
-/// name is in `hidden` before the file exists, so that its owner removes it whatever happens; empty
-/// on failure.
+/// Calls `make` with fresh names beside the final one until the name is not taken. The name is put
+/// into `hidden` before the file exists, so that its owner removes the file whatever happens; it is
+/// empty on failure.
 template <typename Make>
 void make_hidden(const std::string& final_path, std::string& hidden, Make make) {
   for (int trial = 0; trial < name_trials; ++trial) {
@@ -35,7 +35,7 @@ void make_hidden(const std::string& final_path, std::string& hidden, Make make) 
   throw system_error(final_path, "cannot write", why);
 }
 
-/// Gives the new file the old one's owner, as far as the system allows, and its mode.
+/// Gives the new file the mode of the old one, and its owner as far as the system allows.
 void take_over(int file, const Destination& old, const std::string& name) {
   if (old.kind != Kind::file) return;
   if (::fchown(file, old.status.st_uid, old.status.st_gid) != 0) errno = 0;
@@ -52,11 +52,11 @@ Descriptor open_stream(const std::string& path) {
   return stream;
 }
 
-/// Renames, and fails with EEXIST where the name is taken.
+/// Renames a file, and fails with EEXIST where the new name is taken.
 int rename_to_free_name(const std::string& from, const std::string& to) {
 #ifdef RENAME_NOREPLACE
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
-  if (errno != EINVAL && errno != ENOSYS) return -1;  // else the file system does not know how
+  if (errno != EINVAL && errno != ENOSYS) return -1;  // otherwise the file system cannot do it
 #endif
   struct stat status = {};
   if (::lstat(to.c_str(), &status) == 0) {

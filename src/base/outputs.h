@@ -10,20 +10,21 @@
 
 namespace thiessen {
 
-/// The files that a run writes: all of them appear, whole, or none does.
+/// The files that a run writes: either all of them appear, whole, or none does.
 ///
-/// Each is written under a hidden name (`.thiessen-` and random letters) in the folder of its final
-/// name, and synced. `commit` renames them when all are on the disk; until then, and where anything
-/// fails or the object goes first, the folder looks as before. A file that is replaced hands its
-/// mode (and, where the system allows it, its owner) on to the new one; a symbolic link is itself
-/// replaced, not followed. What goes to a pipe, a device or the standard output waits (see
-/// OutputFile::Care::held) until all files are on the disk, and is handed over before the first is
-/// renamed: a run that fails has printed nothing, unless the pipe or device itself failed.
+/// Each file is written and synced under a hidden name (`.thiessen-` and random letters) in the
+/// folder of its final name. `commit` renames them when all are on the disk. Until then, and where
+/// anything fails or the object is destroyed first, the folder looks as before. A file that is
+/// replaced passes its mode (and, where the system allows it, its owner) on to the new one. A
+/// symbolic link is itself replaced, not followed. What goes to a pipe, a device or the standard
+/// output waits (see OutputFile::Care::held) until all files are on the disk, and is handed over
+/// before the first is renamed: so a run that fails has printed nothing, unless the pipe or device
+/// itself failed.
 ///
-/// Laws: (1) another process that opens a final name sees the old file or the new one, whole;
-/// (2) where a later rename fails, the earlier ones are undone (but where the file system knows no
-/// hard links and the file was replaced: the Error then names it); (3) without `overwrite` no file
-/// is replaced, even one that appears during the run.
+/// Laws: (1) Another process that opens a final name sees the old file or the new one, whole. (2)
+/// Where a later rename fails, the earlier ones are undone. The exception is a file that was
+/// replaced on a file system without hard links; the Error then names it. (3) Without `overwrite`
+/// no file is replaced, not even one that appears during the run.
 class Outputs {
  public:
   explicit Outputs(OutputRules rules) : rules_(std::move(rules)) {}
@@ -31,27 +32,27 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
   ~Outputs();
 
-  /// A file to append to; `-` is the standard output, as /dev/stdout is. The reference lasts
-  /// as long as this object. Throws Error where the name cannot or may not be written;
-  /// then nothing is left to do with this object but to let it go.
+  /// Opens a file to append to; `-` is the standard output, as /dev/stdout is. The reference lasts
+  /// as long as this object. Throws Error where the name cannot or may not be written; after that,
+  /// this object can only be destroyed.
   OutputFile& add(const std::string& path);
 
-  /// A name at which a library may write a file of its own, with any side files beside it: the same
-  /// last name, in a hidden folder. `commit` moves all that it finds there. Throws Error as `add`,
-  /// and where the path is no plain file.
+  /// Makes a name at which a library may write a file of its own, with any side files beside it: it
+  /// has the same last part as `path`, in a hidden folder. `commit` moves everything that it finds
+  /// there. Throws Error as `add` does, and where the path is no plain file.
   std::string add_foreign(const std::string& path);
 
-  /// Makes the folder if it is not there; it goes again unless `commit` succeeds.
+  /// Makes the folder if it does not exist. It is removed again unless `commit` succeeds.
   void make_folder(const std::string& path);
 
-  /// Finishes, syncs and renames all. Throws Error where anything fails, and Interrupted only
+  /// Finishes, syncs and renames all files. Throws Error where anything fails, and Interrupted only
   /// before the first rename. Nothing can be added afterwards.
   void commit();
 
  private:
   struct Staged {
     std::string path;
-    std::string hidden;  ///< empty once it is renamed
+    std::string hidden;  ///< the hidden name; empty once it is renamed
     std::string backup;  ///< another name of the file that was replaced, until all is done
     bool renamed = false;
     bool replaced = false;

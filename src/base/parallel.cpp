@@ -42,7 +42,7 @@ void in_parallel(std::size_t count, unsigned threads,
   others.reserve(workers);
   try {
     for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
-  } catch (const std::system_error&) {  // no more threads to be had: those there are do the work
+  } catch (const std::system_error&) {  // no more threads can start: those there do the work
   }
   if (workers > 0) run(0);
   for (std::thread& thread : others) thread.join();

@@ -8,9 +8,9 @@ namespace thiessen {
 /// How many threads the machine runs at once; at least 1.
 unsigned available_threads();
 
-/// Calls work(worker, i) for every i below `count`, each once, shared among up to `threads` workers
-/// numbered from 0. Stops with Interrupted where a signal came. Rethrows one of the exceptions
-/// thrown, once all workers have stopped.
+/// Calls work(worker, i) once for every i below `count`, shared among up to `threads` workers
+/// numbered from 0. Throws Interrupted where a signal came. Where calls throw, it rethrows one of
+/// their exceptions once all workers have stopped.
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t worker, std::size_t i)>& work);
 

@@ -30,10 +30,10 @@ std::size_t ascii_prefix(std::string_view text) {
   return at;
 }
 
-/// The shape of the character that a first byte announces: its length, and the range of its second
+/// The form of a character as its first byte announces it: its length, and the range of its second
 /// byte.
 struct Lead {
-  std::size_t length = 0;  ///< 0 where no character begins so
+  std::size_t length = 0;  ///< 0 where no character begins with the byte
   unsigned char second_low = 0x80;
   unsigned char second_high = 0xBF;
 };

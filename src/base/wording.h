@@ -8,17 +8,17 @@
 
 namespace thiessen {
 
-/// How the readers of a message call what they set and what they hand in.
+/// How the readers of a message call the settings they make and the files they hand in.
 struct Names {
-  /// A setting, with its value where the message gives one (else empty).
+  /// Names a setting, with its value where the message gives one (otherwise empty).
   std::string (*setting)(std::string_view name, std::string_view value);
-  /// A file that the message names by what it is for.
+  /// Names a file that the message refers to by its purpose.
   std::string (*input)(std::string_view name);
 };
 
-/// The words of a message. Settings and inputs stand in them by name, apart from the text around
-/// them: a command line and a caller of the library call them differently, and no text that a file
-/// holds can be taken for one.
+/// The words of a message. Settings and inputs are kept in it by name, apart from the text around
+/// them, for two reasons: a command line and a caller of the library call them differently, and no
+/// text from a file can be mistaken for one.
 class Wording {
  public:
   Wording() = default;
@@ -29,8 +29,8 @@ class Wording {
   bool empty() const { return pieces_.empty(); }
   /// The whole text with these names in it.
   std::string text(const Names& names) const;
-  /// The whole text as a caller of the library reads it: `'overwrite' replaces it`,
-  /// `missing = -99 takes it for a gap`.
+  /// The whole text as a caller of the library reads it: `'overwrite' replaces it`, `missing = -99
+  /// takes it for a gap`.
   std::string plain() const;
 
   Wording& operator+=(const Wording& more);
@@ -47,21 +47,21 @@ class Wording {
   enum class Kind : std::uint8_t { text, setting, input };
   struct Piece {
     Kind kind;
-    std::string text;   // or the name
-    std::string value;  // of a setting
+    std::string text;   // the text, or the name
+    std::string value;  // the value of a setting
     friend bool operator==(const Piece& a, const Piece& b) = default;
   };
 
   explicit Wording(Piece piece) : pieces_{std::move(piece)} {}
 
-  std::vector<Piece> pieces_;  // no two texts in a row, and none that is empty
+  std::vector<Piece> pieces_;  // never two texts in a row, and never an empty text
 };
 
-/// A setting's name, as the library's requests have it (`time_field`), and where it matters the
-/// value that is meant.
+/// Refers to a setting by its name in the library's requests (`time_field`), and where it matters
+/// with the value that is meant.
 Wording setting(std::string_view name, std::string_view value = {});
 
-/// The name of a file that is handed in: `stations`.
+/// Refers to a file that is handed in, such as `stations`.
 Wording input(std::string_view name);
 
 }  // namespace thiessen
