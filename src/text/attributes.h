@@ -5,16 +5,17 @@
 
 namespace thiessen {
 
-/// What a field's texts stand for.
+/// What the texts of a field stand for.
 enum class FieldType { text, integer, real };
 
+/// The name of a field and the type that its texts stand for.
 struct FieldName {
   std::string name;
   FieldType type = FieldType::text;
 };
 
-/// The stations' further fields, as text: one row for each station, in their order. An empty text
-/// of a number's field is no value.
+/// The further fields of the stations, as text: one row for each station, in their order. In a
+/// field of numbers, an empty text means that there is no value.
 struct Attributes {
   std::vector<FieldName> fields;
   std::vector<std::vector<std::string>> rows;

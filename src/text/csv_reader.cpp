@@ -21,7 +21,7 @@ std::string counted(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-/// As an editor counts them: LF, CRLF and CR each end one line.
+/// Counts line ends as an editor does: LF, CRLF and CR each end one line.
 std::size_t count_line_ends(std::string_view text) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -31,7 +31,7 @@ std::size_t count_line_ends(std::string_view text) {
   return count;
 }
 
-/// Makes each pair of quotes one, in place; returns the new end.
+/// Replaces each pair of quotes by one quote, in place. Returns the new end.
 char* halve_quotes(char* begin, const char* end) {
   char* to = begin;
   for (const char* from = begin; from < end; ++from) {
@@ -41,7 +41,7 @@ char* halve_quotes(char* begin, const char* end) {
   return to;
 }
 
-/// The separator that a header of one name seems to be written with, or none.
+/// The separator with which a header of one name seems to be written, or an empty text.
 std::string_view likely_separator(std::string_view name, char used) {
   for (const std::string_view candidate : {";", "\t", "|", ","}) {
     if (candidate[0] != used && name.find(candidate) != std::string_view::npos) return candidate;

@@ -12,37 +12,39 @@
 
 namespace thiessen {
 
-/// The largest CSV that is read; what is larger is an Error that names the limit.
+/// The limits of a CSV that is read. A larger one is an Error that names the limit.
 struct CsvLimits {
   std::size_t field_bytes = std::size_t{1} << 20;  ///< 1 MiB: raise it for a column of geometries
   std::size_t row_bytes = std::size_t{64} << 20;   ///< 64 MiB
   std::size_t columns = 500'000;
 };
 
+/// How a CSV file is read.
 struct CsvOptions {
   char separator = ',';  ///< one ASCII character, neither a quote nor a line end
   CsvLimits limits = {};
-  bool has_names = true;  ///< false: the first row may be no header, and its names are not checked
+  bool has_names = true;  ///< false: the first row may be data; its fields are not checked as names
 };
 
-/// A CSV file, read a row at a time (RFC 4180, UTF-8).
+/// A reader of CSV files, which reads one row at a time (RFC 4180, UTF-8).
 ///
-/// Lines end in LF, CRLF or CR, the last need not end; one byte order mark at the beginning is
-/// passed over, and so are lines without any character but blanks. A field that begins with a quote
-/// ends with one, and may hold separators, line ends and doubled quotes. Header names outside
-/// quotes lose the blanks at their ends, names are all different; a nameless column is legal. Lines
-/// count from 1 as an editor counts them.
+/// Lines end in LF, CRLF or CR; the last line need not end. One byte order mark at the beginning is
+/// skipped, and so are lines that are empty or blank. A field that begins with a quote must end
+/// with one, and may contain separators, line ends and doubled quotes. Header names outside quotes
+/// lose the blanks at their ends. Names must all be different; a column without a name is legal.
+/// Lines are numbered from 1, as an editor numbers them.
 ///
-/// Gathered, and thrown at the end: rows with too few or too many fields, a quote inside a field,
-/// text after a closing quote. Thrown at once: a NUL byte, bytes that are not UTF-8 (their place
-/// from 0), a quote that is never closed, anything beyond the limits, an empty file, a header name
-/// that stands twice, a header that is one name with another separator in it.
+/// Errors that are gathered and thrown at the end: rows with too few or too many fields, a quote
+/// inside a field, text after a closing quote. Errors that are thrown at once: a NUL byte, bytes
+/// that are not UTF-8 (with their offset from 0), a quote that is never closed, anything beyond the
+/// limits, an empty file, a header name that stands twice, a header of one name that contains
+/// another separator.
 ///
-/// Memory: a buffer that holds the longest row, twice at most. Speed: about 500 MB a second and
-/// core where fields are numbers of 1 to 4 digits, none in quotes.
+/// Memory: a buffer of at most twice the longest row. Speed: about 500 MB a second and core where
+/// fields are numbers of 1 to 4 digits, none in quotes.
 class CsvReader : public Table {
  public:
-  /// Opens the file (`-`: the standard input) and reads the header. Throws Error.
+  /// Opens the file (`-` is the standard input) and reads the header. Throws Error.
   explicit CsvReader(const std::string& file, CsvOptions options = {});
 
   const std::string& file() const override { return text_.name(); }
@@ -51,8 +53,8 @@ class CsvReader : public Table {
   bool next(Row& row) override;
   double share_read() const override;
   std::unique_ptr<Table> again() const override;
-  /// Throws Error where the header has a name twice, or looks parted by something else. Called by
-  /// the constructor where the options say that there are names.
+  /// Throws Error where the header has a name twice, or seems to use another separator. The
+  /// constructor calls it where the options say that there are names.
   void check_header() const;
 
  private:
@@ -94,13 +96,13 @@ class CsvReader : public Table {
   std::size_t header_line_ = 0;
   Complaints complaints_;
 
-  std::size_t row_ = 0;    ///< where the row begins
-  std::size_t field_ = 0;  ///< where the field begins
+  std::size_t row_ = 0;    ///< the offset at which the row begins
+  std::size_t field_ = 0;  ///< the offset at which the field begins
   std::size_t next_row_ = 0;
   std::size_t line_ = 1;  ///< the line now being read; within quotes, the one on which they open
   std::size_t row_line_ = 1;
-  std::size_t field_count_ =
-      0;  ///< of the row so far; those beyond the header's are counted, not kept
+  /// How many fields the row has so far. Any beyond the header's are counted, but not kept.
+  std::size_t field_count_ = 0;
   std::vector<std::string_view>* fields_ = nullptr;
 };
 

@@ -12,8 +12,9 @@ namespace thiessen {
 /// How many bytes of a CSV text are looked at together.
 constexpr std::size_t csv_block = 64;
 
-/// One bit for each of the 64 bytes at `text`: whether it can end a field, that is, whether it is
-/// the separator, a quote, a line feed or a carriage return. All 64 bytes must be readable.
+/// Finds the bytes that can end a field among the 64 bytes at `text`: one bit for each, set where
+/// the byte is the separator, a quote, a line feed or a carriage return. Requires that all 64 bytes
+/// are readable.
 inline std::uint64_t csv_structure(const char* text, char separator) {
   std::uint64_t bits = 0;
 #if defined(__SSE2__)

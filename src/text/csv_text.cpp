@@ -9,7 +9,8 @@
 namespace thiessen {
 namespace {
 
-/// Small enough to stay in the second-level cache between reading, checking and scanning.
+/// The window is small enough to stay in the second-level cache between reading, checking and
+/// scanning.
 constexpr std::size_t window_bytes = std::size_t{256} << 10;
 
 }  // namespace

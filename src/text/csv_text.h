@@ -12,16 +12,17 @@
 
 namespace thiessen {
 
-/// The text of a CSV file, a window of it at a time, checked to be UTF-8 without NUL, and scanned
-/// for the characters that can end a field. Places are byte offsets in the file, from 0.
+/// The text of a CSV file, of which a window is in memory. It is checked to be UTF-8 without NUL,
+/// and scanned for the characters that can end a field. Places are byte offsets in the file, from
+/// 0.
 class CsvText {
  public:
   CsvText(InputFile input, char separator);
 
   const std::string& name() const { return input_.name(); }
-  /// The file's, in bytes; 0 where it is not known.
+  /// The size of the file in bytes; 0 where it is not known.
   std::size_t size() const { return input_.size(); }
-  /// Where the window ends; the file goes on if `read_more` says so.
+  /// The place at which the window ends. The file may go on: see read_more.
   std::size_t end() const { return origin_ + filled_; }
   const char* pointer(std::size_t at) const { return buffer_.data() + (at - origin_); }
   char* pointer(std::size_t at) { return buffer_.data() + (at - origin_); }
@@ -31,15 +32,17 @@ class CsvText {
   }
 
   enum class Arrival : std::uint8_t { more, end, nul, not_utf8 };
-  /// Moves the window's end on; what lies before `keep_from` goes. Pointers may move: compare
-  /// `pointer(keep_from)` before and after. The window grows to twice what is kept at most.
+  /// Reads more of the file into the window, and drops what lies before `keep_from`. Pointers may
+  /// move: compare `pointer(keep_from)` before and after. The window grows to at most twice what is
+  /// kept.
   Arrival read_more(std::size_t keep_from);
-  /// The first byte that is NUL or no UTF-8, after read_more has said so.
+  /// The place of the first byte that is NUL or not UTF-8, after read_more has reported one.
   std::size_t fault() const { return fault_; }
 
-  /// Scans from here on. Needed again after read_more.
+  /// Starts scanning at this place. It must be called again after read_more.
   void seek(std::size_t at);
-  /// The next separator, quote, LF or CR; end() where the window has no more of them.
+  /// The place of the next separator, quote, LF or CR, or end() where the window has no more of
+  /// them.
   std::size_t next_mark() {
     while (marks_ == 0) {
       block_ += csv_block;
@@ -58,13 +61,13 @@ class CsvText {
 
   InputFile input_;
   char separator_;
-  std::vector<char>
-      buffer_;  ///< a block longer than what it may hold, so that scanning may overshoot
+  /// The window, one block longer than its contents may be, so that scanning may overshoot.
+  std::vector<char> buffer_;
   std::size_t origin_ = 0;   ///< where in the file the buffer begins
-  std::size_t filled_ = 0;   ///< bytes in the buffer, as all that follow
-  std::size_t checked_ = 0;  ///< bytes known to be good
-  std::size_t block_ = 0;    ///< the 64 bytes that are being scanned
-  std::uint64_t marks_ = 0;  ///< in that block, those not yet met
+  std::size_t filled_ = 0;   ///< bytes in the buffer; the next three count from its beginning
+  std::size_t checked_ = 0;  ///< how many bytes are known to be valid
+  std::size_t block_ = 0;    ///< the start of the 64 bytes that are being scanned
+  std::uint64_t marks_ = 0;  ///< the marks in that block that are not yet returned, a bit each
   std::size_t fault_ = 0;
   bool at_end_ = false;
 };

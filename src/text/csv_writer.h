@@ -5,8 +5,8 @@
 
 namespace thiessen {
 
-/// Appends a field as it is, in quotes where RFC 4180 wants them: commas, quotes, line ends, and
-/// blanks at an end.
+/// Appends a field to a row of CSV. It is put in quotes where RFC 4180 requires them: where it has
+/// commas, quotes, line ends, or blanks at an end.
 void append_csv_field(std::string& row, std::string_view field);
 
 }  // namespace thiessen

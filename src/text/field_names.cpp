@@ -9,7 +9,7 @@
 namespace thiessen {
 namespace {
 
-/// -?(0|[1-9][0-9]*), short enough for 64 bits.
+/// Whether the text matches -?(0|[1-9][0-9]*) and is short enough for 64 bits.
 bool is_plain_integer(std::string_view text) {
   if (text.starts_with('-')) text.remove_prefix(1);
   if (text.empty() || text.size() > 18 || (text.size() > 1 && text.front() == '0')) return false;

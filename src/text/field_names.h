@@ -12,20 +12,21 @@
 
 namespace thiessen {
 
-/// Where in `header` the first of `names` stands that stands there at all, case ignored.
+/// The index in `header` of the first of `names` that stands there, or nothing where none does.
+/// Case is ignored.
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,
                                       std::span<const std::string_view> names);
 
-/// Where the field stands that a setting names: written alike, else alike but for case. Throws
-/// Error, listing the header's names, where there is none.
+/// The index of the field that a setting names: the field with exactly this name, or else one that
+/// differs only in case. Throws Error, listing the header's names, where there is none.
 std::size_t require_field(const std::vector<std::string>& header, const std::string& name,
                           const Wording& its_setting, const std::string& file, std::size_t line);
 
-/// `'a', 'b', 'c' and 7 more`.
+/// A list of names for a message: `'a', 'b', 'c' and 7 more`.
 std::string listed(const std::vector<std::string>& names);
 
-/// What all texts seen may stand for: numbers only where they read back as written, so that 007 and
-/// +5 stay text.
+/// Guesses the type that fits all texts seen. Numbers count as such only where they read back as
+/// written, so that 007 and +5 stay text.
 class FieldTypeGuess {
  public:
   void see(std::string_view text);

@@ -17,7 +17,8 @@ using Kind = JsonScanner::Kind;
 
 constexpr std::size_t deepest = 30;  // GDAL's own reader stops at 32
 
-/// How deep a geometry's numbers lie in brackets: [x, y] is 1.
+/// How many brackets deep the numbers of a geometry are nested: 1 for [x, y]; 0 for an unknown
+/// type.
 int nesting(const std::string& type) {
   static const std::unordered_map<std::string, int> known = {
       {"Point", 1},   {"MultiPoint", 2},      {"LineString", 2},
@@ -59,9 +60,9 @@ class Audit {
 
   struct Shape {
     std::string type;
-    int depth = 0;  ///< of the numbers; 0: none seen
+    int depth = 0;  ///< nesting of the numbers; 0 where none were seen
     bool given = false;
-    bool uneven = false;  ///< and said so
+    bool uneven = false;  ///< whether it is, and was reported
   };
 
   static Part part_of(Part outer, const std::string& key) {
@@ -182,8 +183,8 @@ class Audit {
     return part == Part::geometries && scanner_.peek() == Kind::literal;
   }
 
-  /// Brackets within brackets down to positions; recursion no deeper than a MultiPolygon's, else
-  /// refused.
+  /// Reads nested brackets down to the positions. What nests deeper than a MultiPolygon is refused,
+  /// so that recursion is bounded.
   void coordinates(Shape& shape, int depth) {
     if (scanner_.peek() != Kind::array) {
       complain("coordinates are a list");

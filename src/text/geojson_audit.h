@@ -7,21 +7,21 @@
 
 namespace thiessen {
 
-/// What the text of a GeoJSON file says that GDAL keeps to itself.
+/// What the text of a GeoJSON file says that GDAL does not report.
 struct GeoJsonFindings {
   enum class CrsMember { absent, null, name, link, other };
   CrsMember crs = CrsMember::absent;
-  std::string crs_name;      ///< where the member is a name
-  std::size_t features = 0;  ///< of a FeatureCollection, else 1
+  std::string crs_name;      ///< the name, where the member is one
+  std::size_t features = 0;  ///< the number in a FeatureCollection, otherwise 1
 };
 
-/// Reads a GeoJSON file from end to end and proves it one whole JSON text whose coordinates are
-/// finite numbers, nested as their geometry's type wants. GDAL takes NaN, infinite and missing
-/// coordinates, and text after the end, without a word. Throws Error with the line, or with the
-/// path
-/// (`features[3].geometry.coordinates[0][2]`) of each bad coordinate.
-/// `file` is the name that messages give it.
-/// Cost: one pass; memory bounded by the keys of one object, whatever the file's length.
+/// Reads a whole GeoJSON file, and proves that it is one complete JSON text whose coordinates are
+/// finite numbers, nested as the type of their geometry requires. This is necessary because GDAL
+/// silently accepts NaN, infinite and missing coordinates, and text after the end. `file` is the
+/// name of the file in messages.
+/// Throws Error with the line, or with the path (`features[3].geometry.coordinates[0][2]`) of each
+/// bad coordinate.
+/// Cost: one pass; memory is bounded by the keys of one object, whatever the file's length.
 GeoJsonFindings audit_geojson(const std::string& file, ByteSource& source);
 
 }  // namespace thiessen

@@ -23,7 +23,7 @@ bool in_word(int byte) {
   return (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z');
 }
 
-/// -?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?
+/// Whether the text matches -?(0|[1-9][0-9]*)(\.[0-9]+)?([eE][+-]?[0-9]+)?
 bool is_json_number(const std::string& text) {
   auto at = text.begin();
   const auto digits = [&] {
@@ -224,8 +224,8 @@ void JsonScanner::escape() {
   }
 }
 
-/// The bytes of a UTF-8 character after its first: no overlong form, no surrogate, nothing past
-/// U+10FFFF.
+/// Reads the bytes of a UTF-8 character after its first. Refuses overlong forms, surrogates and
+/// anything past U+10FFFF.
 void JsonScanner::continuation(int lead) {
   const std::string at = "not UTF-8 at byte " + std::to_string(offset_);
   const int count = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;

@@ -10,32 +10,36 @@
 
 namespace thiessen {
 
-/// Cuts the text of a JSON file (RFC 8259, UTF-8) into its tokens, in memory that does not grow
+/// Splits the text of a JSON file (RFC 8259, UTF-8) into its tokens, in memory that does not grow
 /// with the file. Throws Error with the line at the first byte that is not JSON.
 class JsonScanner {
  public:
   enum class Kind { object, array, string, number, literal, end };
 
-  /// `file` is the name that messages give the text. `source` must outlive the scanner.
+  /// Scans the text of `source`, which must outlive the scanner. `file` is the name of the text in
+  /// messages.
   JsonScanner(std::string file, ByteSource& source);
   ~JsonScanner();
 
-  /// What kind of value begins next; nothing of it is read.
+  /// Tells the kind of the value that begins next, without reading any of it.
   Kind peek();
-  /// Reads a string; of a long one only the first 256 bytes are kept. `hash` tells long ones apart.
+  /// Reads a string. Only the first 256 bytes of a long one are kept; `hash` tells long strings
+  /// apart.
   const std::string& string();
   std::uint64_t hash() const { return hash_; }
-  /// Reads a number's text.
+  /// Reads a number and returns its text.
   const std::string& number();
-  /// Reads true, false, null, or one of the words that are no JSON (NaN, Infinity), for a message.
+  /// Reads true, false or null, or for the sake of a message one of the words that are not JSON
+  /// (NaN, Infinity).
   const std::string& literal();
 
-  /// Skips the bracket or brace that opens a value, and says whether anything stands in it.
+  /// Skips the bracket or brace that opens a value. Returns whether the value contains anything.
   bool open(char opening, char closing);
-  /// Skips a comma (true) or the closing bracket (false).
+  /// Skips a comma and returns true, or skips the closing bracket and returns false.
   bool more(char closing);
+  /// Skips the colon after a key.
   void colon();
-  /// Throws unless nothing but white space is left.
+  /// Throws Error unless only white space is left.
   void require_end();
 
   [[noreturn]] void fail(std::string text) const;

@@ -13,7 +13,7 @@ void append_escape(std::string& out, unsigned code) {
   }
 }
 
-/// Everything in `text` is UTF-8.
+/// Appends the text with what JSON requires escaped. Requires that all of it is UTF-8.
 void append_valid(std::string& out, std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 4> z_names = {"z", "height", "elevation",
 constexpr std::array<std::span<const std::string_view>, 3> coordinate_names = {x_names, y_names,
                                                                                z_names};
 
-/// Reads points, a row at a time.
+/// Reads points, one row at a time.
 template <std::size_t Axes>
 class PointsReader {
  public:
@@ -47,7 +47,7 @@ class PointsReader {
     for (std::size_t axis = 0; axis < Axes; ++axis) field_[axis] = axis;
   }
 
-  /// Calls `visit(coordinates)` for every point. Throws Error with all that is bad.
+  /// Calls `visit(coordinates)` for every point. Throws Error with everything that is bad.
   template <typename Visit>
   void read(Visit visit) {
     Row row;

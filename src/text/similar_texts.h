@@ -7,21 +7,21 @@
 
 namespace thiessen {
 
-/// How many insertions, deletions, changes and exchanges of neighbouring characters make one text
-/// of another (F. J. Damerau, 1964; two neighbours change places once at most). Characters are
-/// bytes. Cost: the product of the lengths.
+/// The edit distance of two texts: how many insertions, deletions, changes and exchanges of
+/// neighbouring characters turn one into the other (F. J. Damerau, 1964; two neighbours change
+/// places at most once). Characters are bytes. Cost: the product of the lengths.
 std::size_t text_distance(std::string_view a, std::string_view b);
 
 /// Finds the texts that may be meant by a mistyped one: those that are the fewest changes away from
-/// it, at most one for each three of its characters, and the first three of them at most. Case and
-/// blanks round a text count for nothing. A text of more than 64 characters is like no other.
+/// it, at most one change for each three of its characters, and at most the first three such texts.
+/// Case and blanks round a text are ignored. No text is similar to one of more than 64 characters.
 class SimilarTexts {
  public:
   explicit SimilarTexts(std::string_view mistyped);
 
-  /// Considers one more text. Cost: the square of the text's length at worst.
+  /// Considers one more text. Cost: at worst the square of the text's length.
   void offer(const std::string& text);
-  /// In the order in which they were offered, as they were written.
+  /// The similar texts as they were written, in the order in which they were offered.
   const std::vector<std::string>& found() const { return found_; }
 
  private:
@@ -30,7 +30,8 @@ class SimilarTexts {
   std::vector<std::string> found_;
 };
 
-/// The hint `did you mean 'a' or 'b'?`; empty for none. Longer texts are cut at 80 characters.
+/// The hint `did you mean 'a' or 'b'?`, or an empty text where there is none. Texts longer than 80
+/// characters are cut.
 std::string did_you_mean(const std::vector<std::string>& texts);
 
 }  // namespace thiessen

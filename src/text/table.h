@@ -16,23 +16,24 @@ struct Row {
   bool padded = false;  ///< number_padding bytes can be read where each field begins (number.h)
 };
 
-/// A table of text fields, read a row at a time in memory that does not grow with its length:
-/// a CSV file, or a layer of anything that GDAL reads.
+/// A table of text fields that is read one row at a time, in memory that does not grow with its
+/// length: a CSV file, or a layer of any kind that GDAL reads.
 class Table {
  public:
   virtual ~Table() = default;
-  /// The file as the user named it, for messages.
+  /// The name of the file as the user gave it, for messages.
   virtual const std::string& file() const = 0;
   virtual const std::vector<std::string>& header() const = 0;
   /// The line on which the header stands, from 1; 0 where there is none.
   virtual std::size_t header_line() const { return 0; }
-  /// Fills `row`; false at the end. A row with too few or too many fields, or that cannot be read,
-  /// is gathered; all of them are thrown as one Error at the end.
+  /// Reads the next row into `row`; returns false at the end. A row that has too few or too many
+  /// fields or cannot be read is gathered as a fault; all faults are thrown as one Error at the
+  /// end.
   virtual bool next(Row& row) = 0;
-  /// How much is read, from 0 to 1; NaN where the length is not known.
+  /// The share of the table that is read so far, from 0 to 1; NaN where the length is not known.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
-  /// The same table, opened once more at its beginning; nothing where it can only be read once (a
-  /// pipe), or is not sure to give its rows in the same order (a database).
+  /// Opens the same table once more at its beginning. Returns null where it can be read only once
+  /// (a pipe), or might not give its rows in the same order (a database).
   virtual std::unique_ptr<Table> again() const { return nullptr; }
 };
 
