@@ -42,14 +42,15 @@ double bulge(Point start, Point middle, Point end) {
   return std::hypot(after.east - before.east, after.north - before.north) / 2;
 }
 
-/// How far, in metres, an edge's middle lies from the line of its chord.
+/// How far, in metres, an edge's middle lies to the right of the line of its chord. The sign tells
+/// an edge that bends both ways, as one does that crosses the equator, from one that is even.
 double sagitta(Point start, Point middle, Point end) {
   const double cosine = std::cos(middle.y * degree);
   const Way before(start, middle, cosine);
   const Way after(middle, end, cosine);
   const double length = std::hypot(before.east + after.east, before.north + after.north);
   if (length == 0) return std::hypot(before.east, before.north);
-  return std::abs(before.east * after.north - before.north * after.east) / length;
+  return (before.east * after.north - before.north * after.east) / length;
 }
 
 /// The length of the frame's longer side, in degrees of a great circle.
@@ -162,8 +163,8 @@ void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, Edg
   const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
   const double first = sagitta(start.position, first_quarter, middle.position);
   const double last = sagitta(middle.position, last_quarter, end.position);
-  const double most = std::max(first, last);
-  const double whole = sagitta(start.position, middle.position, end.position);
+  const double most = std::max(std::abs(first), std::abs(last));
+  const double whole = std::abs(sagitta(start.position, middle.position, end.position));
   const bool is_even = std::abs(first - last) <= most / 2 && whole <= 5 * most;
   const bool is_fine = std::max(whole, 4 * most) <= tolerance_;
   if ((is_long || !is_even) && !is_fine && half >= shortest_chord) {
