@@ -133,6 +133,11 @@ void Complaints::throw_if_any() {
 }
 
 void Complaints::fail(const Message& last) {
+  // The reason why reading stopped is listed, however many rows were bad before.
+  if (messages_.size() >= listed_at_most) {
+    unlisted_ += messages_.size() - (listed_at_most - 1);
+    messages_.resize(listed_at_most - 1);
+  }
   add(Error(last));
   throw Error(std::exchange(messages_, {}), std::exchange(unlisted_, 0));
 }

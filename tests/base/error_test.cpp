@@ -97,5 +97,18 @@ TEST(Complaints, merge_in_the_order_of_the_lines) {
   }
 }
 
+TEST(Complaints, the_reason_why_reading_stopped_is_listed_behind_any_number_of_others) {
+  Complaints complaints;
+  for (std::size_t line = 1; line <= 25; ++line) complaints.add({"f", line, "bad", ""});
+  try {
+    complaints.fail({"f", 26, "no further", ""});
+    FAIL() << "nothing was thrown";
+  } catch (const Error& error) {
+    ASSERT_EQ(error.messages().size(), Complaints::listed_at_most);
+    EXPECT_EQ(error.messages().back().sentence(), "f:26: no further");
+    EXPECT_EQ(error.messages().size() + error.unlisted(), 26U);
+  }
+}
+
 }  // namespace
 }  // namespace thiessen
