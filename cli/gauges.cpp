@@ -9,7 +9,7 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
   const auto readings = inputs.open_readings(study, rainfall, warnings);
   GaugeReadings shown = read_gauges(*readings, inputs.network().stations().size(), time);
   if (shown.readings.empty()) {
-    throw Error({rainfall.rainfall, 0, "there is no time step '" + time + "'",
+    throw Error({rainfall.name(), 0, "there is no time step '" + time + "'",
                  "a time is written just as in the file"});
   }
   return shown;

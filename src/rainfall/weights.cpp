@@ -76,7 +76,7 @@ std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& r
                      const auto& stations = reporting.stations_of(cell.place);
                      const double area = cell.area / static_cast<double>(stations.size());
                      for (const StationIndex s : stations)
-                       all[b].push_back({s, area, area / areas_[b], cell.shape});
+                       all[b].push_back({s, area, std::min(area / areas_[b], 1.0), cell.shape});
                    }
                    sort_by_station(all[b]);
                  });

@@ -39,9 +39,10 @@ SimilarTexts::SimilarTexts(std::string_view mistyped)
 
 void SimilarTexts::offer(const std::string& text) {
   if (wanted_.size() > longest_wanted) return;
-  const std::size_t size = text.size();
+  const std::string offered = lower_case(trimmed(text));
+  const std::size_t size = offered.size();
   if (std::max(size, wanted_.size()) - std::min(size, wanted_.size()) > least_) return;
-  const std::size_t changes = text_distance(wanted_, lower_case(trimmed(text)));
+  const std::size_t changes = text_distance(wanted_, offered);
   if (changes > least_) return;
   if (changes < least_) found_.clear();
   least_ = changes;

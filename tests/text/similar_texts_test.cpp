@@ -47,6 +47,7 @@ TEST(SimilarTexts, FindsThreeAtMostInTheirOrder) {
 
 TEST(SimilarTexts, PassesOverCaseAndBlanks) {
   EXPECT_EQ(similar(" BOULDER ", {"boulder"}), std::vector<std::string>{"boulder"});
+  EXPECT_EQ(similar("ab", {"    ab    "}), std::vector<std::string>{"    ab    "});
 }
 
 TEST(SimilarTexts, FindsNothingLikeALongText) {
