@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "gdal/north.h"
+#include "gdal/crs/north.h"
 
 namespace thiessen::cli {
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,

@@ -2,9 +2,9 @@
 
 #include <memory>
 
-#include "gdal/crs.h"
-#include "gdal/raster_file.h"
-#include "gdal/transformation.h"
+#include "gdal/crs/crs.h"
+#include "gdal/crs/transformation.h"
+#include "gdal/output/raster_file.h"
 #include "map/raster/owners.h"
 #include "map/raster/raster_grid.h"
 

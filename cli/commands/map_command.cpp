@@ -13,7 +13,7 @@
 #include "cli/options/view_options.h"
 #include "cli/picture_of.h"
 #include "cli/raster_of.h"
-#include "gdal/raster_file.h"
+#include "gdal/output/raster_file.h"
 
 namespace thiessen::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "earth/conformal_sphere.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "geometry/segment.h"
 
 namespace thiessen {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "basin/basin.h"
-#include "earth/gnomonic_chart.h"
+#include "earth/sphere/gnomonic_chart.h"
 #include "geometry/box.h"
 
 namespace thiessen {

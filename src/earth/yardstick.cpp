@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "diagram/plane_diagram.h"
-#include "earth/ellipsoid_surface.h"
-#include "earth/geodesic_diagram.h"
+#include "earth/area/ellipsoid_surface.h"
+#include "earth/cells/geodesic_diagram.h"
 
 namespace thiessen {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "files/crs_origin.h"
 #include "files/source.h"
-#include "gdal/crs.h"
+#include "gdal/crs/crs.h"
 #include "study/source_lists.h"
 
 namespace thiessen {

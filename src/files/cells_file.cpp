@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "files/cells_shapes.h"
-#include "gdal/cells_layer.h"
+#include "gdal/output/cells_layer.h"
 #include "outlines/vertex_rounding.h"
 #include "results/cells_geojson.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "gdal/crs.h"
-#include "gdal/encoded_file.h"
+#include "gdal/crs/crs.h"
+#include "gdal/output/encoded_file.h"
 #include "results/cell_features.h"
 
 namespace thiessen {

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "gdal/shape_tracer.h"
+#include "gdal/crs/shape_tracer.h"
 #include "outlines/antimeridian.h"
 
 namespace thiessen {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "files/cells_file.h"
-#include "gdal/crs.h"
+#include "gdal/crs/crs.h"
 #include "geometry/polygon.h"
 
 namespace thiessen {

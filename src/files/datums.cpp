@@ -1,5 +1,5 @@
 #include "files/datums.h"
-#include "gdal/transformation.h"
+#include "gdal/crs/transformation.h"
 
 #include <cmath>
 #include <string>

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "files/basins_file.h"
 #include "files/stations_file.h"
-#include "gdal/crs.h"
+#include "gdal/crs/crs.h"
 
 namespace thiessen {
 

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "gdal/opening.h"
-#include "gdal/wkt.h"
+#include "gdal/layers/opening.h"
+#include "gdal/layers/wkt.h"
 #include "text/csv_reader.h"
 #include "text/field_names.h"
 

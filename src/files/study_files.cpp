@@ -1,5 +1,5 @@
 #include "files/study_files.h"
-#include "gdal/transformation.h"
+#include "gdal/crs/transformation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 #include "base/utf8.h"
 #include "files/crs_agreement.h"
 #include "files/datums.h"
-#include "gdal/shape_tracer.h"
+#include "gdal/crs/shape_tracer.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
 

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "files/basins_file.h"
 #include "files/stations_file.h"
-#include "gdal/crs.h"
+#include "gdal/crs/crs.h"
 #include "study/study_parts.h"
 #include "text/attributes.h"
 

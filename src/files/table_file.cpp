@@ -1,7 +1,7 @@
 #include "files/table_file.h"
 
-#include "gdal/layer.h"
-#include "gdal/opening.h"
+#include "gdal/layers/layer.h"
+#include "gdal/layers/opening.h"
 #include "text/csv_reader.h"
 
 namespace thiessen {

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "earth/ellipsoid_area.h"
+#include "earth/area/ellipsoid_area.h"
 #include "geometry/ring_location.h"
 
 namespace thiessen {

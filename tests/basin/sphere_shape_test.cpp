@@ -7,9 +7,9 @@
 
 #include "basin/cell_clipper.h"
 #include "basin/shapes.h"
-#include "earth/chart_diagram.h"
-#include "earth/ellipsoid_surface.h"
-#include "earth/geodesic_diagram.h"
+#include "earth/area/ellipsoid_surface.h"
+#include "earth/cells/chart_diagram.h"
+#include "earth/cells/geodesic_diagram.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {

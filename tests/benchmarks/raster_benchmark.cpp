@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "gdal/crs.h"
-#include "gdal/raster_file.h"
-#include "gdal/transformation.h"
+#include "gdal/crs/crs.h"
+#include "gdal/crs/transformation.h"
+#include "gdal/output/raster_file.h"
 #include "map/raster/owners.h"
 
 namespace thiessen {

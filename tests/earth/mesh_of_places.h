@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "earth/cell_mesh.h"
-#include "earth/geodesic.h"
+#include "earth/cells/cell_mesh.h"
 #include "earth/random_points.h"
-#include "earth/sphere_tessellation.h"
+#include "earth/sphere/geodesic.h"
+#include "earth/sphere/sphere_tessellation.h"
 
 namespace thiessen {
 

@@ -7,7 +7,7 @@
 #include "base/number.h"
 #include "base/temporary_folder.h"
 #include "files/cells_file.h"
-#include "gdal/layer.h"
+#include "gdal/layers/layer.h"
 #include "outlines/ring_direction.h"
 #include "text/geojson_audit.h"
 #include "text/text_bytes.h"

@@ -4,7 +4,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "gdal/layer.h"
+#include "gdal/layers/layer.h"
 #include "outlines/ring_direction.h"
 
 namespace thiessen {

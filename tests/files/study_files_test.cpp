@@ -6,7 +6,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "earth/ellipsoid_area.h"
+#include "earth/area/ellipsoid_area.h"
 #include "outlines/ellipsoid_strip.h"
 #include "outlines/ring_direction.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "basin/cell_clipper.h"
-#include "earth/ellipsoid_surface.h"
-#include "earth/geodesic_diagram.h"
+#include "earth/area/ellipsoid_surface.h"
+#include "earth/cells/geodesic_diagram.h"
 #include "geometry/seeded.h"
 #include "oracles/geos.h"
 

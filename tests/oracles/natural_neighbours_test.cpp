@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "basin/cell_clipper.h"
-#include "earth/ellipsoid_surface.h"
-#include "earth/geodesic.h"
+#include "earth/area/ellipsoid_surface.h"
+#include "earth/sphere/geodesic.h"
 #include "earth/yardstick.h"
 #include "geometry/seeded.h"
 #include "rainfall/methods/natural_weights.h"

@@ -1,7 +1,7 @@
 // Compiled alone: the headers of other oracles hold another geodesic_distance.
 // Rivals and nearest places against Karney's distances to each, and in the plane against exact
 // ones.
-#include "earth/nearest_places.h"
+#include "earth/nearest/nearest_places.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "earth/ellipsoid_area.h"
+#include "earth/area/ellipsoid_area.h"
 #include "outlines/sphere_mercator.h"
 
 namespace thiessen {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "earth/ellipsoid_area.h"
+#include "earth/area/ellipsoid_area.h"
 #include "outlines/antimeridian.h"
 
 namespace thiessen {

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/nearest_places.h"
+#include "earth/nearest/nearest_places.h"
 #include "geometry/pixel_grid.h"
 #include "geometry/point_mapping.h"
 #include "geometry/polygon.h"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "earth/nearest_places.h"
+#include "earth/nearest/nearest_places.h"
 #include "geometry/pixel_grid.h"
 #include "geometry/point_mapping.h"
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "earth/in_space.h"
-#include "earth/units.h"
+#include "earth/nearest/in_space.h"
+#include "earth/sphere/units.h"
 #include "geometry/long_sum.h"
 #include "rainfall/errors/distance_classes.h"
 #include "rainfall/errors/variogram_fit.h"

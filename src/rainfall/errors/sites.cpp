@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
-#include "earth/in_space.h"
-#include "earth/place_tree.h"
+#include "earth/nearest/in_space.h"
+#include "earth/nearest/place_tree.h"
 #include "geometry/hilbert.h"
 
 namespace thiessen {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/conformal_sphere.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/yardstick.h"
 
 namespace thiessen {

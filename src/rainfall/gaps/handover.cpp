@@ -8,7 +8,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "earth/chart_diagram.h"
+#include "earth/cells/chart_diagram.h"
 #include "geometry/long_sum.h"
 
 namespace thiessen {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/interrupt.h"
-#include "earth/units.h"
+#include "earth/sphere/units.h"
 #include "geometry/long_sum.h"
 #include "geometry/ring_location.h"
 

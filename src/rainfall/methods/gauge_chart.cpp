@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "earth/sphere_tessellation.h"
+#include "earth/sphere/sphere_tessellation.h"
 #include "geometry/predicates.h"
 
 namespace thiessen {

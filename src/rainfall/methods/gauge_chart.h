@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "earth/conformal_sphere.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/yardstick.h"
 
 namespace thiessen {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/geodesic.h"
+#include "earth/sphere/geodesic.h"
 #include "rainfall/methods/area_method.h"
 #include "rainfall/methods/nearest_gauges.h"
 #include "rainfall/methods/weight_sums.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earth/in_space.h"
+#include "earth/nearest/in_space.h"
 
 namespace thiessen {
 

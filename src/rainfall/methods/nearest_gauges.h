@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "earth/place_tree.h"
+#include "earth/nearest/place_tree.h"
 #include "earth/yardstick.h"
 #include "rainfall/reporting.h"
 

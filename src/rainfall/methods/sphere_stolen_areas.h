@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "earth/conformal_sphere.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "rainfall/methods/stolen_area.h"
 
 namespace thiessen {

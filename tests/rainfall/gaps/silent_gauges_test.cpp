@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "basin/shapes.h"
-#include "earth/geodesic.h"
+#include "earth/sphere/geodesic.h"
 #include "geometry/seeded.h"
 #include "rainfall/areal_rainfall.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "basin/shapes.h"
-#include "earth/ellipsoid_area.h"
+#include "earth/area/ellipsoid_area.h"
 
 namespace thiessen {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "basin/shapes.h"
-#include "earth/geodesic.h"
+#include "earth/sphere/geodesic.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/methods/arithmetic_mean.h"
 #include "rainfall/methods/basin_points.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "earth/geodesic.h"
+#include "earth/sphere/geodesic.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {

@@ -1,0 +1,101 @@
+#include "earth/area/ellipsoid_area.h"
+
+#include <GeographicLib/Constants.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "earth/sphere/units.h"
+
+namespace thiessen {
+namespace {
+
+struct Wgs84 {
+  double equatorial_radius = GeographicLib::Constants::WGS84_a();
+  double flattening = GeographicLib::Constants::WGS84_f();
+  double polar_radius = equatorial_radius * (1 - flattening);
+  double square_eccentricity = flattening * (2 - flattening);
+  double eccentricity = std::sqrt(square_eccentricity);
+};
+
+const Wgs84& wgs84() {
+  static const Wgs84 ellipsoid;
+  return ellipsoid;
+}
+
+/// The area of a strip one radian wide between two parallels, in square metres.
+class Strip {
+ public:
+  explicit Strip(double reference) : reference_(reference), sine_(std::sin(reference)) {}
+
+  double up_to(double latitude) const {
+    const Wgs84& e = wgs84();
+    const double sine = std::sin(latitude);
+    const double rise =
+        2 * std::sin((latitude - reference_) / 2) * std::cos((latitude + reference_) / 2);
+    const double product = e.square_eccentricity * sine * sine_;
+    const double rational =
+        rise * (1 + product) /
+        ((1 - e.square_eccentricity * sine * sine) * (1 - e.square_eccentricity * sine_ * sine_));
+    const double transcendental =
+        std::atanh(e.eccentricity * rise / (1 - product)) / e.eccentricity;
+    return e.polar_radius * e.polar_radius / 2 * (rational + transcendental);
+  }
+
+ private:
+  double reference_;
+  double sine_;
+};
+
+struct Abscissa {
+  double offset;  // from the middle, in half lengths
+  double weight;
+};
+constexpr std::array<Abscissa, 2> two_points{{{-0.5773502691896257, 1}, {0.5773502691896257, 1}}};
+constexpr std::array<Abscissa, 4> four_points{{{-0.8611363115940526, 0.34785484513745386},
+                                               {-0.3399810435848563, 0.6521451548625461},
+                                               {0.3399810435848563, 0.6521451548625461},
+                                               {0.8611363115940526, 0.34785484513745386}}};
+// The Gauss-Legendre rules are right to 1e-17 of the Earth's radius squared for segments that rise
+// by no more than this, in radians.
+constexpr double longest_for_two_points = 2e-3;
+constexpr double longest_for_four_points = 2 * degree;
+
+template <std::size_t N>
+double mean_strip(const Strip& strip, double middle, double half,
+                  const std::array<Abscissa, N>& rule) {
+  double sum = 0;
+  for (const Abscissa& x : rule) sum += x.weight * strip.up_to(middle + x.offset * half);
+  return sum / 2;
+}
+
+}  // namespace
+
+double area_under(Point a, Point b, double reference_latitude) {
+  if (b < a) return -area_under(b, a, reference_latitude);
+  const Strip strip(reference_latitude * degree);
+  const double width = (b.x - a.x) * degree;
+  if (width == 0) return 0;
+  const double south = a.y * degree;
+  const double rise = (b.y - a.y) * degree;
+  if (std::abs(rise) <= longest_for_two_points) {
+    return width * mean_strip(strip, south + rise / 2, rise / 2, two_points);
+  }
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(std::abs(rise) / longest_for_four_points)));
+  const double half = rise / (2 * pieces);
+  double sum = 0;
+  for (int piece = 0; piece < pieces; ++piece) {
+    sum += mean_strip(strip, south + half * (2 * piece + 1), half, four_points);
+  }
+  return width * sum / pieces;
+}
+
+double earth_area() {
+  constexpr double quarter = std::numbers::pi / 2;
+  return 2 * std::numbers::pi * Strip(-quarter).up_to(quarter);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,233 @@
+#include "earth/cells/edge_drawing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/interrupt.h"
+#include "earth/sphere/conformal_sphere.h"
+#include "earth/sphere/units.h"
+
+namespace thiessen {
+namespace {
+
+// These are all in radians.
+constexpr double longest_piece = std::numbers::pi / 8;
+constexpr double longest_fit = 0.2;
+constexpr double longest_chord = 0.02;
+constexpr double shortest_chord = 1e-10;
+
+/// The difference of two longitudes the short way round, from one that is less than a turn and a
+/// half.
+double short_way(double difference) {
+  if (difference > 180) return difference - 360;
+  if (difference < -180) return difference + 360;
+  return difference;
+}
+
+/// The way from a to b in metres to the east and to the north, near a latitude.
+struct Way {
+  Way(Point a, Point b, double cosine)
+      : east(short_way(b.x - a.x) * cosine * degree * mean_radius),
+        north((b.y - a.y) * degree * mean_radius) {}
+  double east;
+  double north;
+};
+
+/// How far, in metres, an edge's middle lies from the middle of its chord.
+double bulge(Point start, Point middle, Point end) {
+  const double cosine = std::cos(middle.y * degree);
+  const Way before(start, middle, cosine);
+  const Way after(middle, end, cosine);
+  return std::hypot(after.east - before.east, after.north - before.north) / 2;
+}
+
+/// How far, in metres, an edge's middle lies to the right of the line of its chord. The sign tells
+/// an edge that bends both ways, as one does that crosses the equator, from one that is even.
+double sagitta(Point start, Point middle, Point end) {
+  const double cosine = std::cos(middle.y * degree);
+  const Way before(start, middle, cosine);
+  const Way after(middle, end, cosine);
+  const double length = std::hypot(before.east + after.east, before.north + after.north);
+  if (length == 0) return std::hypot(before.east, before.north);
+  return (before.east * after.north - before.north * after.east) / length;
+}
+
+/// The length of the frame's longer side, in degrees of a great circle.
+double size_of(const Box& frame) {
+  const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
+  return std::max({frame.height(), frame.width() * std::cos(widest * degree), 1e-7});
+}
+
+}  // namespace
+
+bool may_come_near(const Box& frame, Point centre, double radius) {
+  const double stretch = 1.01;  // more than latitudes stretch from the sphere to the ellipsoid
+  const double south = centre.y - stretch * radius;
+  const double north = centre.y + stretch * radius;
+  if (south > frame.high.y || north < frame.low.y) return false;
+  if (north >= 89.5 || south <= -89.5) return true;
+  const double widest = std::max(std::abs(south), std::abs(north)) * degree;
+  const double east_west = stretch * radius / std::cos(widest);
+  const double distance = std::abs(short_way(std::remainder(centre.x - frame.centre().x, 360)));
+  return distance <= east_west + frame.width() / 2;
+}
+
+EdgeDrawing::EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node)
+    : frame_(frame),
+      frame_size_(size_of(frame)),
+      longitudes_(frame),
+      tolerance_(tolerance),
+      first_node_(first_node) {}
+
+void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
+                       PlaceIndex right) {
+  left_ = left;
+  right_ = right;
+  const auto [first, last] = stretch_near(edge, from.angle, to.angle);
+  if (first == last) return;
+  const int pieces = static_cast<int>(std::ceil((last - first) / longest_piece));
+  const auto point = [&, first = first, last = last](int i) {
+    const double angle = i == pieces ? last : first + (last - first) * i / pieces;
+    return angle == from.angle ? from : angle == to.angle ? to : point_at(edge, angle);
+  };
+  EdgePoint start = point(0);
+  for (int i = 1; i <= pieces; ++i) {
+    EdgePoint end = point(i);
+    draw_piece(edge, start, end);
+    start = end;
+  }
+}
+
+// The part of an edge that is left when halves far from the frame have been taken off at its ends.
+std::pair<double, double> EdgeDrawing::stretch_near(const GeodesicBisector& edge, double from,
+                                                    double to) const {
+  while (to - from > shortest_chord) {
+    const double half = from + (to - from) / 2;
+    const bool first = may_come_near(edge, from, half);
+    const bool last = may_come_near(edge, half, to);
+    if (first && last) break;
+    if (!first) from = half;
+    if (!last) to = half;
+  }
+  return {from, to};
+}
+
+bool EdgeDrawing::may_come_near(const GeodesicBisector& edge, double from, double to) const {
+  const double half = (to - from) / 2;
+  const double off = edge.farthest_off(std::max(std::abs(from), std::abs(to)));
+  return thiessen::may_come_near(frame_, from_sphere(edge.arc().at(from + half)),
+                                 (half + off) / degree);
+}
+
+EdgePoint EdgeDrawing::point_at(const GeodesicBisector& edge, double angle) const {
+  return {angle, no_node, longitudes_.within(edge.find(angle).position)};
+}
+
+EdgePoint EdgeDrawing::point_at(const BisectorOffset& offset, double angle) const {
+  return {angle, no_node, longitudes_.within(offset.at(angle))};
+}
+
+// Draws a piece of an edge. It is halved until a polynomial stands for it, its chord is near enough
+// to it, or all of it is far from the frame.
+void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end) {
+  const double half = (end.angle - start.angle) / 2;
+  const double angle = start.angle + half;
+  if (!may_come_near(edge, start.angle, end.angle)) return;
+  if (2 * half <= longest_fit) {
+    const auto offset =
+        BisectorOffset::fit(edge, start.angle, start.position, end.angle, end.position);
+    if (offset) return draw_piece(*offset, start, end);
+  }
+  throw_if_interrupted();
+  const BisectorPoint found = edge.find(angle);
+  EdgePoint middle{angle, no_node, longitudes_.within(found.position)};
+  // No chord can follow the edge more closely than distances tell where it is.
+  const double allowed = std::max(tolerance_, 4 * found.uncertainty * mean_radius);
+  const bool fine =
+      2 * half <= longest_chord && bulge(start.position, middle.position, end.position) <= allowed;
+  if (fine || half < shortest_chord) return draw_chord(start, end);
+  draw_piece(edge, start, middle);
+  draw_piece(edge, middle, end);
+}
+
+// Draws a piece that a polynomial stands for. It gets chords of equal length where the curve is as
+// strong in one half as in the other; parts far from the frame are left out of a piece longer than
+// the frame.
+void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end) {
+  const double half = (end.angle - start.angle) / 2;
+  EdgePoint middle = point_at(offset, start.angle + half);
+  const bool is_long = half / degree > frame_size_ / 16;
+  if (is_long && !thiessen::may_come_near(frame_, middle.position, half / degree)) return;
+  const Point first_quarter = longitudes_.within(offset.at(start.angle + half / 2));
+  const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
+  const double first = sagitta(start.position, first_quarter, middle.position);
+  const double last = sagitta(middle.position, last_quarter, end.position);
+  const double most = std::max(std::abs(first), std::abs(last));
+  const double whole = std::abs(sagitta(start.position, middle.position, end.position));
+  const bool is_even = std::abs(first - last) <= most / 2 && whole <= 5 * most;
+  const bool is_fine = std::max(whole, 4 * most) <= tolerance_;
+  if ((is_long || !is_even) && !is_fine && half >= shortest_chord) {
+    draw_piece(offset, start, middle);
+    draw_piece(offset, middle, end);
+    return;
+  }
+  // A piece that bulges by b bulges by b / n^2 where it is divided into n. Near one of its ends the
+  // curve is stronger still, by half the difference between the halves.
+  const double at_an_end = 1.02 * (most + std::abs(first - last) / 2);
+  const double pieces = 2 * std::sqrt(at_an_end / tolerance_);
+  const int chords = is_fine ? 1 : static_cast<int>(std::ceil(pieces));
+  draw_chords(offset, start, end, chords);
+}
+
+void EdgeDrawing::draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end,
+                              int chords) {
+  throw_if_interrupted();
+  EdgePoint before = start;
+  for (int i = 1; i <= chords; ++i) {
+    EdgePoint& from = i == 1 ? start : before;
+    if (i == chords) return draw_chord(from, end);
+    EdgePoint next = point_at(offset, start.angle + (end.angle - start.angle) * i / chords);
+    draw_chord(from, next);
+    before = next;
+  }
+}
+
+void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end) {
+  if (start.node == no_node) start.node = new_node(start.position);
+  if (end.node == no_node) end.node = new_node(end.position);
+  const double step = end.position.x - start.position.x;
+  if (std::abs(step) <= 180) {
+    if (start.node == end.node) return;
+    chords_.push_back({start.node, end.node, left_, right_});
+    if (start.position.x == longitudes_.west() || end.position.x == longitudes_.west()) {
+      chords_.push_back({turned(start.position, 360), turned(end.position, 360), left_, right_});
+    }
+    return;
+  }
+  // A chord over the meridian opposite the frame's centre is drawn twice: once beyond the eastern
+  // side of the map and once beyond the western one.
+  const double turn = step > 0 ? -360 : 360;
+  chords_.push_back({start.node, turned(end.position, turn), left_, right_});
+  chords_.push_back({turned(start.position, -turn), end.node, left_, right_});
+}
+
+void EdgeDrawing::add_to(Diagram& diagram) const {
+  const auto shift = static_cast<std::uint32_t>(diagram.nodes.size()) - first_node_;
+  const auto shifted = [&](std::uint32_t node) { return node < first_node_ ? node : node + shift; };
+  diagram.nodes.insert(diagram.nodes.end(), nodes_.begin(), nodes_.end());
+  for (const Chord& chord : chords_) {
+    diagram.chords.push_back({shifted(chord.from), shifted(chord.to), chord.left, chord.right});
+  }
+}
+
+std::uint32_t EdgeDrawing::new_node(Point position) {
+  nodes_.push_back(position);
+  return first_node_ + static_cast<std::uint32_t>(nodes_.size() - 1);
+}
+
+std::uint32_t EdgeDrawing::turned(Point position, double degrees) {
+  return new_node({position.x + degrees, position.y});
+}
+
+}  // namespace thiessen

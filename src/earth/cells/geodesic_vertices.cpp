@@ -1,0 +1,188 @@
+#include "earth/cells/geodesic_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "earth/cells/edge_drawing.h"
+#include "earth/cells/equidistance.h"
+#include "earth/cells/far_side.h"
+#include "earth/sphere/geodesic.h"
+#include "earth/sphere/units.h"
+#include "geometry/disjoint_sets.h"
+
+namespace thiessen {
+GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
+                                   const Box& frame, double accuracy, unsigned threads)
+    : sphere_(sphere),
+      places_(places),
+      accuracy_(accuracy),
+      mesh_(sphere),
+      vertices_(mesh_.triangles()) {
+  for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
+    place_on_sphere(t);
+    vertices_[t].is_near = may_come_near(frame, vertices_[t].position, farthest_off(t));
+  }
+  lay_far_side_anew();
+  constexpr std::size_t some = 256;
+  in_parallel((vertices_.size() + some - 1) / some, threads, [&](std::size_t, std::size_t piece) {
+    const std::size_t end = std::min(vertices_.size(), (piece + 1) * some);
+    for (std::size_t t = piece * some; t < end; ++t) {
+      if (vertices_[t].is_near && !vertices_[t].is_far)
+        place_on_earth(static_cast<std::uint32_t>(t));
+    }
+  });
+  flip_sides();
+  unite();
+}
+
+// An upper bound, in degrees, on how far the vertex moves from the sphere to the ellipsoid.
+double GeodesicVertices::farthest_off(std::uint32_t triangle) const {
+  const double square =
+      sphere_.square_distance(vertices_[triangle].direction, mesh_.corners(triangle)[0]);
+  return std::min(1.0, 0.1 * std::sqrt(square) / degree + 1e-6);
+}
+
+void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
+  const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
+  Vertex& vertex = vertices_[triangle];
+  vertex.direction = sphere_.centre(a, b, c);
+  vertex.position = from_sphere(vertex.direction);
+  vertex.is_exact = false;
+}
+
+// Lays anew the triangles whose circles cover nearly half the Earth, if one of their vertices is
+// near the frame.
+void GeodesicVertices::lay_far_side_anew() {
+  const double cosine = -std::cos(0.06);  // 380 km from the antipode
+  std::vector<std::uint32_t> far;
+  bool any_near = false;
+  for (std::uint32_t t = 0; t < vertices_.size(); ++t) {
+    const Direction corner = sphere_.direction(mesh_.corners(t)[0]);
+    if (dot(vertices_[t].direction, corner) > cosine) continue;
+    far.push_back(t);
+    any_near = any_near || vertices_[t].is_near;
+  }
+  if (!any_near) return;
+  const auto direction_of = [&](std::uint32_t t) { return vertices_[t].direction; };
+  for (const std::uint32_t t : far) vertices_[t].is_far = true;
+  for (const auto& [t, at] :
+       FarSide(sphere_, places_, accuracy_, mesh_).lay_anew(far, direction_of))
+    vertices_[t] = {at.position, on_sphere(at.position), at.radius, true, true, true};
+}
+
+void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
+  constexpr double farthest = 0.5;  // radians
+  const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
+  Vertex& vertex = vertices_[triangle];
+  const auto found = equidistant_point(earth_point(a), earth_point(b), earth_point(c),
+                                       vertex.direction, accuracy_ / 10);
+  if (!found) return;
+  const Direction moved = found->at - vertex.direction;
+  if (dot(moved, moved) > farthest * farthest) return;
+  vertex.position = from_sphere(found->at);
+  vertex.direction = found->at;
+  vertex.radius = found->radius;
+  vertex.is_exact = true;
+}
+
+std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
+                                                   std::uint32_t start, std::uint32_t end) const {
+  return edge.arc().between(vertices_[group_of(start)].direction,
+                            vertices_[group_of(end)].direction);
+}
+
+// Whether the point across from the side is nearer to the triangle's vertex than its corners are,
+// by more than `margin` metres.
+bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
+  const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
+  const PlaceIndex corner = mesh_.apex(s);
+  const PlaceIndex across = mesh_.apex(mesh_.twin(s));
+  if (!vertex.is_exact || across == corner) return false;
+  // A place that is much farther on the sphere is farther on the Earth too, which saves the
+  // geodesic.
+  const double to_corner = sphere_.square_distance(vertex.direction, corner);
+  const double to_across = sphere_.square_distance(vertex.direction, across);
+  if (to_across > to_corner * scale_variation * scale_variation) return false;
+  return geodesic_distance(position(across), vertex.position) < vertex.radius - margin;
+}
+
+// The circles of both triangles agree, except at antipodes, where they hardly tell one place from
+// another. There a circle that says no is believed.
+bool GeodesicVertices::is_to_be_flipped(SideIndex s) const {
+  // The margin is more than the noise of distances.
+  const double within_circle = accuracy_ / 5;
+  const SideIndex beyond = mesh_.twin(s);
+  if (vertices_[CellMesh::triangle_of(s)].is_far || vertices_[CellMesh::triangle_of(beyond)].is_far)
+    return false;
+  return holds_point_across(s, within_circle) &&
+         (!vertices_[CellMesh::triangle_of(beyond)].is_exact ||
+          holds_point_across(beyond, -within_circle));
+}
+
+void GeodesicVertices::flip_sides() {
+  std::vector<SideIndex> open;
+  for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
+    for (std::uint32_t i = 0; i < 3 && vertices_[t].is_near; ++i) {
+      open.push_back(CellMesh::side(t, i));
+    }
+  }
+  // Sides that keep flipping are at antipodes, where no choice is better than another, so flips are
+  // counted and stopped.
+  std::vector<std::uint8_t> flips(mesh_.triangles(), 0);
+  constexpr std::uint8_t most_flips = 50;
+  while (!open.empty()) {
+    const SideIndex s = open.back();
+    open.pop_back();
+    const SideIndex beyond = mesh_.twin(s);
+    if (!is_to_be_flipped(s)) continue;
+    const std::uint32_t t = CellMesh::triangle_of(s);
+    const std::uint32_t w = CellMesh::triangle_of(beyond);
+    if (flips[t] == most_flips || flips[w] == most_flips) continue;
+    ++flips[t];
+    ++flips[w];
+    mesh_.flip(s);
+    for (const std::uint32_t changed : {t, w}) {
+      vertices_[changed].is_near = true;
+      place_on_sphere(changed);
+      place_on_earth(changed);
+      for (std::uint32_t i = 0; i < 3; ++i) {
+        open.push_back(CellMesh::side(changed, i));
+        open.push_back(mesh_.twin(CellMesh::side(changed, i)));
+      }
+    }
+  }
+}
+
+bool GeodesicVertices::may_be_flipped(SideIndex s) const {
+  const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
+  if (vertex.is_exact && vertices_[CellMesh::triangle_of(mesh_.twin(s))].is_exact) return false;
+  const double to_corner = sphere_.square_distance(vertex.direction, mesh_.apex(s));
+  const double to_across = sphere_.square_distance(vertex.direction, mesh_.apex(mesh_.twin(s)));
+  return to_across <= to_corner * scale_variation * scale_variation;
+}
+
+std::uint32_t GeodesicVertices::group_of(std::uint32_t triangle) const {
+  return group_.empty() ? triangle : group_[triangle];
+}
+
+// Unites neighbouring vertices that cannot be told apart, such as those of four gauges on a grid.
+void GeodesicVertices::unite() {
+  const double indistinct = 2 * accuracy_ / mean_radius;
+  DisjointSets groups(vertices_.size());
+  for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
+    const SideIndex s{i};
+    const std::uint32_t a = groups.find(CellMesh::triangle_of(s));
+    const std::uint32_t b = groups.find(CellMesh::triangle_of(mesh_.twin(s)));
+    if (a == b) continue;
+    const Direction apart = vertices_[CellMesh::triangle_of(s)].direction -
+                            vertices_[CellMesh::triangle_of(mesh_.twin(s))].direction;
+    if (dot(apart, apart) > indistinct * indistinct) continue;
+    const bool keeps_a = sphere_.key_of(mesh_.corners(a)) < sphere_.key_of(mesh_.corners(b));
+    groups.unite(keeps_a ? a : b, keeps_a ? b : a);
+  }
+  group_.resize(vertices_.size());
+  for (std::uint32_t t = 0; t < group_.size(); ++t) group_[t] = groups.find(t);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,72 @@
+#include "gdal/layers/attribute_filter.h"
+
+#include <ogr_feature.h>
+
+#include <utility>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "base/utf8.h"
+#include "gdal/drivers.h"
+#include "gdal/gdal_errors.h"
+
+namespace thiessen {
+namespace {
+
+OGRFieldType ogr_type(FieldType type) {
+  if (type == FieldType::integer) return OFTInteger64;
+  return type == FieldType::real ? OFTReal : OFTString;
+}
+
+struct ReleaseDefinition {
+  void operator()(OGRFeatureDefn* definition) const { definition->Release(); }
+};
+
+}  // namespace
+
+struct AttributeFilter::Query {
+  std::unique_ptr<OGRFeatureDefn, ReleaseDefinition> definition;
+  std::unique_ptr<OGRFeature> feature;
+  OGRFeatureQuery query;
+};
+
+AttributeFilter::AttributeFilter(const std::string& where, const std::string& its_setting,
+                                 const std::string& file, const std::vector<FieldName>& fields)
+    : query_(std::make_unique<Query>()) {
+  start_gdal();
+  query_->definition.reset(new OGRFeatureDefn(""));
+  query_->definition->Reference();
+  for (const FieldName& field : fields) {
+    OGRFieldDefn definition(field.name.c_str(), ogr_type(field.type));
+    query_->definition->AddFieldDefn(&definition);
+  }
+  query_->feature = std::make_unique<OGRFeature>(query_->definition.get());
+  const GdalErrors errors;
+  if (query_->query.Compile(query_->definition.get(), where.c_str()) != OGRERR_NONE) {
+    throw Error(
+        Message{file, 0, setting(its_setting, quoted(where, 200)) + ": " + errors.text(), {}});
+  }
+}
+
+AttributeFilter::~AttributeFilter() = default;
+
+bool AttributeFilter::keeps(const Row& row) const {
+  OGRFeature& feature = *query_->feature;
+  const GdalErrors errors;
+  feature.SetFID(static_cast<GIntBig>(row.line));
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const int field = static_cast<int>(i);
+    const std::string text(row.fields[i]);
+    const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
+    if (text.empty()) {
+      feature.SetFieldNull(field);
+    } else if (type == OFTReal) {
+      feature.SetField(field, parse_number(text).value);
+    } else {
+      feature.SetField(field, text.c_str());
+    }
+  }
+  return query_->query.Evaluate(&feature) != FALSE;
+}
+
+}  // namespace thiessen

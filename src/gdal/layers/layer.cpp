@@ -1,0 +1,251 @@
+#include "gdal/layers/layer.h"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "base/utf8.h"
+#include "gdal/crs/crs_definition.h"
+#include "gdal/gdal_errors.h"
+#include "gdal/layers/geometry_conversion.h"
+#include "gdal/layers/opening.h"
+#include "gdal/layers/vsi_bytes.h"
+#include "text/geojson_audit.h"
+
+namespace thiessen {
+namespace {
+
+using CrsMember = GeoJsonFindings::CrsMember;
+
+FieldType type_of(OGRFieldType type) {
+  if (type == OFTInteger || type == OFTInteger64) return FieldType::integer;
+  return type == OFTReal ? FieldType::real : FieldType::text;
+}
+
+/// The date in the form of ISO 8601: GDAL separates its numbers by slashes, so 2013/09/11 becomes
+/// 2013-09-11.
+std::string iso_date(std::string text) {
+  std::replace(text.begin(), text.begin() + std::min<std::ptrdiff_t>(10, std::ssize(text)), '/',
+               '-');
+  return text;
+}
+
+std::string text_of(OGRFeature& feature, int field) {
+  if (!feature.IsFieldSetAndNotNull(field)) return {};
+  switch (feature.GetFieldDefnRef(field)->GetType()) {
+    case OFTInteger64:
+    case OFTInteger:
+      return std::to_string(feature.GetFieldAsInteger64(field));
+    case OFTReal: {
+      const double value = feature.GetFieldAsDouble(field);
+      return value - value == 0 ? shortest_text(value) : feature.GetFieldAsString(field);
+    }
+    case OFTDate:
+    case OFTDateTime:
+      return iso_date(feature.GetFieldAsString(field));
+    default:
+      return feature.GetFieldAsString(field);
+  }
+}
+
+struct CloseDataset {
+  void operator()(GDALDataset* dataset) const {
+    const GdalErrors errors;
+    GDALClose(dataset);
+  }
+};
+
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+Dataset open(const std::string& file, const Opening& opening) {
+  std::vector<const char*> drivers = opening.drivers;
+  drivers.push_back(nullptr);
+  // Dates in GeoJSON are texts and must stay as written; GDAL would reformat them.
+  static constexpr const char* options[] = {"DATE_AS_STRING=YES", nullptr};
+  const bool geojson = opening.drivers.front() == std::string_view("GeoJSON");
+  const GdalErrors errors;
+  Dataset dataset(GDALDataset::Open(opening.name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
+                                    drivers.data(), geojson ? options : nullptr, nullptr));
+  if (!dataset) {
+    const std::string reason = errors.failed() ? ": " + errors.text() : "";
+    throw Error(
+        Message{file, 0, "cannot be read as " + std::string(opening.drivers.front()) + reason, {}});
+  }
+  return dataset;
+}
+
+std::string names_of(const std::vector<OGRLayer*>& layers) {
+  std::string names;
+  for (std::size_t i = 0; i < layers.size() && i < 20; ++i) {
+    names += (i == 0 ? "" : ", ") + quoted(layers[i]->GetName(), 80);
+  }
+  return layers.size() > 20 ? names + " and " + std::to_string(layers.size() - 20) + " more"
+                            : names;
+}
+
+/// The layers of a dataset. Sheets without a cell and folders without a placemark do not count.
+std::vector<OGRLayer*> layers_of(GDALDataset& dataset) {
+  std::vector<OGRLayer*> layers;
+  for (OGRLayer* layer : dataset.GetLayers()) {
+    if (layer->GetLayerDefn()->GetFieldCount() > 0 || layer->GetFeatureCount() != 0) {
+      layers.push_back(layer);
+    }
+  }
+  return layers;
+}
+
+OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::string& wanted,
+                 const std::string& its_setting) {
+  const GdalErrors errors;
+  if (!wanted.empty()) {
+    if (OGRLayer* layer = dataset.GetLayerByName(wanted.c_str())) return layer;
+  }
+  const std::vector<OGRLayer*> layers = layers_of(dataset);
+  if (!wanted.empty()) {
+    throw Error(Message{file, 0, "has no layer " + quoted(wanted, 80),
+                        "its layers are " + names_of(layers)});
+  }
+  if (layers.empty() && dataset.GetLayerCount() > 0) return dataset.GetLayer(0);
+  if (layers.empty()) throw Error(Message{file, 0, "has no layer", {}});
+  if (layers.size() > 1) {
+    throw Error(Message{file, 0, "has several layers: " + names_of(layers),
+                        its_setting.empty() ? Wording() : "name one with " + setting(its_setting)});
+  }
+  return layers[0];
+}
+
+/// The CRS that a GeoJSON file names. It is read here because GDAL silently takes WGS 84 where it
+/// does not know the name.
+std::optional<Crs> crs_of(const std::string& file, const GeoJsonFindings& findings) {
+  if (findings.crs == CrsMember::other) {
+    throw Error(Message{file, 0, "its crs member is neither a name nor a link", {}});
+  }
+  if (findings.crs != CrsMember::name) return std::nullopt;
+  try {
+    return Crs::from_text(findings.crs_name, "its crs member");
+  } catch (const Error& error) {
+    Message message = error.messages().at(0);
+    message.file = file;
+    throw Error(std::move(message));
+  }
+}
+
+}  // namespace
+
+struct Layer::Opened {
+  std::string file;
+  Opening opening;
+  GeoJsonFindings findings;
+  bool geojson = false;
+  Dataset dataset;
+  OGRLayer* layer = nullptr;
+  std::vector<std::string> header;
+  std::vector<FieldType> types;
+  OGRFeatureUniquePtr feature;
+  std::vector<std::string> texts;
+  GeometryRecord geometry;
+  std::size_t number = 0;
+  std::vector<std::string> oddities;
+};
+
+Layer::Layer(std::string file, const std::string& layer, const std::string& layer_setting)
+    : opened_(std::make_unique<Opened>()) {
+  Opened& it = *opened_;
+  it.file = std::move(file);
+  it.opening = find_opening(it.file);
+  if (it.opening.drivers.empty()) {
+    throw Error(Message{it.file, 0, "is of no kind that GDAL reads here", {}});
+  }
+  it.geojson = it.opening.drivers.front() == std::string_view("GeoJSON");
+  if (it.geojson) {
+    VsiBytes bytes(it.file, it.opening.name);
+    it.findings = audit_geojson(it.file, bytes);
+  }
+  if (it.findings.crs == CrsMember::link) {
+    it.oddities.push_back("its crs member is a link, which is never followed; WGS 84 is assumed");
+  }
+  it.dataset = open(it.file, it.opening);
+  it.layer = choose(*it.dataset, it.file, layer, layer_setting);
+  const OGRFeatureDefn& fields = *it.layer->GetLayerDefn();
+  for (int i = 0; i < fields.GetFieldCount(); ++i) {
+    it.header.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
+    it.types.push_back(type_of(fields.GetFieldDefn(i)->GetType()));
+  }
+  it.layer->ResetReading();
+}
+
+Layer::~Layer() = default;
+
+const std::string& Layer::file() const {
+  return opened_->file;
+}
+const std::vector<std::string>& Layer::header() const {
+  return opened_->header;
+}
+const std::vector<FieldType>& Layer::types() const {
+  return opened_->types;
+}
+const GeometryRecord& Layer::geometry() const {
+  return opened_->geometry;
+}
+bool Layer::is_geojson() const {
+  return opened_->geojson;
+}
+const std::vector<std::string>& Layer::oddities() const {
+  return opened_->oddities;
+}
+
+bool Layer::has_geometry() const {
+  return opened_->layer->GetLayerDefn()->GetGeomFieldCount() > 0;
+}
+
+bool Layer::next(Row& row) {
+  Opened& it = *opened_;
+  const GdalErrors errors;
+  it.feature.reset(it.layer->GetNextFeature());
+  if (errors.failed()) {
+    throw Error(
+        Message{it.file,
+                0,
+                "feature " + std::to_string(it.number + 1) + " cannot be read: " + errors.text(),
+                {}});
+  }
+  if (!it.feature) {
+    if (it.geojson && it.number != it.findings.features) {
+      throw Error(Message{it.file,
+                          0,
+                          "GDAL reads " + std::to_string(it.number) + " of its " +
+                              std::to_string(it.findings.features) + " features",
+                          {}});
+    }
+    return false;
+  }
+  it.texts.clear();
+  row.fields.clear();
+  for (int i = 0; i < it.feature->GetFieldCount(); ++i) it.texts.push_back(text_of(*it.feature, i));
+  row.fields.assign(it.texts.begin(), it.texts.end());
+  row.line = ++it.number;
+  it.geometry = record_of(it.feature->GetGeometryRef());
+  return true;
+}
+
+std::optional<Crs> Layer::crs() const {
+  const Opened& it = *opened_;
+  if (it.geojson) return crs_of(it.file, it.findings);
+  const OGRSpatialReference* system = it.layer->GetSpatialRef();
+  if (system == nullptr) return std::nullopt;
+  return crs_from_system(*system, it.file);
+}
+
+bool Layer::crs_implied() const {
+  return opened_->geojson &&
+         (opened_->findings.crs == CrsMember::absent || opened_->findings.crs == CrsMember::link);
+}
+
+}  // namespace thiessen

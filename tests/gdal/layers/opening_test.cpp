@@ -1,0 +1,84 @@
+#include "gdal/layers/opening.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/complaints.h"
+#include "base/temporary_folder.h"
+#include "gdal/layers/layer.h"
+
+namespace thiessen {
+namespace {
+
+TEST(Drivers, the_extension_tells_a_csv_from_what_gdal_reads) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(read_by_gdal(folder.write("a.csv", "id,x,y\n")));
+  EXPECT_FALSE(read_by_gdal(folder.write("a.TSV", "id\tx\ty\n")));
+  EXPECT_TRUE(read_by_gdal(folder.write("a.geojson", "{}")));
+  EXPECT_TRUE(read_by_gdal(folder.write("a.GPKG", "")));
+  EXPECT_TRUE(read_by_gdal("PG:dbname=rain"));
+}
+
+TEST(Drivers, the_first_bytes_tell_where_the_extension_does_not) {
+  const TemporaryFolder folder;
+  EXPECT_FALSE(read_by_gdal(folder.write("gauges", "id,x,y\n1,2,3\n")));
+  EXPECT_TRUE(
+      read_by_gdal(folder.write("basins", R"({"type":"FeatureCollection","features":[]})")));
+}
+
+TEST(Drivers, a_missing_file_a_folder_and_an_unreadable_one_are_named_as_the_system_names_them) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaint_of([&] { read_by_gdal(folder.path("no.gpkg")); }),
+            folder.path("no.gpkg") + ": No such file or directory");
+  EXPECT_EQ(complaint_of([&] { read_by_gdal(folder.path()); }), folder.path() + ": Is a directory");
+  EXPECT_TRUE(
+      contains(complaint_of([&] { read_by_gdal(std::string(5000, 'a')); }), "File name too long"));
+  EXPECT_TRUE(contains(complaint_of([] { read_by_gdal(""); }), "empty"));
+  const std::string locked = folder.write("locked.geojson", "{}");
+  chmod(locked.c_str(), 0);
+  if (geteuid() != 0) {
+    EXPECT_EQ(complaint_of([&] { read_by_gdal(locked); }), locked + ": Permission denied");
+  }
+}
+
+class Connection : public testing::TestWithParam<const char*> {};
+
+TEST_P(Connection, is_refused) {
+  const std::string complaint = complaint_of([] { read_by_gdal(GetParam()); });
+  EXPECT_TRUE(contains(complaint, "read")) << complaint;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Drivers, Connection,
+    testing::Values("/vsicurl/http://127.0.0.1:9/a.geojson", "/vsis3/bucket/a.gpkg",
+                    "/vsizip//vsicurl/http://127.0.0.1:9/a.zip",
+                    "/vsizip/vsicurl/http://127.0.0.1:9/a.zip",
+                    "/vsizip/{/vsicurl/http://127.0.0.1:9/a.zip}/b.shp", "/vsistdin/",
+                    "/vsimem/a.geojson", "/vsisubfile/0_10,a.geojson",
+                    "http://127.0.0.1:9/a.geojson", "https://127.0.0.1:9/", "ftp://127.0.0.1/a",
+                    "WFS:http://127.0.0.1:9/", "MEM:::DATAPOINTER=1",
+                    R"({"type":"Point","coordinates":[1,2]})", "GeoJSON:a"));
+
+TEST(Drivers, a_virtual_file_in_the_clothes_of_geojson_is_not_opened) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write(
+      "a.geojson",
+      "<OGRVRTDataSource><OGRVRTLayer name='a'><SrcDataSource>/etc/passwd</SrcDataSource>"
+      "</OGRVRTLayer></OGRVRTDataSource>");
+  EXPECT_TRUE(contains(complaint_of([&] { Layer(file, "", ""); }), "not whole JSON"));
+}
+
+TEST(Drivers, an_archive_of_a_local_file_is_read) {
+  const TemporaryFolder folder;
+  folder.write("a.geojson", R"({"type":"Point","coordinates":[1,2]})");
+  const std::string pack = "cd '" + folder.path() + "' && gzip -k a.geojson";
+  ASSERT_EQ(std::system(pack.c_str()), 0);
+  Layer layer("/vsigzip/" + folder.path("a.geojson.gz"), "", "");
+  Row row;
+  ASSERT_TRUE(layer.next(row));
+  EXPECT_EQ(layer.geometry().points.at(0), (Point{1, 2}));
+}
+
+}  // namespace
+}  // namespace thiessen
