@@ -114,7 +114,8 @@ MultiPolygon cleaned(const MultiPolygon& raw, Mended& mended) {
         ++mended.holes;
       }
     }
-    if (polygon.outer.size() > 2 || !polygon.holes.empty()) {
+    // A part whose shell has no area goes, with the holes that it cannot have.
+    if (polygon.outer.size() > 2) {
       shape.push_back(std::move(polygon));
     } else {
       ++mended.parts;

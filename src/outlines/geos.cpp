@@ -16,10 +16,15 @@ Geos::~Geos() {
   GEOS_finish_r(context_);
 }
 
-void Geos::hear(const char* message, void* self) {
+// GEOS calls this from C++ by way of C: nothing may be thrown through it.
+void Geos::hear(const char* message, void* self) noexcept {
   std::string& text = static_cast<Geos*>(self)->text_;
   if (!text.empty()) return;
-  text = message;
+  try {
+    text = message;
+  } catch (const std::bad_alloc&) {
+    return;
+  }
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
 }
@@ -43,6 +48,7 @@ GEOSGeometry* Geos::polygon_of(const Polygon& polygon) const {
   const auto missing = [](const Shape& shape) { return shape == nullptr; };
   if (!shell || std::any_of(holes.begin(), holes.end(), missing)) return nullptr;
   std::vector<GEOSGeometry*> taken;
+  taken.reserve(holes.size());
   for (Shape& hole : holes) taken.push_back(hole.release());
   return GEOSGeom_createPolygon_r(context_, shell.release(), taken.data(),
                                   static_cast<unsigned>(taken.size()));
@@ -55,6 +61,7 @@ Geos::Shape Geos::shape_of(const MultiPolygon& polygons) const {
     if (!parts.back()) return own(nullptr);
   }
   std::vector<GEOSGeometry*> taken;
+  taken.reserve(parts.size());
   for (Shape& part : parts) taken.push_back(part.release());
   return own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, taken.data(),
                                          static_cast<unsigned>(taken.size())));

@@ -27,8 +27,8 @@ class Geos {
   /// The first message of GEOS: why a shape is not valid, or why GEOS cannot answer.
   const std::string& text() const { return text_; }
   Shape own(GEOSGeometry* geometry) const { return {geometry, Destroy{context_}}; }
-  /// A GEOS geometry of the polygons; null where a ring has one point or two, and text() then says
-  /// so.
+  /// The shape as GEOS has it, rings closed. Null where GEOS cannot make it, as of a ring of one
+  /// point; text() then says why. Requires finite coordinates.
   Shape shape_of(const MultiPolygon& polygons) const;
   /// Every polygon within a GEOS geometry, with rings that do not repeat the last point; none where
   /// it is null.
@@ -39,7 +39,7 @@ class Geos {
   GEOSGeometry* polygon_of(const Polygon& polygon) const;
   Ring points_of(const GEOSGeometry* ring) const;
   void gather(const GEOSGeometry* shape, MultiPolygon& into) const;
-  static void hear(const char* message, void* self);
+  static void hear(const char* message, void* self) noexcept;
 
   GEOSContextHandle_t context_;
   std::string text_;

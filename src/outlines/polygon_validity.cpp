@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <new>
 
 #include "outlines/geos.h"
 #include "outlines/ring_direction.h"
@@ -15,12 +17,16 @@ MultiPolygon made_valid(const MultiPolygon& shape, GEOSMakeValidMethods method) 
   const Geos geos;
   const Geos::Shape geometry = geos.shape_of(shape);
   if (!geometry) return {};
-  GEOSMakeValidParams* const way = GEOSMakeValidParams_create_r(geos.context());
-  GEOSMakeValidParams_setMethod_r(geos.context(), way, method);
-  GEOSMakeValidParams_setKeepCollapsed_r(geos.context(), way, 0);
+  const auto destroy = [&](GEOSMakeValidParams* params) {
+    GEOSMakeValidParams_destroy_r(geos.context(), params);
+  };
+  const std::unique_ptr<GEOSMakeValidParams, decltype(destroy)> way(
+      GEOSMakeValidParams_create_r(geos.context()), destroy);
+  if (!way) throw std::bad_alloc();
+  GEOSMakeValidParams_setMethod_r(geos.context(), way.get(), method);
+  GEOSMakeValidParams_setKeepCollapsed_r(geos.context(), way.get(), 0);
   const Geos::Shape valid =
-      geos.own(GEOSMakeValidWithParams_r(geos.context(), geometry.get(), way));
-  GEOSMakeValidParams_destroy_r(geos.context(), way);
+      geos.own(GEOSMakeValidWithParams_r(geos.context(), geometry.get(), way.get()));
   return geos.polygons_of(valid.get());
 }
 
@@ -55,7 +61,7 @@ std::string validity_fault(const MultiPolygon& shape) {
   const Geos::Shape geometry = geos.shape_of(shape);
   constexpr char valid = 1;
   if (geometry && GEOSisValid_r(geos.context(), geometry.get()) == valid) return {};
-  std::string reason = geos.text();
+  std::string reason = geos.text().empty() ? "GEOS gives no reason" : geos.text();
   for (char& c : reason) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return reason;
 }

@@ -81,6 +81,10 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"spike_over_the_seam", "POLYGON ((7 7,4 3,0 0,4 0,4 3,7 7))", 6, "1 spike"},
         Case{"long_spike", "POLYGON ((0 0,4 0,9 0,10 1,9 0,4 0,4 3,0 0))", 6, "2 spikes"},
         Case{"uneven_spike", "POLYGON ((0 0,4 0,4 5,4 3,0 3,0 0))", 12, "meets itself"},
+        Case{"a_shell_without_area_and_its_hole",
+             "MULTIPOLYGON (((0 0,10 0,10 10,0 10,0 0)),((20 20,20 20,20 20,20 20),(21 21,22 21,22 "
+             "22,21 21)))",
+             100, "1 part without area"},
         Case{"open_ring", "POLYGON ((0 0,4 0,4 3))", 6, "1 open ring"},
         Case{"parts_sharing_an_edge",
              "MULTIPOLYGON (((0 0,2 0,2 2,0 2,0 0)),((2 0,4 0,4 2,2 2,2 0)))", 8, "meets itself"},
