@@ -2,6 +2,7 @@
 
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
+#include "study/study.h"
 
 namespace thiessen::cli {
 namespace {
@@ -57,7 +58,8 @@ void StudyOptions::declare_method(OptionGroup group) {
   plane_option_ = &group.add("--plane", any_text(plane_, "CRS"),
                              "planar, with both files brought into this CRS first");
   crs_options_.push_back(plane_option_);
-  group.add("--tolerance", number(tolerance_, {1e-3, 1e6, "metres from 0.001 to 1e6"}),
+  group.add("--tolerance",
+            number(tolerance_, {tolerances.low, tolerances.high, "metres from 0.001 to 1e6"}),
             "how far, in metres, a published cell edge may lie from the true one; default 0.1");
 }
 

@@ -1,6 +1,7 @@
 #include "cli/options/view_options.h"
 
 #include "cli/options/usage_error.h"
+#include "study/study.h"
 
 namespace thiessen::cli {
 
@@ -12,7 +13,7 @@ void ViewOptions::declare_time(OptionList& options) {
 
 void ViewOptions::declare_margin(OptionList& options) {
   options.group("Method", *this)
-      .add("--margin", number(margin, {0, 1000, "percent from 0 to 1000"}),
+      .add("--margin", number(margin, {margins.low, margins.high, "percent from 0 to 1000"}),
            "without BASINS: how far the study area reaches beyond the stations, in percent of "
            "their extent's larger side; default 10");
 }

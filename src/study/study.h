@@ -12,6 +12,17 @@
 namespace thiessen {
 
 /// Settings of a study beside its stations and basins.
+/// The ranges that a study can be computed with; the program has the same.
+struct SettingRange {
+  double low;
+  double high;
+  bool holds(double value) const { return value >= low && value <= high; }
+};
+inline constexpr SettingRange tolerances{1e-3, 1e6};  ///< metres
+inline constexpr SettingRange margins{0, 1000};       ///< percent
+/// How long a plane's unit may be, in metres: its square has to stay an area.
+inline constexpr SettingRange plane_units{1e-9, 1e9};
+
 struct StudySettings {
   double margin = 0;       ///< percent by which the extent is grown where there are no basins
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one

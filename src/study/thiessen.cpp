@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "rainfall/areal_rainfall.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
 #include "study/study.h"
@@ -89,11 +90,10 @@ void check_settings(const ThiessenInput& input) {
   const auto check = [&](bool good, const char* text) {
     if (!good) complaints.add({"", 0, text, ""});
   };
-  check(std::isfinite(input.metres_per_unit) && input.metres_per_unit > 0,
-        "the length of the plane's unit is no number above 0");
-  check(std::isfinite(input.tolerance) && input.tolerance > 0,
-        "the tolerance is no number above 0");
-  check(std::isfinite(input.margin) && input.margin >= 0, "the margin is no number from 0 on");
+  check(plane_units.holds(input.metres_per_unit),
+        "the length of the plane's unit is not between 1e-9 and 1e9 metres");
+  check(tolerances.holds(input.tolerance), "the tolerance is not between 0.001 and 1e6 metres");
+  check(margins.holds(input.margin), "the margin is not between 0 and 1000 percent");
   complaints.throw_if_any();
 }
 

@@ -7,14 +7,24 @@
 #include "base/error.h"
 #include "basin/basin.h"
 #include "earth/yardstick.h"
-#include "rainfall/areal_rainfall.h"
 #include "rainfall/network.h"
+#include "rainfall/step_rainfall.h"
 #include "rainfall/weights.h"
 
 /// \file
 /// The library's face: Thiessen weights, cells and areal rainfall of data in memory. It owns what
 /// it is given, checks it, and refuses what it cannot use in the same words as the program. The
 /// rooms below it state requirements; the checks that keep them stand here.
+///
+///     thiessen::ThiessenInput input;
+///     input.stations = {{"a", {0, 0}}, {"b", {4, 0}}};
+///     input.basins = {{"B", {{{{-1, -1}, {5, -1}, {5, 1}, {-1, 1}}, {}}}, {}}};
+///     const thiessen::Thiessen study(input);
+///     for (const auto& gauge : study.weights()[0].stations)
+///       std::cout << study.stations()[thiessen::index(gauge.station)].id << gauge.weight;
+///
+/// samples/library/textbook.cpp is a whole program. What is by basin has the order of basins();
+/// thiessen::index() makes a number of a StationIndex, the position in stations().
 
 namespace thiessen {
 
@@ -27,11 +37,13 @@ struct ThiessenInput {
   /// in any direction, and may repeat their first point as their last. Basin::bulges are computed,
   /// not given.
   std::vector<Basin> basins;
+  /// **Planar unless said otherwise**: longitude and latitude need Metric::geodesic.
   Metric metric = Metric::planar;
-  double metres_per_unit = 1;  ///< length of the plane's unit, in metres
-  /// Percent by which the extent of the gauges is grown where there are no basins.
+  double metres_per_unit = 1;  ///< length of the plane's unit, in metres, from 1e-9 to 1e9
+  /// Percent, to 1,000, by which the extent of the gauges is grown where there are no basins.
   double margin = 0;
-  double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
+  /// Metres, from 0.001 to 1e6, that an edge of a cell may lie from the true one.
+  double tolerance = 0.1;
 };
 
 /// A network of gauges, and the weight of each in every basin. Safe for several threads at once.
@@ -39,10 +51,10 @@ class Thiessen {
  public:
   /// Checks the input, mends what can be mended (repeated points, spikes, rings that barely cross
   /// themselves), each with a warning, and computes the weights. Throws Error with every fault: no
-  /// station, an id that is missing or given twice, a coordinate that is not a number, is no degree
-  /// where it has to be one, or lies outside the exact range of predicates.h; a basin that has no
-  /// area or crosses itself; stations without extent and no basin. Cost: n log n in the stations
-  /// and in the vertices of the basins.
+  /// station, an id of a station or a basin that is missing or given twice, a coordinate that is
+  /// not a number, is no degree where it has to be one, or lies outside the exact range of
+  /// predicates.h; a basin that has no area or crosses itself; stations without extent and no
+  /// basin. Cost: n log n in the stations and in the vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);
   ~Thiessen();
   Thiessen(Thiessen&&) noexcept;
@@ -55,16 +67,18 @@ class Thiessen {
   /// The basins after mending: outer rings counter-clockwise, holes clockwise, no point repeated.
   const std::vector<Basin>& basins() const;
 
-  /// The weights of all gauges, for each basin. Areas are in square metres.
+  /// The weights of all gauges, for each basin. Areas are in square metres, of a plane by
+  /// `metres_per_unit`.
   const std::vector<BasinWeights>& weights() const;
   /// The weights of the gauges that report, for each basin. `reports` has one entry a station.
-  /// Throws Error where it has more or fewer.
+  /// Throws Error where it has more or fewer. Where none reports, no basin has weights.
   std::vector<BasinWeights> weights(const std::vector<bool>& reports) const;
   /// The cells of all gauges clipped to each basin, in the coordinates of the study.
   std::vector<std::vector<StationCell>> cells() const;
   /// The areal rainfall of each basin for one reading a station. A gauge is silent where its
   /// reading is NaN: its cell is then shared out among its neighbours. Throws Error where there are
-  /// more or fewer readings than stations. Cost: the gauges and the weights; for silent gauges not
+  /// more or fewer readings than stations. The rainfall is NaN where all gauges are silent; no
+  /// standard error is computed. Cost: the gauges and the weights; for silent gauges not
   /// met before, the cells of their neighbours too.
   std::vector<BasinRainfall> rainfall(std::span<const double> readings) const;
 

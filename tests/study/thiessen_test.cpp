@@ -101,6 +101,24 @@ TEST(Thiessen, refuses_ids_and_shapes_that_are_missing_or_there_twice) {
   EXPECT_EQ(faults_of(input), std::vector<std::string>{"basin 'B' has an empty geometry"});
 }
 
+TEST(Thiessen, refuses_settings_that_no_study_can_be_computed_with) {
+  const auto faults = [](auto set) {
+    ThiessenInput input = two_gauges();
+    set(input);
+    return faults_of(input).size();
+  };
+  EXPECT_EQ(faults([](ThiessenInput& input) { input.metres_per_unit = 1e-200; }), 1U);
+  EXPECT_EQ(faults([](ThiessenInput& input) { input.metres_per_unit = nan; }), 1U);
+  EXPECT_EQ(faults([](ThiessenInput& input) { input.tolerance = 1e-300; }), 1U);
+  EXPECT_EQ(faults([](ThiessenInput& input) { input.margin = -1; }), 1U);
+}
+
+TEST(Thiessen, areas_are_square_metres_by_the_length_of_the_planes_unit) {
+  ThiessenInput input = two_gauges();
+  input.metres_per_unit = 1000;
+  EXPECT_EQ(Thiessen(input).weights()[0].area, 12e6);
+}
+
 TEST(Thiessen, refuses_degrees_that_are_none_on_the_earth_alone) {
   ThiessenInput input = two_gauges();
   input.stations[0].position = {0, 91};
