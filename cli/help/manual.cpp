@@ -8,6 +8,7 @@
 #include "cli/help/help.h"
 #include "cli/help/roff.h"
 #include "cli/options/name_lists.h"
+#include "text/known_names.h"
 
 namespace thiessen::cli {
 namespace {
@@ -128,6 +129,33 @@ std::string notes_sections(const Commands& commands) {
   return text;
 }
 
+template <typename Names>
+std::string names_entry(const std::string& of_what, const Names& names) {
+  std::string list;
+  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+  return ".TP\n" + roff_bold(of_what) + "\n" + roff_paragraph(list + ".");
+}
+
+std::string names_section() {
+  return ".SH NAMES AND MISSING VALUES\n" +
+         roff_paragraph(
+             "Fields that no option names are found by these names, the first that is there; case "
+             "is ignored.") +
+         names_entry("station's id", known::station_ids) +
+         names_entry("longitude or easting", known::eastings) +
+         names_entry("latitude or northing", known::northings) +
+         names_entry("basin's id (whose values are all there and all different)",
+                     known::basin_ids) +
+         names_entry("time of a table of one reading a row", known::times) +
+         names_entry("its value, with or without a unit behind it", known::values) + ".PP\n" +
+         roff_paragraph(
+             "Without a name of a station's id the first field is taken, without one of a basin's "
+             "the feature's number. Coordinates in fields called lon, long or longitude and lat or "
+             "latitude are degrees on WGS 84. A table without a station and a value field is wide: "
+             "the first column is the time, and the name of every other one a station's id.") +
+         names_entry("no reading, beside an empty field", known::gaps);
+}
+
 std::string status_section() {
   std::string text = ".SH EXIT STATUS\n";
   const auto add = [&](const char* status, const char* meaning) {
@@ -156,7 +184,7 @@ std::string examples_section(const Commands& commands) {
 
 std::string manual(const Commands& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
-         notes_sections(commands) + status_section() + examples_section(commands);
+         notes_sections(commands) + names_section() + status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli

@@ -1,7 +1,6 @@
 #include "files/basins_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
@@ -11,11 +10,11 @@
 #include "base/utf8.h"
 #include "files/features.h"
 #include "text/field_names.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::array<std::string_view, 5> id_names = {"basin", "basin_id", "id", "code", "name"};
 constexpr std::size_t longest_field = std::size_t{256} << 20U;
 
 bool finite(const Ring& ring) {
@@ -86,7 +85,7 @@ class BasinsReader {
                                features_.header_line())};
       return;
     }
-    for (const std::string_view name : id_names) {
+    for (const std::string_view name : known::basin_ids) {
       if (const auto field = find_field(header, {&name, 1})) fields_.push_back(*field);
     }
   }

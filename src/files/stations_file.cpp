@@ -1,7 +1,6 @@
 #include "files/stations_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 #include <unordered_map>
@@ -11,17 +10,11 @@
 #include "base/utf8.h"
 #include "files/features.h"
 #include "text/field_names.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::array<std::string_view, 11> id_names = {"id",    "station", "station_id", "stnid",
-                                                       "staid", "site_no", "gauge",      "gage",
-                                                       "code",  "num",     "name"};
-constexpr std::array<std::string_view, 5> x_names = {"lon", "long", "longitude", "x", "easting"};
-constexpr std::array<std::string_view, 4> y_names = {"lat", "latitude", "y", "northing"};
-constexpr std::array<std::string_view, 5> degree_names = {"lon", "long", "longitude", "lat",
-                                                          "latitude"};
 constexpr std::size_t longest_field = std::size_t{1} << 20U;
 
 std::string names_of(std::span<const std::string_view> names) {
@@ -42,8 +35,8 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
 
 [[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
   std::string wanted;
-  if (!x) wanted = names_of(x_names);
-  if (!y) wanted += (x ? "" : ", and ") + names_of(y_names);
+  if (!x) wanted = names_of(known::eastings);
+  if (!y) wanted += (x ? "" : ", and ") + names_of(known::northings);
   throw Error(
       Message{features.file(), features.header_line(),
               "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
@@ -53,7 +46,7 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
 }
 
 bool holds_degrees(const std::string& name) {
-  return std::any_of(degree_names.begin(), degree_names.end(),
+  return std::any_of(known::degrees.begin(), known::degrees.end(),
                      [&](std::string_view degrees) { return equal_ignoring_case(name, degrees); });
 }
 
@@ -89,13 +82,13 @@ class StationsReader {
     const auto& header = features_.header();
     if (header.empty())
       throw Error(Message{features_.file(), 0, "has no field that could be the id", {}});
-    id_ = request_.id.empty() ? find_field(header, id_names).value_or(0)
+    id_ = request_.id.empty() ? find_field(header, known::station_ids).value_or(0)
                               : require_field(header, request_.id, setting("id"), features_.file(),
                                               features_.header_line());
     by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
     if (by_geometry_) return;
-    const auto x = coordinate_field(features_, request_.x, "x", x_names);
-    const auto y = coordinate_field(features_, request_.y, "y", y_names);
+    const auto x = coordinate_field(features_, request_.x, "x", known::eastings);
+    const auto y = coordinate_field(features_, request_.y, "y", known::northings);
     if (!x || !y) fail_without_coordinates(features_, x.has_value(), y.has_value());
     x_ = *x;
     y_ = *y;

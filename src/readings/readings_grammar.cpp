@@ -1,5 +1,7 @@
 #include "readings/readings_grammar.h"
 
+#include "text/known_names.h"
+
 namespace thiessen {
 namespace {
 
@@ -19,9 +21,8 @@ ReadingGrammar::ReadingGrammar(std::span<const std::string> missing,
     : mark_(mark) {
   for (const std::string& text : missing) add(text, gap);
   for (const std::string& text : trace) add(text, trace_of_rain);
-  for (const char* text : {"", "NA", "N/A", "NaN", "null", "-", "-999", "-9999", "-99.9"}) {
-    add(text, gap);
-  }
+  add("", gap);
+  for (const std::string_view text : known::gaps) add(text, gap);
 }
 
 void ReadingGrammar::add(std::string_view text, Reading meaning) {

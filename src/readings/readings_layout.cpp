@@ -5,18 +5,13 @@
 #include <span>
 
 #include "base/utf8.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
 
 using Names = std::span<const std::string_view>;
 
-constexpr std::string_view time_names[] = {"time", "date", "datetime"};
-constexpr std::string_view station_names[] = {"id",    "station", "station_id", "stnid",
-                                              "staid", "site_no", "gauge",      "gage",
-                                              "code",  "num",     "name"};
-constexpr std::string_view value_names[] = {"value", "rain",   "rainfall", "precipitation",
-                                            "prcp",  "precip", "p"};
 constexpr std::string_view units[] = {"mm",    "cm",     "m",      "in",    "inch",  "inches",
                                       "ft",    "mm/h",   "mm_h",   "mm/hr", "mm_hr", "mm/d",
                                       "mm_d",  "mm/day", "mm_day", "in/h",  "in_h",  "in/hr",
@@ -117,8 +112,8 @@ class LayoutFinder {
 };
 
 bool looks_long(const LayoutFinder& finder) {
-  const auto station = finder.column_among(station_names, false);
-  const auto value = finder.column_among(value_names, true);
+  const auto station = finder.column_among(known::station_ids, false);
+  const auto value = finder.column_among(known::values, true);
   return station && value && !finder.is_station(*station) && !finder.is_station(*value);
 }
 
@@ -136,10 +131,10 @@ ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
     }
     return layout;
   }
-  layout.time = finder.column(options.time_field, setting("time_field"), time_names, false);
+  layout.time = finder.column(options.time_field, setting("time_field"), known::times, false);
   layout.station =
-      finder.column(options.station_field, setting("station_field"), station_names, false);
-  layout.value = finder.column(options.value_field, setting("value_field"), value_names, true);
+      finder.column(options.station_field, setting("station_field"), known::station_ids, false);
+  layout.value = finder.column(options.value_field, setting("value_field"), known::values, true);
   if (layout.time == layout.station || layout.time == layout.value ||
       layout.station == layout.value) {
     finder.fail("time, station and value are not three columns",
