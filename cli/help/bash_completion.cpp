@@ -10,7 +10,7 @@ namespace {
 constexpr const char* beginning = R"(# Completion of thiessen's command lines in bash.
 _thiessen() {
   local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD - 1]}
-  local command='' place=0 awaits_value='' options='' words='' files='' i
+  local command='' place=0 awaits_value='' options='' words='' files='' i only_arguments=''
   COMPREPLY=()
   # Bash parts --name=value at the sign.
   if [ "$word" = = ]; then
@@ -18,12 +18,19 @@ _thiessen() {
   elif [ "$before" = = ]; then
     before=${COMP_WORDS[COMP_CWORD - 2]}
   fi
+  # ... and EPSG:4326 at the colon: what follows one is not a word of its own.
+  if [ "$word" = : ] || [ "$before" = : ]; then return; fi
   for ((i = 1; i < COMP_CWORD; i++)); do
+    if [ "${COMP_WORDS[i]}" = : ]; then
+      i=$((i + 1))
+      continue
+    fi
     if [ -n "$awaits_value" ]; then
       [ "${COMP_WORDS[i]}" = = ] || awaits_value=''
       continue
     fi
     case ${COMP_WORDS[i]} in
+      --) only_arguments=yes ;;
 )";
 
 constexpr const char* after_options = R"() awaits_value=yes ;;
@@ -41,7 +48,7 @@ constexpr const char* after_options = R"() awaits_value=yes ;;
 )";
 
 constexpr const char* ending = R"(  esac
-  if [ -z "$awaits_value" ] && [[ $word == -* ]]; then
+  if [ -z "$awaits_value$only_arguments" ] && [[ $word == -* ]]; then
     words=$options files=''
   fi
   if [ -n "$words" ]; then

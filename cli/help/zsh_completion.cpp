@@ -97,7 +97,11 @@ std::string zsh_completion(const Commands& commands) {
           "  case $state in\n    command) _describe -t commands 'thiessen command' commands ;;\n"
           "    arguments)\n      case $line[1] in\n";
   for (const auto& command : commands.all()) text += branch_of(*command);
-  return text + "      esac\n      ;;\n  esac\n}\n_thiessen \"$@\"\n";
+  return text +
+         "      esac\n      ;;\n  esac\n}\n"
+         "# Read by source, it is registered; in a folder of fpath, it is the function itself.\n"
+         "if [[ $funcstack[1] == _thiessen ]]; then _thiessen \"$@\"; else compdef _thiessen "
+         "thiessen; fi\n";
 }
 
 }  // namespace thiessen::cli
