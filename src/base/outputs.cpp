@@ -116,6 +116,10 @@ std::string Outputs::add_foreign(const std::string& path) {
 }
 
 void Outputs::make_folder(const std::string& path) {
+  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!parent.empty() && !std::filesystem::exists(parent, error) && !error)
+    make_folder(parent.string());
   new_folders_.push_back(path);
   if (::mkdir(path.c_str(), 0777) == 0) return;
   const int why = errno;
