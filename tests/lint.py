@@ -1,8 +1,8 @@
 #!/usr/bin/env -S python3 -B
 """Runs clang-tidy on the sources of src/ and cli/: tests/lint.py BUILD-FOLDER
 
-A source is looked at again when it, a header of ours that it reaches, its compiler's options or .clang-tidy
-changed. Most of the work is what all sources share, the standard library's headers: so a room's sources are
+A source is looked at again when it, a header of ours that it reaches, its compiler's options, .clang-tidy,
+clang-tidy or this script changed. Most of the work is what all sources share, the standard library's headers: so a room's sources are
 joined and looked at together. Where something is found, or they do not go together, halves are, down to a
 source alone: what is printed is about one source.
 """
@@ -20,6 +20,9 @@ import sys
 CLONE = pathlib.Path(__file__).resolve().parents[1]
 MOST_AT_ONCE = 16
 INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
+# What judges: its checks, its version and this script. A change of one of them makes all stamps old.
+JUDGE = ((CLONE / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes()
+         + subprocess.run(["clang-tidy", "--version"], capture_output=True, check=True).stdout)
 UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 DECLARED = re.compile(r"^(?:\[\[\w+\]\] )?[A-Za-z].*?(\w+)(?:\(|\{| =|;| \{| :|\[)", re.MULTILINE)
 INSTANTIATED = re.compile(r"^ *template [^<]", re.MULTILINE)
@@ -57,7 +60,7 @@ class Source:
         if INSTANTIATED.search(own):
             self.names.add("template")
         self.seen = {name for text in texts.values() for name in DECLARED.findall(text.decode())}
-        digest = hashlib.sha256((CLONE / ".clang-tidy").read_bytes() + command["command"].encode())
+        digest = hashlib.sha256(JUDGE + command["command"].encode())
         for name, content in sorted(texts.items()):
             digest.update(f"{name} {len(content)} ".encode() + content)
         self.stamp = stamps / digest.hexdigest()[:32]

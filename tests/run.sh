@@ -41,12 +41,18 @@ files() {
 }
 
 layout() {
-  cd "$clone"
-  local wrong
-  wrong=$(files '*.cpp' '*.h' | xargs -0 -r clang-format --dry-run -Werror 2>&1 |
-    sed -n 's/^\([^ :]*\):[0-9]*:[0-9]*: error.*/\1/p' | sort | uniq -c)
-  [ -z "$wrong" ] && return
-  printf 'places to mend with clang-format -i, file by file:\n%s\n' "$wrong"
+  cd "$clone" || return
+  local list found
+  list=$(mktemp)
+  if ! files '*.cpp' '*.h' >"$list" || [ ! -s "$list" ]; then
+    echo 'no C++ files are found'
+    return 1
+  fi
+  # Its status tells, so that one that cannot run is no pass.
+  found=$(xargs -0 -r clang-format --dry-run -Werror <"$list" 2>&1) && rm "$list" && return
+  printf 'places to mend with clang-format -i, file by file:\n'
+  sed -n 's/^\([^ :]*\):[0-9]*:[0-9]*: error.*/\1/p' <<<"$found" | sort | uniq -c
+  grep -v ': error: code should be' <<<"$found" | tail -n 3
   return 1
 }
 
