@@ -12,6 +12,7 @@ namespace thiessen::cli {
 void GapOptions::declare(OptionList& options) {
   OptionGroup method = options.group("Method", *this);
   std::vector<std::pair<std::string, Gaps>> policies;
+  policies.reserve(all_gaps.size());
   for (const Gaps gaps : all_gaps) policies.emplace_back(name_of(gaps), gaps);
   method.add("--gaps", choice<Gaps>(settings_.gaps, std::move(policies)),
              "what a step with silent gauges gets: the cells of the gauges that report (default), "

@@ -12,6 +12,7 @@ namespace thiessen::cli {
 void MethodOptions::declare(OptionList& options) {
   using Methods = std::vector<RainMethod>;
   std::vector<std::pair<std::string, Methods>> choices;
+  choices.reserve(all_methods.size() + 1);
   for (const RainMethod method : all_methods)
     choices.emplace_back(name_of(method), Methods{method});
   choices.emplace_back("all", Methods{all_methods.begin(), all_methods.end()});

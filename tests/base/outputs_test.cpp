@@ -382,6 +382,18 @@ TEST(Outputs, vanish_when_the_run_is_interrupted) {
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Outputs, make_the_folders_above_a_folder_too_and_take_all_of_them_back) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("a/b/c");
+  { Outputs({}).make_folder(path); }
+  EXPECT_TRUE(folder.names().empty());
+  Outputs outputs({});
+  outputs.make_folder(path + "/");
+  outputs.add(path + "/x.csv").append("x");
+  outputs.commit();
+  EXPECT_EQ(folder.read("a/b/c/x.csv"), "x");
+}
+
 TEST(Outputs, make_a_folder_that_stays_only_if_all_goes_well) {
   const TemporaryFolder folder;
   const std::string path = folder.path("out");

@@ -30,6 +30,13 @@ TEST(Manual, TellsOfASharedOptionOnce) {
   EXPECT_EQ(text.find(entry, first + 1), std::string::npos);
 }
 
+TEST(Manual, ListsTheNamesByWhichFieldsAreFoundAndWhatMeansNoReading) {
+  const std::string text = manual(Commands("thiessen"));
+  for (const char* name : {"site_no", "easting", "northing", "basin_id", "datetime", "prcp"})
+    EXPECT_TRUE(has(text, name)) << name;
+  EXPECT_TRUE(has(text, "N/A"));
+}
+
 TEST(Roff, EscapesWhatTheFormatterReads) {
   EXPECT_EQ(roff_phrase("--a\\b"), "\\-\\-a\\eb");
   EXPECT_EQ(roff_paragraph(".dly and 'with'"), "\\&.dly and 'with'\n");
