@@ -9,7 +9,8 @@
 namespace thiessen::cli {
 namespace {
 
-// Of the sample in which gauges' influence is looked for.
+// The sample of steps in which the most influential gauge is looked for is bounded, for the search
+// grows with it and the summary must not take longer than the series.
 constexpr std::size_t sample_bytes = std::size_t{32} << 20;
 constexpr std::size_t sampled_steps = 4096;
 constexpr std::size_t sampled_handovers = 40'000;

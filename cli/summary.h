@@ -20,12 +20,13 @@ class Summary {
  public:
   Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
   void add(const RainStep& step);
-  /// Of the mean over all steps, by basin; NaN where it cannot be had. `shortfall`: why none can.
+  /// Takes the standard errors of the means over all steps, by basin, NaN where one cannot be had.
+  /// `shortfall` says why none can, or is empty.
   void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
     errors_ = std::move(errors);
     shortfall_ = shortfall;
   }
-  /// When all steps have come.
+  /// Looks for the most influential gauge of each basin; call it when all steps have been added.
   void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
   /// Lines of aligned columns.
   std::string text(const std::string& units) const;

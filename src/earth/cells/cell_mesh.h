@@ -29,7 +29,7 @@ class CellMesh {
   static SideIndex side(std::uint32_t triangle, std::uint32_t corner) {
     return SideIndex{3 * triangle + corner};
   }
-  /// The same side as part of the triangle beyond it.
+  /// A side as the triangle beyond it has it.
   SideIndex twin(SideIndex s) const { return twin_[index(s)]; }
   /// The side that follows s counter-clockwise round its triangle.
   static SideIndex next(SideIndex s) { return turned(s, 1); }

@@ -40,7 +40,7 @@ class Crs {
   double degrees_per_unit() const;
   /// Metres in the unit of a projected CRS; 0 for a geographic one.
   double metres_per_unit() const;
-  /// The same CRS for use in an area, given in degrees of WGS 84, whose east may lie beyond 180.
+  /// Returns this CRS for use in an area, given in degrees of WGS 84, whose east may lie beyond 180.
   /// The operation between its datum and another's is then the one for this area.
   Crs over(const Box& area) const;
   const std::optional<Box>& area() const { return area_; }
