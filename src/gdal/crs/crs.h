@@ -40,8 +40,8 @@ class Crs {
   double degrees_per_unit() const;
   /// Metres in the unit of a projected CRS; 0 for a geographic one.
   double metres_per_unit() const;
-  /// Returns this CRS for use in an area, given in degrees of WGS 84, whose east may lie beyond 180.
-  /// The operation between its datum and another's is then the one for this area.
+  /// Returns this CRS for use in an area, given in degrees of WGS 84, whose east may lie beyond
+  /// 180. The operation between its datum and another's is then the one for this area.
   Crs over(const Box& area) const;
   const std::optional<Box>& area() const { return area_; }
   /// Whether both CRSs place the same coordinates at the same points; names and axis order do not
