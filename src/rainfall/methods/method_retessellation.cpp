@@ -32,13 +32,18 @@ MethodRetessellation::MethodRetessellation(const MethodWeigher& weigher, const A
                                ReportingStations(weigher.network().stations().size(), true))),
       remembered_(method, remembered_bytes) {}
 
-std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings) const {
-  const auto weights = remembered_.of(reporting_places(weigher_.network(), readings));
+MethodRetessellation::StepWeights MethodRetessellation::weights_of(
+    std::span<const double> readings) const {
+  return remembered_.of(reporting_places(weigher_.network(), readings));
+}
+
+std::vector<BasinRainfall> MethodRetessellation::rainfall(const AreaMethod::Weights& weights,
+                                                          std::span<const double> readings) const {
   const Network& network = weigher_.network();
   std::vector<PlaceReading> known(network.places().size());
   std::vector<BasinRainfall> result;
-  result.reserve(weights->size());
-  for (const auto& basin : *weights) {
+  result.reserve(weights.size());
+  for (const auto& basin : weights) {
     LongSum sum;
     std::size_t gauges = 0;
     for (const PlaceWeight& w : basin) {
@@ -56,18 +61,22 @@ std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> read
   return result;
 }
 
+std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings) const {
+  return rainfall(*weights_of(readings), readings);
+}
+
 std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> readings,
                                                     CellAccount& account) const {
+  const StepWeights weights = weights_of(readings);
   account.readings = cell_readings(readings);
   account.change.clear();
   append(account.change, full_places_, -1);
-  append(account.change, *remembered_.of(reporting_places(weigher_.network(), readings)), 1);
-  return at(readings);
+  append(account.change, *weights, 1);
+  return rainfall(*weights, readings);
 }
 
 std::vector<BasinWeights> MethodRetessellation::weights_at(std::span<const double> readings) const {
-  return weigher_.by_station(*remembered_.of(reporting_places(weigher_.network(), readings)),
-                             reporting_stations(readings));
+  return weigher_.by_station(*weights_of(readings), reporting_stations(readings));
 }
 
 std::vector<CellWeight> MethodRetessellation::full_cells() const {

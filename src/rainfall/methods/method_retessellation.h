@@ -30,6 +30,13 @@ class MethodRetessellation : public Retessellation {
   std::vector<double> cell_readings(std::span<const double> readings) const override;
 
  private:
+  using StepWeights = std::shared_ptr<const AreaMethod::Weights>;
+
+  /// The weights of the places that report, remembered or computed.
+  StepWeights weights_of(std::span<const double> readings) const;
+  std::vector<BasinRainfall> rainfall(const AreaMethod::Weights& weights,
+                                      std::span<const double> readings) const;
+
   const MethodWeigher& weigher_;
   AreaMethod::Weights full_places_;
   std::vector<BasinWeights> full_;
