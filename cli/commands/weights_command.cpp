@@ -71,7 +71,7 @@ class WeightsCommand : public Command {
       write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
     } else if (changes_.given()) {
       const NetworkChange change(inputs.whole(), changes_.closed(), inputs.study().filtered_ids,
-                                 {"--without", "--with"});
+                                 "--without");
       change.warn_of_shared_places(warnings);
       const auto before = inputs.weighing().weights(change.before(), threads());
       const auto after = inputs.weighing().weights(change.after(), threads());

@@ -30,10 +30,11 @@ ReportingStations stations_that_weigh(const std::vector<BasinWeights>& weights, 
 }  // namespace
 
 NetworkChange::NetworkChange(const Study& study, std::vector<std::string> closed,
-                             const std::unordered_set<std::string>& left_out, Names names)
+                             const std::unordered_set<std::string>& left_out,
+                             std::string closed_from)
     : study_(study),
       closed_(std::move(closed)),
-      names_(std::move(names)),
+      closed_from_(std::move(closed_from)),
       before_(study.all_report()),
       after_(study.all_report()) {
   for (std::size_t s = first_opened(); s < before_.size(); ++s)
@@ -87,8 +88,8 @@ void NetworkChange::warn_of_shared_places(Warnings& warnings) const {
       ids += (count++ == 0 ? "" : ", ") + quoted(network.stations()[index(s)].id, longest_id);
     }
     if (count > 1) {
-      warnings.add(
-          {names_.opened, 0, "stations " + ids + " stand at one place and share its cell", ""});
+      warnings.add({study_.parts().opened_from, 0,
+                    "stations " + ids + " stand at one place and share its cell", ""});
     }
   }
 }
@@ -104,11 +105,10 @@ void NetworkChange::warn_of_no_effect(const std::vector<BasinWeights>& weights_b
     const bool is_opened = s >= first_opened();
     const std::string id = quoted(stations[s].id, longest_id);
     if (is_opened && !weighs[station_index(s)]) {
-      warnings.add({names_.opened, 0,
+      warnings.add({study_.parts().opened_from, 0,
                     "the cell of " + id + " reaches into no basin: it changes nothing", ""});
     } else if (!is_opened && closed.contains(stations[s].id) && !weighed[station_index(s)]) {
-      warnings.add(
-          {names_.closed, 0, "station " + id + " weighs in no basin: nothing changes", ""});
+      warnings.add({closed_from_, 0, "station " + id + " weighs in no basin: nothing changes", ""});
     }
   }
 }

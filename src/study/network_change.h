@@ -16,17 +16,13 @@ namespace thiessen {
 /// after. The gauges that open are the last of the study's stations (StudyParts::opened).
 class NetworkChange {
  public:
-  /// How messages call what was asked for: `without`, `with`.
-  struct Names {
-    std::string closed;
-    std::string opened;
-  };
-
-  /// `left_out`: ids of the source's stations that a filter passes over. Throws Error for ids that
-  /// the study lacks, with those that are most like them, and where no gauge is left. The study
-  /// must outlive it. Cost: linear in the stations.
+  /// `closed_from` is how messages name where the ids of `closed` come from, as
+  /// StudyParts::opened_from names where gauges that open do. `left_out`: ids of the source's
+  /// stations that a filter passes over. Throws Error for ids that the study lacks, with those that
+  /// are most like them, and where no gauge is left. The study must outlive it. Cost: linear in the
+  /// stations.
   NetworkChange(const Study& study, std::vector<std::string> closed,
-                const std::unordered_set<std::string>& left_out, Names names);
+                const std::unordered_set<std::string>& left_out, std::string closed_from);
 
   const ReportingStations& before() const { return before_; }
   const ReportingStations& after() const { return after_; }
@@ -44,7 +40,7 @@ class NetworkChange {
 
   const Study& study_;
   std::vector<std::string> closed_;
-  Names names_;
+  std::string closed_from_;
   ReportingStations before_;
   ReportingStations after_;
 };

@@ -18,12 +18,13 @@ class NetworkChangeTest : public testing::Test {
     auto parts = std::make_shared<StudyParts>();
     parts->stations = {{"A-1", {1, 1}}, {"A-2", {3, 1}}, {"far", {90, 1}}, {"with 1", opened}};
     parts->opened = 1;
+    parts->opened_from = "opened";
     parts->basins = {{"B", {{{{0, 0}, {6, 0}, {6, 2}, {0, 2}}, {}}}, {}}};
     parts->metres_per_unit = 1;
     return parts;
   }
   NetworkChange change(std::vector<std::string> closed) const {
-    return {study_, std::move(closed), {"left"}, {"closed", "opened"}};
+    return {study_, std::move(closed), {"left"}, "closed"};
   }
   std::vector<std::string> faults(std::vector<std::string> closed) const {
     return complaints_of([&] { change(std::move(closed)); });
@@ -66,9 +67,9 @@ TEST_F(NetworkChangeTest, a_gauge_that_opens_beside_another_shares_its_cell_unle
   Warnings making;
   const Study beside(parts({3, 1}), {}, making);
   Warnings warnings;
-  NetworkChange(beside, {}, {}, {"closed", "opened"}).warn_of_shared_places(warnings);
+  NetworkChange(beside, {}, {}, "closed").warn_of_shared_places(warnings);
   EXPECT_EQ(warnings.messages().size(), 1U);
-  NetworkChange(beside, {"A-2"}, {}, {"closed", "opened"}).warn_of_shared_places(warnings);
+  NetworkChange(beside, {"A-2"}, {}, "closed").warn_of_shared_places(warnings);
   EXPECT_EQ(warnings.messages().size(), 1U);
 }
 
