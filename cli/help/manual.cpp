@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "cli/help/help.h"
 #include "cli/help/roff.h"
 #include "cli/options/name_lists.h"
+#include "text/field_names.h"
 #include "text/known_names.h"
 
 namespace thiessen::cli {
@@ -129,11 +132,8 @@ std::string notes_sections(const Commands& commands) {
   return text;
 }
 
-template <typename Names>
-std::string names_entry(const std::string& of_what, const Names& names) {
-  std::string list;
-  for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-  return ".TP\n" + roff_bold(of_what) + "\n" + roff_paragraph(list + ".");
+std::string names_entry(const std::string& of_what, std::span<const std::string_view> names) {
+  return ".TP\n" + roff_bold(of_what) + "\n" + roff_paragraph(listed(names) + ".");
 }
 
 std::string names_section() {

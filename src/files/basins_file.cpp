@@ -1,7 +1,6 @@
 #include "files/basins_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -9,6 +8,7 @@
 
 #include "base/utf8.h"
 #include "files/features.h"
+#include "geometry/shape_points.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -16,18 +16,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::size_t longest_field = std::size_t{256} << 20U;
-
-bool finite(const Ring& ring) {
-  return std::all_of(ring.begin(), ring.end(),
-                     [](Point p) { return std::isfinite(p.x) && std::isfinite(p.y); });
-}
-
-bool finite(const MultiPolygon& shape) {
-  return std::all_of(shape.begin(), shape.end(), [](const Polygon& polygon) {
-    return finite(polygon.outer) && std::all_of(polygon.holes.begin(), polygon.holes.end(),
-                                                [](const Ring& hole) { return finite(hole); });
-  });
-}
 
 /// A feature that was read before it is known which field holds the id.
 struct Candidate {
@@ -124,7 +112,7 @@ class BasinsReader {
       text = " is a " + geometry.type + ", and not a polygon";
     } else if (geometry.polygons.empty()) {
       text = " has an empty geometry";
-    } else if (!finite(geometry.polygons)) {
+    } else if (!every_point(geometry.polygons, is_finite)) {
       text = " has a coordinate that is not finite";
     }
     if (!text.empty()) complaints_.add(features_.message(what + text));

@@ -1,7 +1,6 @@
 #include "files/stations_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <unordered_map>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "files/features.h"
+#include "geometry/shape_points.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -16,12 +16,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::size_t longest_field = std::size_t{1} << 20U;
-
-std::string names_of(std::span<const std::string_view> names) {
-  std::string text;
-  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
-  return text;
-}
 
 /// The field whose name is `named` (the setting `x` or `y`), else the first that has one of the
 /// usual names.
@@ -35,8 +29,8 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
 
 [[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
   std::string wanted;
-  if (!x) wanted = names_of(known::eastings);
-  if (!y) wanted += (x ? "" : ", and ") + names_of(known::northings);
+  if (!x) wanted = listed(known::eastings);
+  if (!y) wanted += (x ? "" : ", and ") + listed(known::northings);
   throw Error(
       Message{features.file(), features.header_line(),
               "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
@@ -171,7 +165,7 @@ class StationsReader {
       if (geometry.points.empty()) return complain(what + " has an empty geometry");
       if (geometry.points.size() > 1) return complain(what + " has more than one point");
       const Point at = geometry.points[0];
-      if (!std::isfinite(at.x) || !std::isfinite(at.y)) {
+      if (!is_finite(at)) {
         return complain(what + " has a coordinate that is not finite");
       }
       heights_ = heights_ || geometry.has_z;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/utf8.h"
+#include "text/field_names.h"
 #include "text/known_names.h"
 
 namespace thiessen {
@@ -39,15 +40,6 @@ bool means(std::string_view header, std::string_view name, bool with_unit) {
   return with_unit && header.size() > name.size() &&
          equal_ignoring_case(header.substr(0, name.size()), name) &&
          is_unit_suffix(header.substr(name.size()));
-}
-
-std::string list(Names names) {
-  std::string all;
-  for (const std::string_view name : names) {
-    all += all.empty() ? "" : ", ";
-    all += name;
-  }
-  return all;
 }
 
 std::string list(const std::vector<std::string>& header) {
@@ -93,7 +85,7 @@ class LayoutFinder {
                      bool with_unit) const {
     if (!given.empty()) return column_named(given, its_setting);
     const std::optional<std::size_t> found = column_among(names, with_unit);
-    if (!found) fail("no column is called " + list(names), its_setting + " names it");
+    if (!found) fail("no column is called " + listed(names), its_setting + " names it");
     return *found;
   }
 

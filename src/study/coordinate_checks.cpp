@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "geometry/shape_points.h"
 
 namespace thiessen {
 namespace {
@@ -33,18 +34,6 @@ bool looks_swapped(Point at, double degrees_per_unit) {
          std::abs(at.x * degrees_per_unit) <= 90;
 }
 
-/// Calls `see` with every point of the shape, until `see` answers false.
-template <typename See>
-void each_point(const MultiPolygon& shape, See see) {
-  const auto ring = [&](const Ring& points) {
-    return std::all_of(points.begin(), points.end(), see);
-  };
-  for (const Polygon& polygon : shape) {
-    if (!ring(polygon.outer) || !std::all_of(polygon.holes.begin(), polygon.holes.end(), ring))
-      return;
-  }
-}
-
 }  // namespace
 
 void Reach::see(Point point) {
@@ -70,7 +59,7 @@ Reach reach_of(const StationList& stations) {
 Reach reach_of(const BasinList& basins) {
   Reach reach;
   for (const RawBasin& basin : basins.basins) {
-    each_point(basin.polygons, [&](Point point) {
+    every_point(basin.polygons, [&](Point point) {
       reach.see(point);
       return true;
     });
@@ -105,7 +94,7 @@ void require_degrees(const BasinList& file, const CoordinateKind& kind) {
   for (const RawBasin& basin : file.basins) {
     std::string text;
     bool swapped = true;
-    each_point(basin.polygons, [&](Point point) {
+    every_point(basin.polygons, [&](Point point) {
       if (text.empty() && !is_well(point, unit)) text = fault_of(point, basin.place, unit);
       swapped = swapped && looks_swapped(point, unit);
       return true;

@@ -6,6 +6,7 @@
 
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
+#include "geometry/shape_points.h"
 #include "rainfall/extent.h"
 
 namespace thiessen {
@@ -37,15 +38,9 @@ std::vector<Station> in_exact_range(StudyParts& parts) {
                     "a coordinate of " + place_text(parts, station) + " is " + range, ""});
   }
   for (const Basin& basin : parts.basins) {
-    const auto is_bad = [](const Ring& ring) {
-      return std::any_of(ring.begin(), ring.end(), [](Point p) { return !in_exact_range(p); });
-    };
-    const bool bad = std::any_of(basin.shape.begin(), basin.shape.end(), [&](const Polygon& part) {
-      return is_bad(part.outer) || std::any_of(part.holes.begin(), part.holes.end(), is_bad);
-    });
-    if (bad)
-      complaints.add(
-          {parts.basins_file, 0, "a coordinate of basin '" + basin.id + "' is " + range, ""});
+    if (every_point(basin.shape, [](Point p) { return in_exact_range(p); })) continue;
+    complaints.add(
+        {parts.basins_file, 0, "a coordinate of basin '" + basin.id + "' is " + range, ""});
   }
   complaints.throw_if_any();
   return std::move(parts.stations);

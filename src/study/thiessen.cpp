@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "geometry/shape_points.h"
 #include "rainfall/areal_rainfall.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
@@ -20,22 +21,6 @@ constexpr CoordinateKind degrees{true, 1};
 
 std::string named(const Station& station) {
   return "station " + quoted(station.id, longest_id);
-}
-
-bool is_finite(Point point) {
-  return std::isfinite(point.x) && std::isfinite(point.y);
-}
-
-bool is_finite(const Ring& ring) {
-  return std::all_of(ring.begin(), ring.end(), [](Point point) { return is_finite(point); });
-}
-
-bool is_finite(const MultiPolygon& shape) {
-  return std::all_of(shape.begin(), shape.end(), [](const Polygon& polygon) {
-    return is_finite(polygon.outer) &&
-           std::all_of(polygon.holes.begin(), polygon.holes.end(),
-                       [](const Ring& hole) { return is_finite(hole); });
-  });
 }
 
 /// Returns the gauges in the order given, once each is known to have an id of its own and a place.
@@ -73,7 +58,7 @@ BasinList checked(std::vector<Basin> basins) {
       complaints.add(
           {"", 0, place + " is there twice", "parts of one basin are one basin's shape"});
     if (basin.shape.empty()) complaints.add({"", 0, place + " has an empty geometry", ""});
-    if (!is_finite(basin.shape))
+    if (!every_point(basin.shape, is_finite))
       complaints.add({"", 0, place + " has a coordinate that is not finite", ""});
     for (Polygon& polygon : basin.shape) {
       close(polygon.outer);

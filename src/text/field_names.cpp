@@ -49,6 +49,12 @@ std::size_t require_field(const std::vector<std::string>& header, const std::str
                       {}});
 }
 
+std::string listed(std::span<const std::string_view> names) {
+  std::string text;
+  for (const std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   constexpr std::size_t at_most = 20;
   std::string text;

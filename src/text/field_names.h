@@ -22,6 +22,8 @@ std::optional<std::size_t> find_field(const std::vector<std::string>& header,
 std::size_t require_field(const std::vector<std::string>& header, const std::string& name,
                           const Wording& its_setting, const std::string& file, std::size_t line);
 
+/// Known names for a message, all of them and bare: `lon, long, longitude`.
+std::string listed(std::span<const std::string_view> names);
 /// A list of names for a message: `'a', 'b', 'c' and 7 more`.
 std::string listed(const std::vector<std::string>& names);
 
