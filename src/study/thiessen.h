@@ -51,7 +51,7 @@ class Thiessen {
  public:
   /// Checks the input, mends what can be mended (repeated points, spikes, rings that barely cross
   /// themselves), each with a warning, and computes the weights. Throws Error with every fault: no
-  /// station, an id of a station or a basin that is missing or given twice, a coordinate that is
+  /// station, a station without an id, an id given twice, a coordinate that is
   /// not a number, is no degree where it has to be one, or lies outside the exact range of
   /// predicates.h; a basin that has no area or crosses itself; stations without extent and no
   /// basin. Cost: n log n in the stations and in the vertices of the basins.
