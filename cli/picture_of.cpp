@@ -6,6 +6,7 @@
 #include "gdal/crs/north.h"
 
 namespace thiessen::cli {
+
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const ViewOptions& view) {
   const StudyFiles& study = inputs.study();
