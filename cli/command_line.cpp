@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
-#include "cli/commands/usage.h"
+#include "cli/catalogue/usage.h"
 #include "cli/help/help.h"
 #include "cli/options/arguments.h"
 #include "cli/options/reading.h"
@@ -26,14 +26,14 @@ void print(const std::string& text) {
   file.finish();
 }
 
-std::vector<const OptionList*> lists_of(const Commands& commands) {
+std::vector<const OptionList*> lists_of(const Catalogue& commands) {
   std::vector<const OptionList*> lists{&commands.options()};
   for (const auto& command : commands.all()) lists.push_back(&command->options());
   return lists;
 }
 
 /// Throws UsageError for an option or a command that does not exist.
-void refuse_unknown(const Commands& commands, const Command* command, const Arguments& said) {
+void refuse_unknown(const Catalogue& commands, const Command* command, const Arguments& said) {
   const OptionList& options = command == nullptr ? commands.options() : command->options();
   const std::string option = unknown_option(options, said);
   const bool is_nobodys = !said.unknown.empty();

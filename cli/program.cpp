@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "cli/command_line.h"
-#include "cli/messages.h"
+#include "cli/terminal/messages.h"
 #include "gdal/drivers.h"
 
 namespace thiessen::cli {

@@ -1,13 +1,13 @@
 #include "base/outputs.h"
-#include "cli/cell_features.h"
 #include "cli/commands/commands.h"
-#include "cli/gauges.h"
-#include "cli/inputs.h"
+#include "cli/inputs/gauges.h"
+#include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/output_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
+#include "cli/outputs/cell_features.h"
 
 namespace thiessen::cli {
 namespace {

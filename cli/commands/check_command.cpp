@@ -3,7 +3,7 @@
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "cli/commands/commands.h"
-#include "cli/inputs.h"
+#include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"

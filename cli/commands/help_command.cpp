@@ -2,8 +2,8 @@
 #include <utility>
 
 #include "base/file.h"
+#include "cli/catalogue/usage.h"
 #include "cli/commands/commands.h"
-#include "cli/commands/usage.h"
 #include "cli/help/completion.h"
 #include "cli/help/help.h"
 #include "cli/help/manual.h"
@@ -16,7 +16,7 @@ enum class Shell { none, bash, zsh, fish };
 
 class HelpCommand : public Command {
  public:
-  explicit HelpCommand(const Commands& commands) : commands_(commands) {
+  explicit HelpCommand(const Catalogue& commands) : commands_(commands) {
     OptionValue command = any_text(command_, "");
     command.choices = commands.names();
     command.choices.emplace_back(name());
@@ -71,7 +71,7 @@ class HelpCommand : public Command {
     return command_.empty() ? help_on(commands_) : help_on(commands_, *commands_.find(command_));
   }
 
-  const Commands& commands_;
+  const Catalogue& commands_;
   std::string command_;
   bool wants_manual_ = false;
   Shell shell_ = Shell::none;
@@ -79,7 +79,7 @@ class HelpCommand : public Command {
 
 }  // namespace
 
-std::unique_ptr<Command> make_help_command(const Commands& commands) {
+std::unique_ptr<Command> make_help_command(const Catalogue& commands) {
   return std::make_unique<HelpCommand>(commands);
 }
 

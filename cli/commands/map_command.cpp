@@ -1,18 +1,18 @@
 #include <string>
 
 #include "base/outputs.h"
-#include "cli/cell_features.h"
 #include "cli/commands/commands.h"
-#include "cli/gauges.h"
-#include "cli/inputs.h"
+#include "cli/inputs/gauges.h"
+#include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/option_values.h"
 #include "cli/options/output_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
-#include "cli/picture_of.h"
-#include "cli/raster_of.h"
+#include "cli/outputs/cell_features.h"
+#include "cli/outputs/picture_of.h"
+#include "cli/outputs/raster_of.h"
 #include "gdal/output/raster_file.h"
 
 namespace thiessen::cli {

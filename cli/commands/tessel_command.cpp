@@ -8,11 +8,11 @@
 #include "base/interrupt.h"
 #include "base/utf8.h"
 #include "cli/commands/commands.h"
-#include "cli/messages.h"
 #include "cli/options/option_values.h"
 #include "cli/session/interpreter.h"
 #include "cli/session/keyboard.h"
 #include "cli/session/script_lines.h"
+#include "cli/terminal/messages.h"
 
 namespace thiessen::cli {
 namespace {

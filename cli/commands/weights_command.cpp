@@ -5,7 +5,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
-#include "cli/inputs.h"
+#include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/output_options.h"
@@ -13,7 +13,7 @@
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/what_if_options.h"
-#include "cli/progress.h"
+#include "cli/terminal/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
 #include "results/influence_file.h"

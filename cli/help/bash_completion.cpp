@@ -73,7 +73,7 @@ std::vector<std::string> spellings(const Option& option) {
 }
 
 /// The pattern of all options that a value follows: `--crs | -o | --output`.
-std::string options_with_values(const Commands& commands) {
+std::string options_with_values(const Catalogue& commands) {
   std::vector<std::string> names;
   for (const auto& command : commands.all()) {
     for (const Option& option : command->options().options()) {
@@ -142,7 +142,7 @@ std::string branch_of(const Command& command) {
 
 }  // namespace
 
-std::string bash_completion(const Commands& commands) {
+std::string bash_completion(const Catalogue& commands) {
   std::string text = beginning + ("      " + options_with_values(commands)) + after_options;
   text += "    '')\n      options='" + names_of(commands.options()) +
           "'\n      [ -n \"$awaits_value\" ] || words='" + joined(commands.names(), " ") +

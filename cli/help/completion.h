@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/commands/commands.h"
+#include "cli/catalogue/catalogue.h"
 
 namespace thiessen::cli {
 
@@ -12,11 +12,11 @@ namespace thiessen::cli {
 /// build of a version gives the same bytes.
 
 /// The script for bash 4 or later, to be sourced, or put as `thiessen` where bash-completion looks.
-std::string bash_completion(const Commands& commands);
+std::string bash_completion(const Catalogue& commands);
 /// The script for zsh, to be put as `_thiessen` into a folder of its fpath.
-std::string zsh_completion(const Commands& commands);
+std::string zsh_completion(const Catalogue& commands);
 /// The script for fish, to be put as `thiessen.fish` where fish looks.
-std::string fish_completion(const Commands& commands);
+std::string fish_completion(const Catalogue& commands);
 
 /// Puts the text in single quotes for a shell. `quote` is written in place of a single quote
 /// within: `'\''` in bash and zsh, `\'` in fish.

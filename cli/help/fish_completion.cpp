@@ -64,7 +64,7 @@ std::string lines_of(const OptionList& options, const std::string& condition) {
 
 }  // namespace
 
-std::string fish_completion(const Commands& commands) {
+std::string fish_completion(const Catalogue& commands) {
   std::string text = "# Completion of thiessen's command lines in fish.\n" + std::string(line) +
                      " -f\n" + lines_of(commands.options(), " -n __fish_use_subcommand");
   for (const auto& command : commands.all()) {

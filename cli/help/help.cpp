@@ -81,7 +81,7 @@ std::string usage_of(const Command& command) {
   return text + " [options]";
 }
 
-std::string help_on(const Commands& commands) {
+std::string help_on(const Catalogue& commands) {
   std::string text = heading("Areal rainfall from rain gauges by exact Thiessen polygons.",
                              "COMMAND FILES [options]") +
                      sections(commands.options()) + "Commands:\n";
@@ -89,7 +89,7 @@ std::string help_on(const Commands& commands) {
   return text + "\n" + example_of(*commands.all().front(), commands.program());
 }
 
-std::string help_on(const Commands& commands, const Command& command) {
+std::string help_on(const Catalogue& commands, const Command& command) {
   const std::string notes = command.notes();
   return heading(command.description(), usage_of(command)) + sections(command.options()) + notes +
          (notes.empty() ? "" : "\n") + example_of(command, commands.program());

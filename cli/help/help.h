@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/commands/commands.h"
+#include "cli/catalogue/catalogue.h"
 
 namespace thiessen::cli {
 
@@ -11,9 +11,9 @@ namespace thiessen::cli {
 /// groups, and no line is longer than a terminal's 80 columns where a word allows it.
 
 /// The help on the program as a whole.
-std::string help_on(const Commands& commands);
+std::string help_on(const Catalogue& commands);
 /// The help on one command.
-std::string help_on(const Commands& commands, const Command& command);
+std::string help_on(const Catalogue& commands, const Command& command);
 
 /// The usage line of a command: its name and what follows it, as in `rain STATIONS BASINS RAINFALL
 /// [options]`.

@@ -26,7 +26,7 @@ bool mean_the_same(const Option& a, const Option& b) {
   return a.name == b.name && a.help == b.help && a.value.kind == b.value.kind;
 }
 
-std::vector<SharedOption> shared_options(const Commands& commands) {
+std::vector<SharedOption> shared_options(const Catalogue& commands) {
   std::vector<SharedOption> shared;
   for (const auto& command : commands.all()) {
     for (const Option& option : command->options().options()) {
@@ -96,7 +96,7 @@ std::string beginning() {
              "an output is the standard output.");
 }
 
-std::string commands_section(const Commands& commands) {
+std::string commands_section(const Catalogue& commands) {
   std::string text = ".SH COMMANDS\n";
   for (const auto& command : commands.all()) {
     text += ".TP\n" + roff_bold("thiessen " + usage_of(*command)) + "\n" +
@@ -105,7 +105,7 @@ std::string commands_section(const Commands& commands) {
   return text;
 }
 
-std::string options_section(const Commands& commands) {
+std::string options_section(const Catalogue& commands) {
   const std::vector<SharedOption> options = shared_options(commands);
   std::string text =
       ".SH OPTIONS\n" + roff_paragraph(
@@ -120,7 +120,7 @@ std::string options_section(const Commands& commands) {
   return text;
 }
 
-std::string notes_sections(const Commands& commands) {
+std::string notes_sections(const Catalogue& commands) {
   std::string text;
   for (const auto& command : commands.all()) {
     if (command->notes().empty()) continue;
@@ -171,7 +171,7 @@ std::string status_section() {
              "known; a second line may give a hint. Every bad row of a file is told, up to 20.");
 }
 
-std::string examples_section(const Commands& commands) {
+std::string examples_section(const Catalogue& commands) {
   std::string text = ".SH EXAMPLES\nIn the folder of the clone:\n";
   for (const auto& command : commands.all()) {
     text += ".PP\n" + roff_paragraph(sentence(command->description())) + ".PP\n" +
@@ -182,7 +182,7 @@ std::string examples_section(const Commands& commands) {
 
 }  // namespace
 
-std::string manual(const Commands& commands) {
+std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + names_section() + status_section() + examples_section(commands);
 }

@@ -86,7 +86,7 @@ std::string branch_of(const Command& command) {
 
 }  // namespace
 
-std::string zsh_completion(const Commands& commands) {
+std::string zsh_completion(const Catalogue& commands) {
   std::string text = beginning;
   for (const auto& command : commands.all()) {
     text += "    " +

@@ -8,7 +8,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "rainfall/extent.h"
+#include "rainfall/network/extent.h"
 
 namespace thiessen {
 namespace {

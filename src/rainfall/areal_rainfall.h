@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "rainfall/gaps/cell_weigher.h"
+#include "rainfall/network/weights.h"
 #include "rainfall/weighed_rainfall.h"
-#include "rainfall/weights.h"
 
 namespace thiessen {
 

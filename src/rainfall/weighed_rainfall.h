@@ -7,7 +7,7 @@
 
 #include "rainfall/gaps/gap_policy.h"
 #include "rainfall/gaps/weigher.h"
-#include "rainfall/step_rainfall.h"
+#include "rainfall/network/step_rainfall.h"
 
 namespace thiessen {
 

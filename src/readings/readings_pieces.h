@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

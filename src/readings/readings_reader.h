@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
 #include "text/table.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unordered_map>
 
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

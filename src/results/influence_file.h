@@ -4,7 +4,7 @@
 
 #include "base/file.h"
 #include "rainfall/influence/influence.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

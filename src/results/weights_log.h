@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/file.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

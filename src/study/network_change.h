@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "rainfall/reporting.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/reporting.h"
+#include "rainfall/network/weights.h"
 #include "study/study.h"
 
 namespace thiessen {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

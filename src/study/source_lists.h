@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "outlines/raw_basin.h"
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

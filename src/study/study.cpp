@@ -7,7 +7,7 @@
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
 #include "geometry/shape_points.h"
-#include "rainfall/extent.h"
+#include "rainfall/network/extent.h"
 
 namespace thiessen {
 namespace {

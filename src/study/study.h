@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "rainfall/network.h"
-#include "rainfall/reporting.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/network.h"
+#include "rainfall/network/reporting.h"
+#include "rainfall/network/weights.h"
 #include "study/study_parts.h"
 
 namespace thiessen {

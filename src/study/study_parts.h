@@ -7,7 +7,7 @@
 
 #include "basin/basin.h"
 #include "earth/yardstick.h"
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

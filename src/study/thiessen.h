@@ -7,9 +7,9 @@
 #include "base/error.h"
 #include "basin/basin.h"
 #include "earth/yardstick.h"
-#include "rainfall/network.h"
-#include "rainfall/step_rainfall.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/network.h"
+#include "rainfall/network/step_rainfall.h"
+#include "rainfall/network/weights.h"
 
 /// \file
 /// The library's face: Thiessen weights, cells and areal rainfall of data in memory. It owns what

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 #include "study/study.h"
 
 namespace thiessen {

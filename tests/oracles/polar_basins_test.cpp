@@ -16,7 +16,7 @@
 #include "geometry/seeded.h"
 #include "outlines/antimeridian.h"
 #include "outlines/polygon_validity.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 namespace {

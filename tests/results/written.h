@@ -8,7 +8,7 @@
 
 #include "base/file.h"
 #include "base/temporary_folder.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

@@ -12,8 +12,8 @@
 #include "geometry/polygon.h"
 #include "map/raster/area_rows.h"
 #include "map/raster/block_owners.h"
-#include "rainfall/network.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/network.h"
+#include "rainfall/network/reporting.h"
 
 namespace thiessen {
 

@@ -9,8 +9,8 @@
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/errors/basin_error.h"
 #include "rainfall/errors/step_variance.h"
+#include "rainfall/network/weights.h"
 #include "rainfall/series/step_sample.h"
-#include "rainfall/weights.h"
 
 namespace thiessen {
 

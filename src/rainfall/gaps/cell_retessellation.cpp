@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "geometry/long_sum.h"
-#include "rainfall/mean_reading.h"
+#include "rainfall/network/mean_reading.h"
 
 namespace thiessen {
 namespace {

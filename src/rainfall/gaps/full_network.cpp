@@ -4,7 +4,7 @@
 #include <map>
 
 #include "geometry/long_sum.h"
-#include "rainfall/mean_reading.h"
+#include "rainfall/network/mean_reading.h"
 
 namespace thiessen {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "rainfall/gaps/cell_account.h"
-#include "rainfall/step_rainfall.h"
+#include "rainfall/network/step_rainfall.h"
 
 namespace thiessen {
 

@@ -10,8 +10,8 @@
 #include "basin/sphere_shape.h"
 #include "rainfall/gaps/cell_account.h"
 #include "rainfall/gaps/cell_adjacency.h"
-#include "rainfall/network_cells.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/network_cells.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

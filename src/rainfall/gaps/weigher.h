@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "rainfall/gaps/retessellation.h"
-#include "rainfall/network.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/network.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

@@ -7,7 +7,7 @@
 
 #include "rainfall/gaps/cell_adjacency.h"
 #include "rainfall/influence/step_blocks.h"
-#include "rainfall/network_cells.h"
+#include "rainfall/network/network_cells.h"
 
 namespace thiessen {
 

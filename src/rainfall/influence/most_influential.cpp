@@ -6,7 +6,7 @@
 #include <span>
 
 #include "rainfall/influence/influence.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 #include "rainfall/series/gauge_patterns.h"
 
 namespace thiessen {

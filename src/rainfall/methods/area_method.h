@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 #include "tessellation/place.h"
 
 namespace thiessen {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rainfall/methods/area_method.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

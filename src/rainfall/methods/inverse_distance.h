@@ -9,7 +9,7 @@
 #include "rainfall/methods/area_method.h"
 #include "rainfall/methods/nearest_gauges.h"
 #include "rainfall/methods/weight_sums.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

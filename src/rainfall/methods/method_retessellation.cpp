@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "geometry/long_sum.h"
-#include "rainfall/mean_reading.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/mean_reading.h"
+#include "rainfall/network/reporting.h"
 
 namespace thiessen {
 namespace {

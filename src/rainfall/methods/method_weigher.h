@@ -6,7 +6,7 @@
 
 #include "rainfall/gaps/weigher.h"
 #include "rainfall/methods/area_method.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 
 namespace thiessen {
 

@@ -10,7 +10,7 @@
 #include "rainfall/methods/natural_weights.h"
 #include "rainfall/methods/nearest_gauges.h"
 #include "rainfall/methods/weight_sums.h"
-#include "rainfall/weights.h"
+#include "rainfall/network/weights.h"
 
 namespace thiessen {
 

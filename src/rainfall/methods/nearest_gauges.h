@@ -8,7 +8,7 @@
 
 #include "earth/nearest/place_tree.h"
 #include "earth/yardstick.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 
 namespace thiessen {
 

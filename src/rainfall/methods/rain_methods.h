@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "rainfall/areal_rainfall.h"
-#include "rainfall/step_rainfall.h"
+#include "rainfall/network/step_rainfall.h"
 
 namespace thiessen {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rainfall/methods/area_method.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 
 namespace thiessen {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/long_sum.h"
-#include "rainfall/reporting.h"
+#include "rainfall/network/reporting.h"
 #include "rainfall/series/readings.h"
 
 namespace thiessen {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rainfall/network/step_rainfall.h"
 #include "rainfall/series/readings.h"
-#include "rainfall/step_rainfall.h"
 
 namespace thiessen {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rainfall/step_rainfall.h"
+#include "rainfall/network/step_rainfall.h"
 
 namespace thiessen {
 

@@ -11,7 +11,7 @@
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
 #include "rainfall/errors/gaussian_field.h"
-#include "rainfall/network.h"
+#include "rainfall/network/network.h"
 
 namespace thiessen {
 

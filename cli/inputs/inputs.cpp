@@ -1,0 +1,28 @@
+#include "cli/inputs/inputs.h"
+
+#include <utility>
+
+#include "files/rainfall_file.h"
+#include "rainfall/series/watched_readings.h"
+
+namespace thiessen::cli {
+
+Inputs::Inputs(const StudyOptions& options, double margin, Warnings& warnings)
+    : files_(std::make_shared<StudyFiles>(read_study(options.request(), warnings))),
+      filtered_ids_(files_->filtered_ids.begin(), files_->filtered_ids.end()),
+      study_(files_, {margin, options.tolerance()}, warnings) {}
+
+std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
+                                                       const RainfallOptions& rainfall,
+                                                       Warnings& warnings,
+                                                       const std::optional<StepTimes>& wanted) {
+  auto readings = open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
+                                filtered_ids_, rainfall.readings(study.decimal_comma()), warnings);
+  if (wanted) {
+    readings =
+        std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);
+  }
+  return std::make_unique<WatchedReadings>(std::move(readings));
+}
+
+}  // namespace thiessen::cli

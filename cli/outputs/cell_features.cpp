@@ -1,0 +1,43 @@
+#include "cli/outputs/cell_features.h"
+
+#include <limits>
+
+namespace thiessen::cli {
+
+std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
+                                               unsigned threads) {
+  return inputs.weighing().cells(readings == nullptr ? inputs.all_report() : readings->reports(),
+                                 threads);
+}
+
+CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
+                         const GaugeReadings* readings, const StudyOptions& options) {
+  CellsOutput output;
+  output.has_rainfall = readings != nullptr;
+  output.attributes = options.attributes ? &inputs.study().attributes : nullptr;
+  output.study_crs = inputs.study().crs;
+  output.file_crs = inputs.study().output_crs();
+  output.tolerance = options.tolerance();
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    for (const StationCell& cell : cells[b]) {
+      CellFeature& feature = output.cells.emplace_back();
+      feature.station = inputs.network().stations()[index(cell.station)].id;
+      if (inputs.has_basins()) feature.basin = inputs.basins()[b].id;
+      feature.area_km2 = cell.area * inputs.area_unit().km2;
+      feature.weight = cell.weight;
+      feature.rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                             : readings->readings[index(cell.station)];
+      feature.attribute_row = index(cell.station);
+      feature.shape = cell.shape;
+    }
+  }
+  return output;
+}
+
+void warn_of_own_coordinates(const Inputs& inputs, const std::string& file, Warnings& warnings) {
+  if (inputs.study().crs) return;
+  warnings.add({file == "-" ? "standard output" : file, 0,
+                "the cells are in the plane's own coordinates: no CRS is known", ""});
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,44 @@
+#include "cli/outputs/picture_of.h"
+
+#include <cmath>
+#include <limits>
+
+#include "gdal/crs/north.h"
+
+namespace thiessen::cli {
+
+Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
+                   const GaugeReadings* readings, const ViewOptions& view) {
+  const StudyFiles& study = inputs.study();
+  Picture picture;
+  picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
+  picture.metres_per_unit =
+      study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
+  picture.north_is_up = picture.geographic || !study.crs ||
+                        north_is_up(*study.crs, inputs.weighing().frame().centre());
+  picture.by_rainfall = readings != nullptr;
+  picture.title = !view.title.empty()   ? view.title
+                  : readings != nullptr ? "Rainfall by Thiessen cells"
+                                        : "Thiessen cells";
+  picture.subtitle = readings != nullptr ? readings->label : "";
+  picture.units = view.units;
+  picture.width = static_cast<int>(view.size.width);
+  picture.height = static_cast<int>(view.size.height);
+  const std::vector<Station>& stations = inputs.network().stations();
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
+    picture.gauges.push_back({stations[i].position, stations[i].id, reports});
+  }
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    for (const StationCell& cell : cells[b]) {
+      const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
+                                                  : readings->readings[index(cell.station)];
+      picture.cells.push_back({cell.shape, index(cell.station), rainfall});
+    }
+    const std::string name = inputs.has_basins() ? inputs.basins()[b].id : "";
+    picture.basins.push_back({name, inputs.basins()[b].shape});
+  }
+  return picture;
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/inputs/inputs.h"
+#include "rainfall/areal_rainfall.h"
+#include "rainfall/influence/most_influential.h"
+#include "rainfall/series/rain_series.h"
+#include "rainfall/series/rain_statistics.h"
+#include "study/weight_findings.h"
+
+namespace thiessen::cli {
+
+/// What `run` says in the end: for each basin its area, the gauges inside and weighing, the largest
+/// weight, the mean rainfall and its standard error, the largest, the steps without a value, and
+/// the gauge whose leaving changes the rainfall most, of a sample of the steps.
+class Summary {
+ public:
+  Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
+  void add(const RainStep& step);
+  /// Takes the standard errors of the means over all steps, by basin, NaN where one cannot be had.
+  /// `shortfall` says why none can, or is empty.
+  void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
+    errors_ = std::move(errors);
+    shortfall_ = shortfall;
+  }
+  /// Looks for the most influential gauge of each basin; call it when all steps have been added.
+  void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
+  /// Lines of aligned columns.
+  std::string text(const std::string& units) const;
+
+ private:
+  std::string most_influential(std::size_t basin, const std::string& unit) const;
+
+  const Inputs& inputs_;
+  const std::vector<BasinWeights>& weights_;
+  WeightFindings findings_;
+  RainStatistics statistics_;
+  std::vector<double> errors_;
+  std::string shortfall_;
+  StepSample sample_;
+  SampledInfluence influence_{{}, 0};
+};
+
+}  // namespace thiessen::cli

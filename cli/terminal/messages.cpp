@@ -1,0 +1,46 @@
+#include "cli/terminal/messages.h"
+
+#include <algorithm>
+#include <iostream>
+
+namespace thiessen::cli {
+namespace {
+
+std::string option(std::string_view name, std::string_view value) {
+  std::string text = "--" + std::string(name);
+  std::replace(text.begin(), text.end(), '_', '-');
+  if (value.empty()) return text;
+  // The sign `=` keeps a negative number from being read as an option, as it would be after a
+  // space.
+  return text + (value.starts_with('-') ? "=" : " ") + std::string(value);
+}
+
+std::string argument(std::string_view name) {
+  std::string text(name);
+  for (char& c : text) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string shown(const Wording& words) {
+  return printable(words.text({option, argument}));
+}
+
+void print(std::string_view before, const Message& message) {
+  print(before, shown(message.placed()), shown(message.hint));
+}
+
+void print(std::string_view before, const std::string& text, const std::string& hint) {
+  std::cerr << before << text << '\n';
+  if (!hint.empty()) std::cerr << "hint: " << hint << '\n';
+}
+
+void print(std::string_view before, const Error& error) {
+  for (const Message& message : error.messages()) print(before, message);
+  if (error.unlisted() > 0) print(before, "and " + std::to_string(error.unlisted()) + " more", "");
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,46 @@
+#include "rainfall/network/network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace thiessen {
+namespace {
+
+// Gives all coordinates that mean the same point one form, so that they compare as equal.
+Point canonical(Point p, Metric metric) {
+  if (metric == Metric::geodesic) {
+    if (p.x == -180) p.x = 180;
+    if (std::abs(p.y) == 90) p.x = 0;
+  }
+  return {p.x + 0.0, p.y + 0.0};
+}
+
+}  // namespace
+
+Network::Network(std::vector<Station> stations, Metric metric) : stations_(std::move(stations)) {
+  std::map<Point, PlaceIndex> known;
+  for (const Station& station : stations_) {
+    const Point position = canonical(station.position, metric);
+    const PlaceIndex next{static_cast<std::uint32_t>(places_.size())};
+    const auto [entry, is_new] = known.emplace(position, next);
+    if (is_new) places_.push_back(position);
+    place_of_.push_back(entry->second);
+  }
+  first_at_.assign(places_.size() + 1, 0);
+  for (const PlaceIndex place : place_of_) ++first_at_[index(place) + 1];
+  for (std::size_t i = 1; i < first_at_.size(); ++i) first_at_[i] += first_at_[i - 1];
+  by_place_.resize(stations_.size());
+  std::vector<std::size_t> next(first_at_.begin(), first_at_.end() - 1);
+  for (std::uint32_t i = 0; i < stations_.size(); ++i) {
+    by_place_[next[index(place_of_[i])]++] = StationIndex{i};
+  }
+}
+
+std::span<const StationIndex> Network::stations_at(PlaceIndex place) const {
+  const std::size_t first = first_at_[index(place)];
+  return std::span(by_place_).subspan(first, first_at_[index(place) + 1] - first);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "rainfall/network/weights.h"
+
+namespace thiessen {
+
+/// The areal rainfall of one basin at one time.
+struct BasinRainfall {
+  double rainfall;     ///< sum of weight x reading, in the readings' unit; NaN where there is none
+  std::size_t gauges;  ///< number of gauges that weigh in the value
+  double coverage;     ///< share of the basin that the full network gives to gauges that report
+  /// The standard error of the rainfall, if it was asked for (see RainfallError) and there is one;
+  /// else NaN.
+  double standard_error = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// Turns the readings of a step into areal rainfall. Safe for several threads at once; the result
+/// depends on the readings alone.
+class StepRainfall {
+ public:
+  virtual ~StepRainfall() = default;
+  /// The values of a step, one for each series: a series is a basin, or a basin and a method.
+  /// `readings` has one entry for each station, NaN where it is silent.
+  virtual std::vector<BasinRainfall> at(std::span<const double> readings) const = 0;
+  /// The weights that the values of a step are made with, one set for each series; a series without
+  /// a value has no weights. To rounding, the value is the sum of weight x reading.
+  virtual std::vector<BasinWeights> weights_at(std::span<const double> readings) const = 0;
+};
+
+}  // namespace thiessen

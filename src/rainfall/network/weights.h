@@ -1,0 +1,81 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "basin/basin.h"
+#include "basin/cell_clipper.h"
+#include "earth/yardstick.h"
+#include "rainfall/network/network.h"
+#include "rainfall/network/reporting.h"
+
+namespace thiessen {
+
+/// A station's part in a basin.
+struct StationWeight {
+  StationIndex station;
+  double area;    ///< of its cell within the basin; square metres, or the plane's unit squared
+  double weight;  ///< that area's share of the basin, in (0, 1]
+};
+
+/// The positive weights of one basin, in the order of the stations. They add up to 1 within 2e-13.
+struct BasinWeights {
+  double area = 0;
+  std::vector<StationWeight> stations;
+};
+
+/// Adds a cell's area to a basin, in equal shares for the stations that share the cell.
+void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area);
+
+template <typename Part>
+void sort_by_station(std::vector<Part>& parts) {
+  std::sort(parts.begin(), parts.end(),
+            [](const Part& a, const Part& b) { return a.station < b.station; });
+}
+
+/// A station's cell within a basin.
+struct StationCell {
+  StationIndex station;
+  double area;
+  double weight;
+  MultiPolygon shape;
+};
+
+/// Tessellates a network, or those of its gauges that report, and weighs the gauges in the basins.
+/// The network and the basins must outlive this object. Safe for several threads at once.
+class Weighing {
+ public:
+  Weighing(const Network& network, const std::vector<Basin>& basins, const Yardstick& yardstick);
+
+  const Network& network() const { return network_; }
+  const std::vector<Basin>& basins() const { return basins_; }
+  const Yardstick& yardstick() const { return yardstick_; }
+  const Box& frame() const { return frame_; }
+  const Surface& surface() const { return *surface_; }
+  double basin_area(std::size_t basin) const { return areas_[basin]; }
+
+  /// The weights of the reporting gauges, by basin. `reports` has one entry for each station; where
+  /// only some of a place's stations report, the place belongs to those. Where no gauge reports the
+  /// weights are empty. Cost: n log n for the tessellation, and that of CellClipper for each basin.
+  std::vector<BasinWeights> weights(const ReportingStations& reports, unsigned threads) const;
+
+  /// The cells of the reporting gauges with their shapes, by basin, in the order of the stations.
+  /// Stations at one place each have the whole shape and their share of its area.
+  std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
+                                              unsigned threads) const;
+
+ private:
+  template <typename Take>
+  void for_each_basin(const ReportingStations& reports, unsigned threads, const Take& take) const;
+
+  const Network& network_;
+  const std::vector<Basin>& basins_;
+  Yardstick yardstick_;
+  std::unique_ptr<Surface> surface_;
+  Box frame_;
+  std::vector<double> areas_;
+};
+
+}  // namespace thiessen
