@@ -47,7 +47,7 @@ class RainCommand : public Command {
   const char* description() const override { return "areal rainfall, one row a time step"; }
   const char* example() const override {
     return "samples/textbook/stations.csv samples/textbook/basin.csv "
-           "samples/textbook/rainfall.csv";
+           "samples/textbook/rainfall.csv --metric planar";
   }
   void check() const override {
     periods_.check();

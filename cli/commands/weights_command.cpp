@@ -48,7 +48,7 @@ class WeightsCommand : public Command {
     return "the weights table: each station's share of each basin";
   }
   const char* example() const override {
-    return "samples/textbook/stations.csv samples/textbook/basin.csv";
+    return "samples/textbook/stations.csv samples/textbook/basin.csv --metric planar";
   }
   void check() const override {
     if (rainfall_.given()) {

@@ -40,7 +40,8 @@ class ProgressTest(ProgramTest):
         self.write("stations.csv", "id,x,y\n" + "".join(f"s{i},{i},{i * i % 7}\n" for i in range(STATIONS)))
         self.write("basin.csv", 'id,WKT\nB,"POLYGON ((0 0, 99 0, 99 7, 0 7, 0 0))"\n')
         self.header = "time" + "".join(f",s{i}" for i in range(STATIONS)) + "\n"
-        self.arguments = ["rain", "stations.csv", "basin.csv", "rainfall.csv", "-o", "rain.csv", "--overwrite"]
+        self.arguments = ["rain", "stations.csv", "basin.csv", "rainfall.csv", "--metric", "planar", "-o",
+                          "rain.csv", "--overwrite"]
 
     def paused_in_the_midst(self, start):
         """A started program that has slept for longer than it is silent, with a part of its readings read."""
