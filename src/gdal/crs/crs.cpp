@@ -12,6 +12,7 @@
 #include "base/utf8.h"
 #include "gdal/crs/crs_definition.h"
 #include "gdal/crs/proj_objects.h"
+#include "gdal/crs/spheres.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
 
@@ -82,6 +83,7 @@ Crs define(const OGRSpatialReference& given, const std::string& otherwise) {
   system.StripVertical();
   if (system.GetAxesCount() > 2) system.DemoteTo2D(nullptr);
   require_earth(system);
+  if (is_on_sphere(system)) system = without_shift(system, wkt_of(system));
   system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   definition->wkt = wkt_of(system);
   if (names_outside_file(definition->wkt))

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/utf8.h"
 #include "gdal/crs/crs_definition.h"
+#include "gdal/crs/spheres.h"
 
 namespace thiessen {
 namespace {
@@ -47,7 +48,7 @@ std::string way_between(const Crs& from, const Crs& to) {
 }  // namespace
 
 bool on_sphere(const Crs& crs) {
-  return crs.definition().system.GetInvFlattening() == 0;
+  return is_on_sphere(crs.definition().system);
 }
 
 bool may_be_taken_over(const Crs& from, const Crs& to) {

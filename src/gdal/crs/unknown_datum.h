@@ -8,9 +8,8 @@ namespace thiessen {
 
 // The rules for coordinates where no authority knows how one datum lies in another. On an ellipsoid
 // such as Bessel's the coordinates may be hundreds of metres off, so they are refused. Reference
-// frames on the ellipsoids of WGS 84 and GRS 1980 lie within two metres or so of each other. A
-// sphere is a model's Earth (WRF, MODIS, EASE-Grid), and a model's longitudes and latitudes come
-// from those of WGS 84, unchanged.
+// frames on the ellipsoids of WGS 84 and GRS 1980 lie within two metres or so of each other. For
+// spheres see spheres.h.
 
 /// Whether the CRS is on a sphere.
 bool on_sphere(const Crs& crs);
