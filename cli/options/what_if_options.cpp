@@ -11,9 +11,10 @@ namespace thiessen::cli {
 
 void WhatIfOptions::declare(OptionList& options) {
   OptionGroup what_if = options.group("What if", *this);
-  what_if.add("--without", texts(closed_, "ID"),
-              "what if this station closed: the weights with columns area_km2_after and "
-              "weight_after; may be repeated");
+  what_if.add(
+      "--without", texts(closed_, "ID"),
+      "what if this station closed: the weights with columns area_km2_after (area_after where "
+      "the unit is unknown) and weight_after; may be repeated");
   what_if.add("--with", points(opened_),
               "what if a gauge opened here, in the coordinates of STATIONS; the first is called "
               "'with 1'; may be repeated, and beside --without");

@@ -14,6 +14,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
                          const GaugeReadings* readings, const StudyOptions& options) {
   CellsOutput output;
   output.has_rainfall = readings != nullptr;
+  output.area_column = inputs.area_unit().column();
   output.attributes = options.attributes ? &inputs.study().attributes : nullptr;
   output.study_crs = inputs.study().crs;
   output.file_crs = inputs.study().output_crs();
@@ -23,7 +24,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
       CellFeature& feature = output.cells.emplace_back();
       feature.station = inputs.network().stations()[index(cell.station)].id;
       if (inputs.has_basins()) feature.basin = inputs.basins()[b].id;
-      feature.area_km2 = cell.area * inputs.area_unit().km2;
+      feature.area = cell.area * inputs.area_unit().km2;
       feature.weight = cell.weight;
       feature.rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                              : readings->readings[index(cell.station)];

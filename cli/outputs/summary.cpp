@@ -44,11 +44,10 @@ std::string Summary::most_influential(std::size_t basin, const std::string& unit
 
 std::string Summary::text(const std::string& units) const {
   const std::string unit = units.empty() ? "" : " " + printable(units);
-  const bool known = inputs_.area_unit().km2 != 1;
   std::vector<std::vector<std::string>> rows;
-  rows.push_back({"basin", known ? "area km2" : "area", "gauges inside", "weighing",
-                  "largest weight", "mean" + unit, "standard error" + unit, "largest" + unit,
-                  "empty steps", "most influential gauge"});
+  rows.push_back({"basin", inputs_.area_unit().known() ? "area km2" : "area", "gauges inside",
+                  "weighing", "largest weight", "mean" + unit, "standard error" + unit,
+                  "largest" + unit, "empty steps", "most influential gauge"});
   for (std::size_t b = 0; b < weights_.size(); ++b) {
     const RainStatistics::OfBasin& rain = statistics_.basins()[b];
     const bool has_values = rain.values > 0;

@@ -14,7 +14,7 @@ namespace thiessen {
 struct CellFeature {
   std::string station;
   std::optional<std::string> basin;  ///< nothing where the run has no basins
-  double area_km2 = 0;               ///< (CRS units)^2 where the unit is unknown
+  double area = 0;                   ///< in the unit that CellFeatures::area_column tells
   double weight = 0;
   double rainfall = 0;  ///< NaN: no value; written where CellFeatures::has_rainfall is set
   std::size_t attribute_row = 0;  ///< the station's row in CellFeatures::attributes
@@ -26,12 +26,13 @@ struct CellFeature {
 struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
+  std::string area_column = "area_km2";  ///< see AreaUnit::column
   /// The stations' attributes, where every field of a station is written with its cell; else null.
   const Attributes* attributes = nullptr;
 };
 
 /// The names under which the stations' attributes are written beside the cells' own fields
-/// (station, basin, area_km2, weight, rainfall): a name that is taken, case ignored, gets
+/// (station, basin, the area's, weight, rainfall): a name that is taken, case ignored, gets
 /// underscores.
 std::vector<FieldName> attribute_fields(const CellFeatures& features);
 

@@ -44,8 +44,8 @@ void append_properties(std::string& out, const CellFeatures& features, const Cel
     append_name(out, "basin");
     append_json_string(out, *cell.basin);
   }
-  append_name(out, "area_km2");
-  append_number(out, cell.area_km2);
+  append_name(out, features.area_column);
+  append_number(out, cell.area);
   append_name(out, "weight");
   append_number(out, cell.weight);
   if (features.has_rainfall) {

@@ -26,7 +26,7 @@ void append_part(std::string& row, const StationWeight& part, AreaUnit unit) {
 
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit) {
-  file.append("basin,station,area_km2,weight\n");
+  file.append(std::string("basin,station,") + unit.column() + ",weight\n");
   std::string row;
   for (std::size_t b = 0; b < weights.size(); ++b) {
     for (const StationWeight& s : weights[b].stations) {
@@ -42,7 +42,8 @@ void write_weights(OutputFile& file, const Weighing& weighing,
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
                            const std::vector<BasinWeights>& before,
                            const std::vector<BasinWeights>& after, AreaUnit unit) {
-  file.append("basin,station,area_km2,weight,area_km2_after,weight_after\n");
+  const std::string area = unit.column();
+  file.append("basin,station," + area + ",weight," + area + "_after,weight_after\n");
   std::string row;
   for (std::size_t b = 0; b < before.size(); ++b) {
     auto old_part = before[b].stations.begin();

@@ -11,16 +11,21 @@ namespace thiessen {
 struct AreaUnit {
   double km2 = 1e-6;  ///< square kilometres in one unit; 1 where the plane's unit is unknown: areas
                       ///< are then written as they are
+
+  bool known() const { return km2 != 1; }
+  /// What a column of areas is called, so that nobody takes an area of unknown unit for km2.
+  const char* column() const { return known() ? "area_km2" : "area"; }
 };
 
-/// Writes the table of weights: CSV `basin,station,area_km2,weight`, in the fewest digits that read
-/// back to the same double; basins in file order, then stations in file order.
+/// Writes the table of weights: CSV `basin,station,area_km2,weight`, or with `area` where the unit
+/// is unknown, in the fewest digits that read back to the same double; basins in file order, then
+/// stations in file order.
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit);
 
 /// Writes the table of weights before and after a change of the network: CSV
 /// `basin,station,area_km2,weight,area_km2_after,weight_after`, with the stations that have weight
-/// before or after, in the digits and the order of write_weights.
+/// before or after, in the names, digits and order of write_weights.
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
                            const std::vector<BasinWeights>& before,
                            const std::vector<BasinWeights>& after, AreaUnit unit);

@@ -19,7 +19,7 @@ CellFeature cell(const std::string& station, MultiPolygon shape) {
   CellFeature feature;
   feature.station = station;
   feature.basin = "B";
-  feature.area_km2 = 0.1;
+  feature.area = 0.1;
   feature.weight = 1.0 / 3.0;
   feature.shape = std::move(shape);
   return feature;
@@ -73,13 +73,13 @@ TEST(CellsGeoJson, has_seven_decimals_at_a_decimetre) {
 
 TEST(CellsGeoJson, numbers_read_back_to_the_same_double) {
   CellFeature odd = cell("A", {square});
-  odd.area_km2 = std::nextafter(12345.678, 0);
+  odd.area = std::nextafter(12345.678, 0);
   odd.weight = 4.9406564584124654e-10;
   odd.rainfall = std::nextafter(0.1, 1);
   CellsOutput wanted = output({odd});
   wanted.has_rainfall = true;
   const auto cells = read_back(wanted);
-  EXPECT_EQ(parse_number(cells.at(0).fields.at(2)).value, odd.area_km2);
+  EXPECT_EQ(parse_number(cells.at(0).fields.at(2)).value, odd.area);
   EXPECT_EQ(parse_number(cells.at(0).fields.at(3)).value, odd.weight);
   EXPECT_EQ(parse_number(cells.at(0).fields.at(4)).value, odd.rainfall);
 }

@@ -16,7 +16,7 @@ CellsOutput two_cells() {
     CellFeature cell;
     cell.station = x == 15 ? "007" : "\xC3\xA9t\xC3\xA9";
     cell.basin = "B";
-    cell.area_km2 = 1 / x;
+    cell.area = 1 / x;
     cell.weight = 0.1;
     cell.shape = {{{{x, 50}, {x + 1, 50}, {x + 1, 51}, {x, 51}}, {}}};
     wanted.cells.push_back(cell);

@@ -41,7 +41,7 @@ class Textbook(ProgramTest):
             self.assertAlmostEqual(found[gauge], float(weight), delta=1e-14)
         self.assertAlmostEqual(sum(found.values()), 1, delta=1e-15)
         for row in table(text):
-            self.assertAlmostEqual(float(row["area_km2"]), 125 * float(row["weight"]), delta=1e-12)
+            self.assertAlmostEqual(float(row["area"]), 125 * float(row["weight"]), delta=1e-12)
 
     def test_rain(self):
         self.assertEqual([row["time"] for row in self.rain()], ["storm"])

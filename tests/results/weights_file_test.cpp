@@ -26,7 +26,7 @@ TEST(WeightsFile, of_a_change_has_the_stations_that_weigh_before_or_after) {
   EXPECT_EQ(written([&](OutputFile& file) {
               write_changed_weights(file, study.weighing, before, after, AreaUnit{1});
             }),
-            "basin,station,area_km2,weight,area_km2_after,weight_after\n"
+            "basin,station,area,weight,area_after,weight_after\n"
             "\"B,1\",\"a\"\"b\",6,0.5,12,1\n"
             "\"B,1\",007,6,0.5,0,0\n"
             "C,\"a\"\"b\",0,0,4,1\n"

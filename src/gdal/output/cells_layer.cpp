@@ -148,7 +148,7 @@ class LayerWriter {
     check(layer != nullptr);
     add_field(*layer, "station", OFTString);
     if (has_basins()) add_field(*layer, "basin", OFTString);
-    add_field(*layer, "area_km2", OFTReal);
+    add_field(*layer, features_.area_column, OFTReal);
     add_field(*layer, "weight", OFTReal);
     if (features_.has_rainfall) add_field(*layer, "rainfall", OFTReal);
     for (const FieldName& field : attributes_) add_field(*layer, field.name, ogr_type(field.type));
@@ -180,7 +180,7 @@ class LayerWriter {
     int field = 0;
     feature->SetField(field++, cell.station.c_str());
     if (has_basins()) feature->SetField(field++, cell.basin.value_or("").c_str());
-    feature->SetField(field++, cell.area_km2);
+    feature->SetField(field++, cell.area);
     feature->SetField(field++, cell.weight);
     if (features_.has_rainfall && std::isfinite(cell.rainfall))
       feature->SetField(field, cell.rainfall);
