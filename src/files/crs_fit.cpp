@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "study/coordinate_checks.h"
@@ -12,43 +11,84 @@ namespace {
 
 constexpr double farthest_longitude = 540;
 
-/// Words the reason why the coordinates are taken to be in this CRS.
-Wording claim(const Crs& crs, CrsOrigin origin, const Wording& its_setting) {
-  if (origin == CrsOrigin::option) return its_setting + " says " + crs.name();
-  if (origin == CrsOrigin::columns) return "the names of its columns say " + crs.name();
-  return "its CRS is " + crs.name();
-}
-
+/// Checks one file, whose CRS the user names by the setting `its_setting`.
 template <typename File>
-void require_fit(const File& file, const Wording& its_setting) {
-  const Reach reach = reach_of(file);
-  const Crs& crs = *file.crs;
-  const Wording but = ", but " + claim(crs, file.crs_origin, its_setting);
-  const double widest = std::max(std::abs(reach.west), std::abs(reach.east));
-  const double highest = std::max(std::abs(reach.south), std::abs(reach.north));
-  const double nearest = std::min(widest, highest);
-  if (crs.geographic()) {
-    const bool none = reach.not_degrees == reach.points;
-    if (!none || nearest * crs.degrees_per_unit() <= farthest_longitude) return;
-    throw Error(Message{file.file, 0, "coordinates are not degrees" + but + ": " + reach.sentence(),
-                        "name the CRS that they are in with " + its_setting});
+class Fit {
+ public:
+  Fit(const File& file, const std::string& lender, const char* its_setting)
+      : file_(file), lender_(lender), its_setting_(its_setting), reach_(reach_of(file)) {}
+
+  void require() const {
+    const double widest = std::max(std::abs(reach_.west), std::abs(reach_.east));
+    const double highest = std::max(std::abs(reach_.south), std::abs(reach_.north));
+    if (file_.crs->geographic()) {
+      const double nearest = std::min(widest, highest) * file_.crs->degrees_per_unit();
+      const bool none = reach_.not_degrees == reach_.points;
+      if (none && nearest > farthest_longitude) refuse("coordinates are not degrees", "", right());
+      require_degrees(file_, file_.crs->kind(), lent() ? right() : Wording());
+      return;
+    }
+    const double turn = lent() ? 360 : 180;
+    if (widest <= turn && highest <= 90 && file_.crs->metres_per_unit() <= 1)
+      refuse("coordinates look like degrees", ", which is projected", degrees());
   }
-  if (widest <= 180 && highest <= 90 && crs.metres_per_unit() <= 1) {
-    throw Error(
-        Message{file.file, 0,
-                "coordinates look like degrees" + but + ", which is projected: " + reach.sentence(),
-                "longitude and latitude are EPSG:4326"});
+
+ private:
+  [[noreturn]] void refuse(const std::string& what, const std::string& kind,
+                           const Wording& hint) const {
+    throw Error(Message{file_.file, 0,
+                        what + (", but " + claim()) + kind + ": " + reach_.sentence(), hint});
   }
-}
+
+  bool lent() const { return file_.crs_origin == CrsOrigin::lent; }
+
+  /// Words the reason why the coordinates are taken to be in this CRS.
+  Wording claim() const {
+    const std::string name = file_.crs->name();
+    switch (file_.crs_origin) {
+      case CrsOrigin::option:
+        return setting(its_setting_) + " says " + name;
+      case CrsOrigin::columns:
+        return "the names of its columns say " + name;
+      case CrsOrigin::lent:
+        return "it names no CRS and would take that of " + lender_ + ", " + name;
+      case CrsOrigin::none:
+      case CrsOrigin::implied:
+      case CrsOrigin::file:
+        break;
+    }
+    return "its CRS is " + name;
+  }
+
+  // A setting against a CRS that the file names is refused, so it is no way out.
+  Wording wrong_in_file() const {
+    return "the CRS that stands in the file is not that of its coordinates; ogr2ogr -a_srs writes "
+           "another";
+  }
+  Wording right() const {
+    return file_.crs_origin == CrsOrigin::file
+               ? wrong_in_file()
+               : "name the CRS that they are in with " + setting(its_setting_);
+  }
+  Wording degrees() const {
+    if (file_.crs_origin == CrsOrigin::file) return wrong_in_file();
+    return "longitude and latitude are " + setting(its_setting_, "EPSG:4326");
+  }
+
+  const File& file_;
+  const std::string& lender_;
+  const char* its_setting_;
+  Reach reach_;
+};
 
 }  // namespace
 
-void require_fit(const StationsFile& stations) {
-  require_fit(stations, setting("crs"));
+void require_fit(const StationsFile& stations, const std::string& lender) {
+  Fit(stations, lender, "crs").require();
 }
 
-void require_fit(const BasinsFile& basins) {
-  require_fit(basins, setting("basins_crs"));
+void require_fit(const BasinsFile& basins, const std::string& lender) {
+  Fit(basins, lender, "basins_crs").require();
 }
 
 }  // namespace thiessen

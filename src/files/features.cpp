@@ -138,7 +138,7 @@ Features::Named Features::crs() const {
     if (named.implied) named.crs = Crs::wgs84();
     return named;
   }
-  const Crs wanted = Crs::from_text(source_.crs, setting(source_.crs_setting));
+  const Crs wanted = *crs_of_columns();
   if (named.crs && !named.crs->same_as(wanted)) {
     throw Error(Message{
         file(), 0,
@@ -150,6 +150,11 @@ Features::Named Features::crs() const {
   named.crs = wanted;
   named.implied = false;
   return named;
+}
+
+std::optional<Crs> Features::crs_of_columns() const {
+  if (source_.crs.empty()) return std::nullopt;
+  return Crs::from_text(source_.crs, setting(source_.crs_setting));
 }
 
 void Features::warn_of_oddities(Warnings& warnings) const {

@@ -58,6 +58,9 @@ class Features {
     bool implied = false;
   };
   Named crs() const;
+  /// The CRS that the option of the source names, for coordinates in columns: what the file says of
+  /// its geometries says nothing of these.
+  std::optional<Crs> crs_of_columns() const;
   void warn_of_oddities(Warnings& warnings) const;
 
  private:

@@ -89,21 +89,20 @@ class StationsReader {
   }
 
   void name_crs() {
-    const Features::Named named = features_.crs();
-    const bool degrees = !by_geometry_ && holds_degrees(features_.header()[x_]) &&
-                         holds_degrees(features_.header()[y_]);
-    // The columns may hold other coordinates than the geometry beside them, so the CRS of the
-    // geometry says nothing of theirs.
-    if (named.by_option) {
+    if (by_geometry_) {
+      const Features::Named named = features_.crs();
+      result_.crs = named.crs;
+      if (!named.crs) return;
+      result_.crs_origin = named.by_option ? CrsOrigin::option
+                           : named.implied ? CrsOrigin::implied
+                                           : CrsOrigin::file;
+    } else if (const auto wanted = features_.crs_of_columns()) {
+      result_.crs = wanted;
       result_.crs_origin = CrsOrigin::option;
-    } else if (by_geometry_ && named.crs) {
-      result_.crs_origin = named.implied ? CrsOrigin::implied : CrsOrigin::file;
-    } else if (degrees) {
-      result_.crs_origin = CrsOrigin::columns;
+    } else if (holds_degrees(features_.header()[x_]) && holds_degrees(features_.header()[y_])) {
       result_.crs = Crs::wgs84();
-      return;
+      result_.crs_origin = CrsOrigin::columns;
     }
-    if (result_.crs_origin != CrsOrigin::none) result_.crs = named.crs;
   }
 
   void add_station() {

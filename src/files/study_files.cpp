@@ -52,7 +52,7 @@ class StudyMaker {
   }
 
   StudyFiles make() {
-    agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, warnings_);
+    agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, asked(), warnings_);
     choose_coordinates();
     open_gauges();
     settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
@@ -69,6 +69,11 @@ class StudyMaker {
   }
 
  private:
+  Asked asked() const {
+    if (!request_.plane.empty() || request_.metric == Metric::geodesic) return Asked::crs;
+    return request_.metric ? Asked::plane : Asked::nothing;
+  }
+
   void choose_coordinates() {
     if (!request_.plane.empty()) {
       study_.crs = Crs::from_text(request_.plane, setting("plane"));

@@ -67,15 +67,16 @@ Reach reach_of(const BasinList& basins) {
   return reach;
 }
 
-void require_degrees(const StationList& file, const CoordinateKind& kind) {
+void require_degrees(const StationList& file, const CoordinateKind& kind,
+                     const Wording& otherwise) {
   const double unit = kind.degrees_per_unit();
   const bool swapped =
       std::all_of(file.stations.begin(), file.stations.end(), [&](const Station& station) {
         return looks_swapped(station.position, unit) || is_well(station.position, unit);
       });
-  std::string hint = !swapped         ? ""
-                     : file.has_lines ? "columns look swapped: latitude and longitude"
-                                      : "latitude and longitude look swapped";
+  Wording hint = !swapped         ? otherwise
+                 : file.has_lines ? "columns look swapped: latitude and longitude"
+                                  : "latitude and longitude look swapped";
   Complaints complaints;
   for (const Station& station : file.stations) {
     if (is_well(station.position, unit)) continue;
@@ -83,13 +84,14 @@ void require_degrees(const StationList& file, const CoordinateKind& kind) {
     const std::string where = is_feature ? "feature " + std::to_string(station.line) + ": " : "";
     complaints.add({file.file, file.has_lines ? station.line : 0,
                     where + fault_of(station.position, "station " + quoted(station.id, 80), unit),
-                    std::exchange(hint, {})});
+                    std::exchange(hint, Wording())});
   }
   complaints.throw_if_any();
 }
 
-void require_degrees(const BasinList& file, const CoordinateKind& kind) {
+void require_degrees(const BasinList& file, const CoordinateKind& kind, const Wording& otherwise) {
   const double unit = kind.degrees_per_unit();
+  Wording left = otherwise;  // said once
   Complaints complaints;
   for (const RawBasin& basin : file.basins) {
     std::string text;
@@ -100,8 +102,8 @@ void require_degrees(const BasinList& file, const CoordinateKind& kind) {
       return true;
     });
     if (text.empty()) continue;
-    complaints.add({file.file, basin.line, std::move(text),
-                    swapped ? "latitude and longitude look swapped" : ""});
+    Wording hint = swapped ? "latitude and longitude look swapped" : std::exchange(left, Wording());
+    complaints.add({file.file, basin.line, std::move(text), std::move(hint)});
   }
   complaints.throw_if_any();
 }

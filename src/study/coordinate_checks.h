@@ -32,11 +32,13 @@ Reach reach_of(const BasinList& basins);
 
 /// Requires stations of a geographic kind of coordinates to have latitudes in [-90, 90] and
 /// longitudes in [-540, 540] degrees. Throws Error with every station that has not, with a hint
-/// where longitude and latitude look swapped.
-void require_degrees(const StationList& stations, const CoordinateKind& kind);
+/// where longitude and latitude look swapped, and else with the hint `otherwise`.
+void require_degrees(const StationList& stations, const CoordinateKind& kind,
+                     const Wording& otherwise = {});
 /// Requires the vertices of basins to be degrees as the stations have to be. Throws Error with the
 /// first bad vertex of each basin.
-void require_degrees(const BasinList& basins, const CoordinateKind& kind);
+void require_degrees(const BasinList& basins, const CoordinateKind& kind,
+                     const Wording& otherwise = {});
 
 /// Brings longitudes beyond 180 degrees into [-180, 180] by whole turns, with one warning for all.
 /// Applies to a geographic kind of coordinates.

@@ -61,10 +61,12 @@ TEST(Study, longitude_and_latitude_are_geodesic) {
   EXPECT_TRUE(given.warnings.messages().empty());
 }
 
-TEST(Study, a_plane_without_crs_is_planar_and_silent) {
+TEST(Study, a_plane_without_crs_is_planar_and_silent_where_it_is_asked_for) {
   Given given;
   given.stations = "id,x,y\na,7,4\n";
-  given.basins = geojson("[[5,5],[-5,5],[-5,-5],[0,-10],[5,-5],[5,5]]");
+  given.basins = square(0, 0, 9);
+  given.basins_name = "b.csv";
+  given.request.metric = Metric::planar;
   const StudyFiles study = given.study();
   EXPECT_EQ(study.metric, Metric::planar);
   EXPECT_FALSE(study.crs);
