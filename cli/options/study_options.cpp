@@ -36,6 +36,9 @@ void StudyOptions::declare_fields(OptionGroup group) {
                  "of the stations, where their file names none (EPSG:32633, WKT, PROJ)"));
   crs_options_.push_back(&group.add("--basins-crs", any_text(basins_crs_, "CRS"),
                                     "of the basins, where their file names none"));
+  mend_option_ =
+      &group.add("--mend", flag(mend_),
+                 "mend basins that cross themselves by union, and say what is in dispute");
 }
 
 void StudyOptions::declare_layers(OptionGroup group) {
@@ -72,6 +75,8 @@ void StudyOptions::check() const {
   if (plane_option_->is_given() && metric_ == "geodesic") {
     throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
   }
+  if (mend_ && !basins_option_->is_given())
+    throw UsageError{mend_option_->name + " mends basins, and there are none", "give BASINS"};
 }
 
 StudyRequest StudyOptions::request() const {
@@ -99,6 +104,7 @@ StudyRequest StudyOptions::request() const {
   if (!metric_.empty()) request.metric = metric_ == "planar" ? Metric::planar : Metric::geodesic;
   request.plane = plane_;
   request.tolerance = tolerance_;
+  request.mend = mend_;
   return request;
 }
 

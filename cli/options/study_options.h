@@ -40,8 +40,10 @@ class StudyOptions : public OptionBlock {
   double tolerance_ = 0.1;
   char separator_ = '\0';
   bool decimal_comma_ = false;
+  bool mend_ = false;
   const Option* basins_option_ = nullptr;
   const Option* plane_option_ = nullptr;
+  const Option* mend_option_ = nullptr;
   std::vector<const Option*> crs_options_;
 };
 

@@ -165,7 +165,9 @@ class StudyMaker {
       on_antimeridian_.push_back(wraps ? latitudes_on_antimeridian(basin.polygons)
                                        : std::set<double>());
     }
-    study_.native_basins = thiessen::mend_basins(*basins_, wraps, warnings_);
+    MendingRules rules{request_.mend, wraps, {}};
+    if (basins_->crs) rules.kind = basins_->crs->kind();
+    study_.native_basins = thiessen::mend_basins(*basins_, rules, warnings_);
   }
 
   void bring_stations() {

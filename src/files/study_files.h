@@ -25,6 +25,7 @@ struct StudyRequest {
   std::optional<Metric> metric;  ///< nothing: geodesic where the coordinates have a CRS
   std::string plane;             ///< a CRS; empty: none is asked for
   double tolerance = 0.1;        ///< metres
+  bool mend = false;             ///< basins that cross themselves are mended by union
 };
 
 /// A study read from its files, ready to be tessellated, and what the files hold beyond that.

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "base/number.h"
+#include "outlines/area_words.h"
+#include "outlines/disputed_ground.h"
 #include "outlines/polygon_validity.h"
 #include "outlines/ring_direction.h"
 
@@ -22,17 +24,16 @@ struct Mended {
   std::size_t open = 0;
   std::size_t parts = 0;
   std::size_t holes = 0;
-  bool redrawn = false;
-  double disputed = 0;  ///< share of the area
+  std::string redrawn;  ///< why the rings were drawn anew; empty where they were not
 
-  bool any() const { return repeated + spikes + open + parts + holes > 0 || redrawn; }
+  bool any() const { return repeated + spikes + open + parts + holes > 0 || !redrawn.empty(); }
 };
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-std::string sentence(const Mended& mended, const std::string& reason) {
+std::string sentence(const Mended& mended) {
   std::vector<std::string> what;
   if (mended.repeated > 0)
     what.push_back(counted(mended.repeated, "repeated point", "repeated points"));
@@ -42,12 +43,7 @@ std::string sentence(const Mended& mended, const std::string& reason) {
     what.push_back(counted(mended.parts, "part without area", "parts without area"));
   if (mended.holes > 0)
     what.push_back(counted(mended.holes, "hole without area", "holes without area"));
-  if (mended.redrawn && mended.disputed <= same_area) {
-    what.push_back("where it meets itself (" + reason + ")");
-  } else if (mended.redrawn) {
-    what.push_back("where it crosses itself (" + reason + "): each piece of ground counts once, " +
-                   fixed_text(100 * mended.disputed, 7) + " % of its area is in dispute");
-  }
+  if (!mended.redrawn.empty()) what.push_back(mended.redrawn);
   std::string text;
   for (std::size_t i = 0; i < what.size(); ++i) text += (i == 0 ? "" : ", ") + what[i];
   return text;
@@ -124,32 +120,56 @@ MultiPolygon cleaned(const MultiPolygon& raw, Mended& mended) {
   return shape;
 }
 
+/// The place and the amount of what is in dispute: ` at 5 5: 25 % of its area (10 km2)`.
+std::string dispute(const Ground& ground, const MendingRules& rules) {
+  MultiPolygon disputed = ground.disputed;
+  turn_rings(disputed);
+  const Point at = ground.place.value_or(Point{});
+  return rounded_text(100 * ground.disputed_area / ground.area) + " % of its area (" +
+         area_words(disputed, rules.kind, rules.round_the_earth) + ") is in dispute at " +
+         shortest_text(at.x) + " " + shortest_text(at.y);
+}
+
+/// Draws a shape's rings anew where that is allowed. Returns an empty text, or why it is not done.
+std::string redraw(MultiPolygon& shape, const std::string& fault, const MendingRules& rules,
+                   Mended& mended) {
+  Ground ground = ground_of(shape);
+  if (!(ground.area > 0)) return "has no area: " + fault;
+  if (ground.disputed_area <= same_area * ground.area) {
+    mended.redrawn = "where it meets itself (" + fault + ")";
+  } else if (rules.by_union || ground.disputed_area <= nearly_same_area * ground.area) {
+    mended.redrawn =
+        "where it crosses itself: each piece of ground counts once, " + dispute(ground, rules);
+  } else {
+    return "crosses or overlaps itself: " + dispute(ground, rules);
+  }
+  shape = std::move(ground.shape);
+  const std::string left = validity_fault(shape);
+  return left.empty() ? "" : "cannot be mended: " + left;
+}
+
 }  // namespace
 
-std::optional<MultiPolygon> mend(const RawBasin& basin, const std::string& file, Warnings& warnings,
+std::optional<MultiPolygon> mend(const RawBasin& basin, const MendingRules& rules,
+                                 const std::string& file, Warnings& warnings,
                                  Complaints& complaints) {
-  const auto refuse = [&](const std::string& text) {
-    complaints.add({file, basin.line, basin.place + " " + text, {}});
+  const auto refuse = [&](const std::string& text, const Wording& hint) {
+    complaints.add({file, basin.line, basin.place + " " + text, hint});
     return std::nullopt;
   };
+  const Wording draw = "a basin is a ring of three or more points that are not on one line";
+  const Wording unite = setting("mend") + " counts each piece of its ground once";
   Mended mended;
   MultiPolygon shape = cleaned(basin.polygons, mended);
-  if (shape.empty()) return refuse("has no area");
+  if (shape.empty()) return refuse("has no area", draw);
   const std::string fault = validity_fault(shape);
   if (!fault.empty()) {
-    MultiPolygon redrawn = made_valid(shape);
-    const double whole = plane_area(redrawn);
-    if (!(whole > 0)) return refuse("has no area: " + fault);
-    mended.disputed = disputed_area(shape, redrawn) / whole;
-    if (!(mended.disputed <= nearly_same_area))
-      return refuse("crosses or overlaps itself: " + fault);
-    shape = std::move(redrawn);
-    mended.redrawn = true;
+    const std::string reason = redraw(shape, fault, rules, mended);
+    if (!reason.empty()) return refuse(reason, reason.starts_with("has no area") ? draw : unite);
   }
   turn_rings(shape);
-  if (mended.any()) {
-    warnings.add({file, basin.line, basin.place + " is mended: " + sentence(mended, fault), {}});
-  }
+  if (mended.any())
+    warnings.add({file, basin.line, basin.place + " is mended: " + sentence(mended), {}});
   return shape;
 }
 

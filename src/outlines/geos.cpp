@@ -29,15 +29,18 @@ void Geos::hear(const char* message, void* self) noexcept {
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
 }
 
-GEOSGeometry* Geos::ring_of(const Ring& ring) const {
+GEOSCoordSequence* Geos::closed_points(const Ring& ring) const {
   const bool closed = ring.empty() || (ring.size() > 1 && ring.front() == ring.back());
   std::vector<double> pairs;
   pairs.reserve(2 * ring.size() + 2);
   for (const Point point : ring) pairs.insert(pairs.end(), {point.x, point.y});
   if (!closed) pairs.insert(pairs.end(), {ring.front().x, ring.front().y});
   const auto count = static_cast<unsigned>(pairs.size() / 2);
-  GEOSCoordSequence* points =
-      GEOSCoordSeq_copyFromBuffer_r(context_, pairs.data(), count, /*hasZ=*/0, /*hasM=*/0);
+  return GEOSCoordSeq_copyFromBuffer_r(context_, pairs.data(), count, /*hasZ=*/0, /*hasM=*/0);
+}
+
+GEOSGeometry* Geos::ring_of(const Ring& ring) const {
+  GEOSCoordSequence* points = closed_points(ring);
   return points == nullptr ? nullptr : GEOSGeom_createLinearRing_r(context_, points);
 }
 
@@ -64,6 +67,22 @@ Geos::Shape Geos::shape_of(const MultiPolygon& polygons) const {
   taken.reserve(parts.size());
   for (Shape& part : parts) taken.push_back(part.release());
   return own(GEOSGeom_createCollection_r(context_, GEOS_MULTIPOLYGON, taken.data(),
+                                         static_cast<unsigned>(taken.size())));
+}
+
+Geos::Shape Geos::lines_of(std::span<const Ring> rings) const {
+  std::vector<Shape> lines;
+  for (const Ring& ring : rings) {
+    if (ring.size() < 2) continue;
+    GEOSCoordSequence* points = closed_points(ring);
+    lines.push_back(
+        own(points == nullptr ? nullptr : GEOSGeom_createLineString_r(context_, points)));
+    if (!lines.back()) return own(nullptr);
+  }
+  std::vector<GEOSGeometry*> taken;
+  taken.reserve(lines.size());
+  for (Shape& line : lines) taken.push_back(line.release());
+  return own(GEOSGeom_createCollection_r(context_, GEOS_MULTILINESTRING, taken.data(),
                                          static_cast<unsigned>(taken.size())));
 }
 

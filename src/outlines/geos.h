@@ -3,6 +3,7 @@
 #include <geos_c.h>
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "geometry/polygon.h"
@@ -30,11 +31,15 @@ class Geos {
   /// The shape as GEOS has it, rings closed. Null where GEOS cannot make it, as of a ring of one
   /// point; text() then says why. Requires finite coordinates.
   Shape shape_of(const MultiPolygon& polygons) const;
+  /// Rings as closed lines, whatever they cross. Null where GEOS cannot make them. Requires finite
+  /// coordinates.
+  Shape lines_of(std::span<const Ring> rings) const;
   /// Every polygon within a GEOS geometry, with rings that do not repeat the last point; none where
   /// it is null.
   MultiPolygon polygons_of(const GEOSGeometry* shape) const;
 
  private:
+  GEOSCoordSequence* closed_points(const Ring& ring) const;
   GEOSGeometry* ring_of(const Ring& ring) const;
   GEOSGeometry* polygon_of(const Polygon& polygon) const;
   Ring points_of(const GEOSGeometry* ring) const;

@@ -19,17 +19,18 @@ void bring_together(std::vector<CurvedShape>& shapes) {
 
 }  // namespace
 
-std::vector<MultiPolygon> mend_basins(BasinList& basins, bool round_the_earth, Warnings& warnings) {
+std::vector<MultiPolygon> mend_basins(BasinList& basins, const MendingRules& rules,
+                                      Warnings& warnings) {
   std::vector<MultiPolygon> shapes;
   shapes.reserve(basins.basins.size());
   Complaints complaints;
   for (RawBasin& basin : basins.basins) {
-    const std::string fault = round_the_earth ? unwrap_longitudes(basin.polygons) : "";
+    const std::string fault = rules.round_the_earth ? unwrap_longitudes(basin.polygons) : "";
     if (!fault.empty()) {
       complaints.add({basins.file, basin.line, basin.place + ": " + fault, {}});
       continue;
     }
-    auto mended = mend(basin, basins.file, warnings, complaints);
+    auto mended = mend(basin, rules, basins.file, warnings, complaints);
     if (mended) shapes.push_back(*std::move(mended));
     basin.polygons.clear();
   }

@@ -97,7 +97,8 @@ std::shared_ptr<StudyParts> parts_of(ThiessenInput input, Warnings& warnings) {
   parts->stations = std::move(stations.stations);
   parts->has_basins = !basins.basins.empty();
   if (!on_earth) parts->metres_per_unit = input.metres_per_unit;
-  std::vector<MultiPolygon> shapes = mend_basins(basins, on_earth, warnings);
+  const CoordinateKind kind = on_earth ? degrees : CoordinateKind{false, input.metres_per_unit};
+  std::vector<MultiPolygon> shapes = mend_basins(basins, {input.mend, on_earth, kind}, warnings);
   for (std::size_t i = 0; i < shapes.size(); ++i)
     parts->basins.push_back({std::move(basins.basins[i].id), std::move(shapes[i]), {}});
   if (on_earth) bring_basins_together(parts->basins);

@@ -44,15 +44,18 @@ struct ThiessenInput {
   double margin = 0;
   /// Metres, from 0.001 to 1e6, that an edge of a cell may lie from the true one.
   double tolerance = 0.1;
+  /// Whether basins that cross themselves are mended by union, with a warning that names the ground
+  /// in dispute, instead of refused.
+  bool mend = false;
 };
 
 /// A network of gauges, and the weight of each in every basin. Safe for several threads at once.
 class Thiessen {
  public:
-  /// Checks the input, mends what can be mended (repeated points, spikes, rings that barely cross
-  /// themselves), each with a warning, and computes the weights. Throws Error with every fault: no
-  /// station, a station without an id, an id given twice, a coordinate that is
-  /// not a number, is no degree where it has to be one, or lies outside the exact range of
+  /// Checks the input, mends what can be mended (repeated points, spikes, parts that share an edge,
+  /// rings that barely cross themselves), each with a warning, and computes the weights. Throws
+  /// Error with every fault: no station, a station without an id, an id given twice, a coordinate
+  /// that is not a number, is no degree where it has to be one, or lies outside the exact range of
   /// predicates.h; a basin that has no area or crosses itself; stations without extent and no
   /// basin. Cost: n log n in the stations and in the vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);

@@ -26,11 +26,13 @@ struct Outcome {
   }
 };
 
-Outcome mend_wkt(const std::string& wkt) {
+Outcome mend_wkt(const std::string& wkt, bool by_union = false) {
   const RawBasin basin{"A", "basin 'A'", 0, WktShape(wkt).read()};
   Warnings warnings;
   Complaints complaints;
-  Outcome outcome{mend(basin, "b.gpkg", warnings, complaints), sentences_of(warnings), {}};
+  Outcome outcome{mend(basin, {by_union, false, {}}, "b.gpkg", warnings, complaints),
+                  sentences_of(warnings),
+                  {}};
   if (!complaints.empty()) outcome.complaints = complaints_of([&] { complaints.throw_if_any(); });
   return outcome;
 }
@@ -102,11 +104,17 @@ INSTANTIATE_TEST_SUITE_P(
              "1 part without area"},
         // Two edges cross at (200, 400.5), above and below which they leave half a unit each: 1
         // part in 160,001 is in dispute.
-        Case{
-            "tiny_crossing",
-            "POLYGON ((0 0,400 0,400 400,201 400,199 401,201 401,199 400,0 400,0 0))", 160001,
-            "where it crosses itself (self-intersection at or near point 200 400.5): each piece of "
-            "ground counts once, 0.0006250 % of its area is in dispute"}),
+        Case{"tiny_crossing",
+             "POLYGON ((0 0,400 0,400 400,201 400,199 401,201 401,199 400,0 400,0 0))", 160001,
+             "where it crosses itself: each piece of ground counts once, 0.000312498 % of its area "
+             "(0.5) is in dispute at 200 400.5"},
+        Case{"an_island_in_a_lake_of_a_shore_that_touches_itself",
+             "MULTIPOLYGON(((0 0,10 0,10 10,0 10,0 5,-2 6,-2 4,0 5,0 0),(2 2,2 8,8 8,8 2,2 2)),((4 "
+             "4,6 4,6 6,4 6,4 4)))",
+             70, "meets itself"},
+        Case{"a_part_that_fills_a_hole",
+             "MULTIPOLYGON(((0 0,4 0,4 4,0 4,0 0),(1 1,3 1,3 3,1 3,1 1)),((1 1,3 1,3 3,1 3,1 1)))",
+             16, "meets itself"}),
     name_of);
 
 class Refused : public testing::TestWithParam<Case> {};
@@ -123,9 +131,9 @@ INSTANTIATE_TEST_SUITE_P(
     BasinMending, Refused,
     testing::Values(
         Case{"bow_tie", "POLYGON ((0 0,4 4,4 0,0 4,0 0))", 0, "2 2"},
-        Case{"uneven_bow_tie", "POLYGON ((0 0,4 4,4 0,0 2,0 0))", 0, "self-intersection"},
+        Case{"uneven_bow_tie", "POLYGON ((0 0,4 4,4 0,0 2,0 0))", 0, "in dispute at"},
         Case{"ring_overlapping_itself", "POLYGON ((0 0,4 0,4 4,2 4,1 2,3 2,2 4,0 4,0 0))", 0,
-             "2 4"},
+             "in dispute"},
         Case{"overlapping_parts", "MULTIPOLYGON (((0 0,2 0,2 2,0 2,0 0)),((1 1,3 1,3 3,1 3,1 1)))",
              0, "at"},
         Case{"one_part_twice", "MULTIPOLYGON (((0 0,2 0,2 2,0 2,0 0)),((0 0,2 0,2 2,0 2,0 0)))", 0,
@@ -134,14 +142,15 @@ INSTANTIATE_TEST_SUITE_P(
              "at"},
         Case{"hole_outside", "POLYGON ((0 0,2 0,2 2,0 2,0 0),(5 5,6 5,6 6,5 6,5 5))", 0, "5 5"},
         Case{"hole_that_sticks_out", "POLYGON ((0 0,4 0,4 4,0 4,0 0),(3 1,5 1,5 2,3 2,3 1))", 0,
-             "4 1"},
+             "at 4 1"},
         Case{"hole_equal_to_its_shell", "POLYGON ((0 0,2 0,2 2,0 2,0 0),(0 0,2 0,2 2,0 2,0 0))", 0,
-             "at"},
+             "has no area"},
         Case{"ring_wound_twice", "POLYGON ((0 0,4 0,4 4,0 4,0 0,4 0,4 4,0 4,0 0))", 0, "at"},
-        // The same crossing where it is 1 part in 90,001.
+        // The same crossing where it is 1 part in 80,002.
         Case{"crossing_not_tiny_enough",
-             "POLYGON ((0 0,300 0,300 300,151 300,149 301,151 301,149 300,0 300,0 0))", 0,
-             "crosses or overlaps itself: self-intersection at or near point 150 300.5"},
+             "POLYGON ((0 0,200 0,200 200,101 200,99 201,101 201,99 200,0 200,0 0))", 0,
+             "crosses or overlaps itself: 0.001249969 % of its area (0.5) is in dispute at 100 "
+             "200.5"},
         Case{"too_few_points", "POLYGON ((0 0,1 1,0 0))", 0, "no area"},
         Case{"no_area", "POLYGON ((0 0,1 1,2 2,0 0))", 0, "no area"},
         // Two parts overlap by one unit and a hole of one unit lies outside both: in all, the area
@@ -150,6 +159,33 @@ INSTANTIATE_TEST_SUITE_P(
              "MULTIPOLYGON (((0 0,4 0,4 4,0 4,0 0),(8 8,9 8,9 9,8 9,8 8)),((3 3,7 3,7 7,3 7,3 3)))",
              0, "at"}),
     name_of);
+
+TEST(BasinMending, by_union_counts_each_piece_of_ground_once_and_says_what_is_in_dispute) {
+  const Outcome bow = mend_wkt("POLYGON ((0 0,10 10,10 0,0 10,0 0))", true);
+  EXPECT_DOUBLE_EQ(bow.area(), 50);
+  ASSERT_EQ(bow.warnings.size(), 1U);
+  EXPECT_TRUE(contains(bow.warnings[0], "50 % of its area (25) is in dispute at 5 5"))
+      << bow.warnings[0];
+  const Outcome parts =
+      mend_wkt("MULTIPOLYGON (((0 0,5.25 0,5.25 10,0 10,0 0)),((5 0,10 0,10 10,5 10,5 0)))", true);
+  EXPECT_DOUBLE_EQ(parts.area(), 100);
+  EXPECT_TRUE(contains(parts.warnings.at(0), "2.5 % of its area (2.5) is in dispute"));
+  EXPECT_TRUE(mend_wkt("POLYGON ((0 0,4 0,4 4,0 0))", true).warnings.empty());
+}
+
+TEST(BasinMending, every_refusal_has_a_hint) {
+  for (const char* const wkt : {"POLYGON ((0 0,4 4,4 0,0 4,0 0))", "POLYGON ((0 0,1 1,2 2,0 0))"}) {
+    Warnings warnings;
+    Complaints complaints;
+    mend({"A", "basin 'A'", 0, WktShape(wkt).read()}, {}, "b", warnings, complaints);
+    try {
+      complaints.throw_if_any();
+      ADD_FAILURE() << wkt;
+    } catch (const Error& error) {
+      EXPECT_FALSE(error.messages().at(0).hint.empty()) << wkt;
+    }
+  }
+}
 
 TEST(Longitudes, run_on_over_the_antimeridian) {
   MultiPolygon shape = {

@@ -76,6 +76,16 @@ TEST(Thiessen, refuses_coordinates_beyond_the_exact_range) {
             std::string::npos);
 }
 
+TEST(Thiessen, mends_a_basin_that_crosses_itself_where_that_is_asked_for) {
+  ThiessenInput input = two_gauges();
+  input.basins[0].shape[0].outer = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
+  input.mend = true;
+  const Thiessen study(input);
+  EXPECT_EQ(study.weights().at(0).area, 8);
+  ASSERT_EQ(study.warnings().size(), 1U);
+  EXPECT_NE(study.warnings()[0].sentence().find("in dispute at 2 2"), std::string::npos);
+}
+
 TEST(Thiessen, refuses_a_basin_that_crosses_itself) {
   ThiessenInput input = two_gauges();
   input.basins[0].shape[0].outer = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
