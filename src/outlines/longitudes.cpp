@@ -31,15 +31,16 @@ void for_each_ring(std::span<Polygon> polygons, const Visit& visit) {
 
 }  // namespace
 
-std::string unwrap_longitudes(MultiPolygon& shape) {
+std::string unwrap_longitudes(MultiPolygon& shape, WideEdges& found) {
   CurvedShape result;
   for (Polygon& polygon : shape) {
     std::vector<WindingRing> rings;
     std::vector<bool> was_closed;
     for_each_ring({&polygon, 1}, [&](Ring& ring) {
       was_closed.push_back(take_off_last(ring));
-      rings.push_back(ring_the_short_way(ring));
+      rings.push_back(ring_as_meant(ring, found));
     });
+    if (!found.unclear.empty()) return found.fault();
     const std::size_t first = result.shape.size();
     std::string fault = add_polygon(std::move(rings), Longitudes::run_on, result);
     if (!fault.empty()) return fault;

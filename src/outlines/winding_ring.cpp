@@ -7,10 +7,6 @@
 namespace thiessen {
 namespace {
 
-bool at_one_pole(Point a, Point b) {
-  return std::abs(a.y) == 90 && a.y == b.y;
-}
-
 std::size_t next(std::size_t i, std::size_t size) {
   return i + 1 < size ? i + 1 : 0;
 }
@@ -40,6 +36,10 @@ std::vector<std::vector<std::size_t>> polar_stretches(const Ring& ring) {
 }
 
 }  // namespace
+
+bool at_one_pole(Point a, Point b) {
+  return std::abs(a.y) == 90 && a.y == b.y;
+}
 
 Point WindingRing::at(std::size_t i) const {
   const Point point = points[i < size() ? i : 0];

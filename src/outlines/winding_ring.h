@@ -27,6 +27,9 @@ struct WindingRing {
 /// The ring with its longitudes as they are: an edge spans what its coordinates say.
 WindingRing ring_as_written(const Ring& ring);
 
+/// Whether both points are at the same pole, so that the edge between them has no length.
+bool at_one_pole(Point a, Point b);
+
 /// The ring with edges that go the short way: an edge that spans more than 180 degrees goes over
 /// the antimeridian. A stretch along a pole has no length, so points there that lead once round it
 /// go all the way round.

@@ -56,7 +56,8 @@ class Thiessen {
   /// rings that barely cross themselves), each with a warning, and computes the weights. Throws
   /// Error with every fault: no station, a station without an id, an id given twice, a coordinate
   /// that is not a number, is no degree where it has to be one, or lies outside the exact range of
-  /// predicates.h; a basin that has no area or crosses itself; stations without extent and no
+  /// predicates.h; a basin that has no area, crosses itself, or has an edge of more than 180 to 270
+  /// degrees of longitude; stations without extent and no
   /// basin. Cost: n log n in the stations and in the vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);
   ~Thiessen();

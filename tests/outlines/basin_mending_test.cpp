@@ -190,7 +190,8 @@ TEST(BasinMending, every_refusal_has_a_hint) {
 TEST(Longitudes, run_on_over_the_antimeridian) {
   MultiPolygon shape = {
       {{{170, 0}, {-170, 0}, {-170, 10}, {170, 10}}, {{{-175, 2}, {-172, 2}, {-172, 4}}}}};
-  ASSERT_EQ(unwrap_longitudes(shape), "");
+  WideEdges wide;
+  ASSERT_EQ(unwrap_longitudes(shape, wide), "");
   EXPECT_EQ(shape[0].outer, (Ring{{170, 0}, {190, 0}, {190, 10}, {170, 10}}));
   EXPECT_EQ(shape[0].holes[0], (Ring{{185, 2}, {188, 2}, {188, 4}}));
 }
@@ -198,7 +199,8 @@ TEST(Longitudes, run_on_over_the_antimeridian) {
 TEST(Longitudes, begin_in_the_first_turn) {
   MultiPolygon shape = {{{{355, 0}, {365, 0}, {365, 10}}, {}},
                         {{{-179, 0}, {175, 0}, {175, 5}}, {}}};
-  ASSERT_EQ(unwrap_longitudes(shape), "");
+  WideEdges wide;
+  ASSERT_EQ(unwrap_longitudes(shape, wide), "");
   EXPECT_EQ(shape[0].outer, (Ring{{-5, 0}, {5, 0}, {5, 10}}));
   EXPECT_EQ(shape[1].outer, (Ring{{181, 0}, {175, 0}, {175, 5}}));
 }
@@ -208,7 +210,8 @@ TEST(Longitudes, go_all_round_along_a_pole) {
   const Ring cap = {{-180, 60}, {0, 60}, {180, 60}, {180, 90}, {-180, 90}};
   MultiPolygon shape = {
       {earth, {}}, {cap, {}}, {{{170, 60}, {-170, 60}, {-170, 90}, {170, 90}}, {}}};
-  ASSERT_EQ(unwrap_longitudes(shape), "");
+  WideEdges wide;
+  ASSERT_EQ(unwrap_longitudes(shape, wide), "");
   EXPECT_EQ(shape[0].outer, earth);
   EXPECT_EQ(shape[1].outer, cap);
   EXPECT_EQ(shape[2].outer, (Ring{{170, 60}, {190, 60}, {190, 90}, {170, 90}}));

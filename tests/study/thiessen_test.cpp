@@ -86,6 +86,15 @@ TEST(Thiessen, mends_a_basin_that_crosses_itself_where_that_is_asked_for) {
   EXPECT_NE(study.warnings()[0].sentence().find("in dispute at 2 2"), std::string::npos);
 }
 
+TEST(Thiessen, refuses_an_edge_whose_way_round_the_earth_is_not_known) {
+  ThiessenInput input = two_gauges();
+  input.metric = Metric::geodesic;
+  input.basins[0].shape[0].outer = {{-10, 0}, {180, 0}, {180, 80}, {-10, 80}};
+  const std::vector<std::string> faults = faults_of(input);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].find("the edge from -10 0 to 180 0"), std::string::npos) << faults[0];
+}
+
 TEST(Thiessen, refuses_a_basin_that_crosses_itself) {
   ThiessenInput input = two_gauges();
   input.basins[0].shape[0].outer = {{0, 0}, {4, 4}, {4, 0}, {0, 4}};
