@@ -57,6 +57,30 @@ TEST(Extent, law_4_on_the_earth_stays_between_the_poles_and_within_a_turn) {
   EXPECT_EQ(wide.high.x, 180);
 }
 
+// Four gauges round the south pole: a cap, and not a wedge.
+TEST(Extent, law_7_without_a_gap_of_180_degrees_is_the_cap_down_to_the_farthest) {
+  const Box south =
+      box_of_extent({{0, -75}, {90, -80}, {180, -75}, {-90, -85}}, Metric::geodesic, 10);
+  EXPECT_EQ(south.low, (Point{-180, -90}));
+  EXPECT_EQ(south.high.x, 180);
+  EXPECT_DOUBLE_EQ(south.high.y, -90 + 15 * 1.1);
+  const Box north = box_of_extent({{0, 10}, {120, 20}, {-120, 89}}, Metric::geodesic, 50);
+  EXPECT_DOUBLE_EQ(north.low.y, 90 - 80 * 1.5);
+  EXPECT_EQ(north.high, (Point{180, 90}));
+}
+
+TEST(Extent, law_8_in_both_hemispheres_it_is_all_longitudes) {
+  const Box box = box_of_extent({{0, 10}, {120, -20}, {-120, 5}}, Metric::geodesic, 10);
+  EXPECT_EQ(box.low, (Point{-180, -56}));
+  EXPECT_EQ(box.high, (Point{180, 46}));
+}
+
+TEST(Extent, law_9_a_gauge_at_a_pole_has_no_longitude) {
+  const Box box = box_of_extent({{0, 80}, {10, 82}, {-170, 90}}, Metric::geodesic, 0);
+  EXPECT_EQ(box.low, (Point{0, 80}));
+  EXPECT_EQ(box.high, (Point{10, 90}));
+}
+
 TEST(Extent, law_5_of_one_place_is_the_whole_earth) {
   const Box box = box_of_extent({{10, 50}}, Metric::geodesic, 5);
   EXPECT_EQ(box.low, (Point{-180, -90}));
