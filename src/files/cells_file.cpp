@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/utf8.h"
 #include "files/cells_shapes.h"
 #include "gdal/output/cells_layer.h"
-#include "outlines/vertex_rounding.h"
+#include "outlines/cell_validity.h"
+#include "outlines/polygon_validity.h"
 #include "results/cells_geojson.h"
 
 namespace thiessen {
@@ -20,14 +23,59 @@ bool is_geojson(const std::string& extension) {
   return extension == "geojson" || extension == "json";
 }
 
+/// The shapes of the cells in `target`, and which of them are of one basin.
+CellShapes shapes_in(const CellsOutput& output, const std::optional<Crs>& target) {
+  CellShapes cells{cells_shapes(output, target), {}};
+  std::size_t basin = 0;
+  for (std::size_t i = 0; i < output.cells.size(); ++i) {
+    if (i > 0 && output.cells[i].basin != output.cells[i - 1].basin) ++basin;
+    cells.basins.push_back(basin);
+  }
+  return cells;
+}
+
+std::string cell_words(const CellFeature& cell) {
+  return "the cell of station " + quoted(cell.station, 80) +
+         (cell.basin ? " in basin " + quoted(*cell.basin, 80) : "");
+}
+
+/// Throws Error with the cells that are no valid shape.
+void refuse_any(const std::vector<std::size_t>& faulty, const CellsOutput& output,
+                const CellShapes& cells) {
+  Complaints complaints;
+  for (const std::size_t i : faulty) {
+    complaints.add({"", 0,
+                    cell_words(output.cells[i]) +
+                        " cannot be written as a valid shape: " + validity_fault(cells.shapes[i]),
+                    "the basin's outline is at fault there, or finer than its coordinates"});
+  }
+  complaints.throw_if_any();
+}
+
+/// How fine slivers are collapsed, in the unit of `crs`: a hundredth of the tolerance.
+double sliver_width(const CellsOutput& output, const std::optional<Crs>& crs,
+                    const CellShapes& cells) {
+  if (!crs) return finest_grid(cells.shapes);
+  if (crs->geographic())
+    return std::pow(10, -1 - decimals_for(output.tolerance)) / crs->degrees_per_unit();
+  return output.tolerance / 100 / crs->metres_per_unit();
+}
+
+CellShapes valid_shapes_in(const CellsOutput& output, const std::optional<Crs>& crs) {
+  CellShapes cells = shapes_in(output, crs);
+  refuse_any(make_valid(cells, sliver_width(output, crs, cells)), output, cells);
+  return cells;
+}
+
 }  // namespace
 
 std::string cells_geojson(const CellsOutput& output) {
-  const std::optional<Crs> target = output.study_crs ? std::optional(Crs::wgs84()) : std::nullopt;
-  const std::vector<MultiPolygon> shapes = cells_shapes(output, target);
-  const VertexRounding rounding =
-      target ? VertexRounding(shapes, decimals_for(output.tolerance)) : VertexRounding();
-  return cells_geojson(output, shapes, rounding);
+  if (!output.study_crs)
+    return cells_geojson(output, valid_shapes_in(output, {}).shapes, VertexRounding());
+  CellShapes cells = shapes_in(output, Crs::wgs84());
+  const VertexRounding rounding = round_cells(cells, decimals_for(output.tolerance));
+  refuse_any(rounding.faulty(), output, cells);
+  return cells_geojson(output, cells.shapes, rounding);
 }
 
 void require_cells_format(const std::string& path) {
@@ -47,7 +95,7 @@ std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::strin
     }
     crs = Crs::wgs84();
   }
-  return write_cells_layer(output, cells_shapes(output, crs), crs, path);
+  return write_cells_layer(output, valid_shapes_in(output, crs).shapes, crs, path);
 }
 
 }  // namespace thiessen

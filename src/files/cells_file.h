@@ -20,14 +20,17 @@ struct CellsOutput : CellFeatures {
 /// The cells as GeoJSON by RFC 7946: WGS 84, outer rings counter-clockwise, cut at the
 /// antimeridian. Coordinates have 7 decimals at a tolerance of 0.1 m, and vertex by vertex as many
 /// more as it takes for no cell to collapse or cross itself; cells that share a vertex write it
-/// alike. A plane without a CRS writes its own coordinates with all digits. Cost: one check of
-/// validity a cell, n log n.
+/// alike. Needles and slivers narrower than a hundredth of the tolerance are collapsed (see
+/// round_cells). A plane without a CRS writes its own coordinates with all digits. Throws Error
+/// with the cells that are no valid shape even so. Cost: one check of validity a cell, n log n.
 std::string cells_geojson(const CellsOutput& output);
 
 /// The cells in the format that the extension of `path` names: the first file is `path` itself,
 /// others lie beside it. GeoJSON is written as cells_geojson says, all other formats by GDAL in
-/// `file_crs`. Throws Error, with the list of known extensions, where there is no such format, and
-/// where the format cannot hold the cells.
+/// `file_crs`. Every cell is checked to be valid, slivers being collapsed in basins where one is
+/// not, and in formats that round coordinates it is read back and checked again. Throws Error, with
+/// the list of known extensions, where there is no such format, and where the format cannot hold
+/// the cells.
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path);
 
 /// Throws Error, listing the known extensions, where cells_files could not write to `path`.

@@ -1,6 +1,7 @@
 #include "outlines/vertex_rounding.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <utility>
@@ -13,14 +14,18 @@
 namespace thiessen {
 namespace {
 
-constexpr int decimals_a_level = 3;
-constexpr int all_digits = 3;  // the last level
+// The decimals that a vertex of each level has beyond those of most vertices. One more is a
+// hundredth of the tolerance; the level after the last one has all digits.
+constexpr std::array<int, 4> more_decimals = {0, 1, 4, 7};
+constexpr int all_digits = static_cast<int>(more_decimals.size());
 
 bool keeps_its_side(const Ring& ring, bool outer) {
   return ring.size() > 2 && (signed_area(ring) > 0) == outer;
 }
 
-bool valid(const MultiPolygon& shape) {
+}  // namespace
+
+bool is_writable(const MultiPolygon& shape) {
   for (const Polygon& polygon : shape) {
     if (!keeps_its_side(polygon.outer, true)) return false;
     for (const Ring& hole : polygon.holes) {
@@ -29,8 +34,6 @@ bool valid(const MultiPolygon& shape) {
   }
   return validity_fault(shape).empty();
 }
-
-}  // namespace
 
 std::size_t VertexRounding::Hash::operator()(Point point) const {
   const std::size_t x = std::hash<double>()(point.x);
@@ -41,7 +44,7 @@ std::size_t VertexRounding::Hash::operator()(Point point) const {
 VertexRounding::VertexRounding(std::span<const MultiPolygon> cells, int decimals)
     : decimals_(decimals) {
   std::vector<bool> checked(cells.size(), false);
-  for (int level = 1; level <= all_digits; ++level) {
+  for (int level = 0;; ++level) {
     std::vector<std::size_t> bad;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       if (checked[i]) continue;
@@ -51,10 +54,12 @@ VertexRounding::VertexRounding(std::span<const MultiPolygon> cells, int decimals
         polygon.outer = rounded(polygon.outer);
         for (Ring& hole : polygon.holes) hole = rounded(hole);
       }
-      if (!valid(written)) bad.push_back(i);
+      if (!is_writable(written)) bad.push_back(i);
     }
-    if (bad.empty()) return;
-    for (const std::size_t i : bad) refine(cells[i], level);
+    if (level == 1) narrow_ = bad;
+    if (level == all_digits) faulty_ = bad;
+    if (bad.empty() || level == all_digits) return;
+    for (const std::size_t i : bad) refine(cells[i], level + 1);
     for (std::size_t i = 0; i < cells.size(); ++i) checked[i] = !holds(cells[i]);
   }
 }
@@ -89,7 +94,7 @@ int VertexRounding::level_of(Point point) const {
 void VertexRounding::append_number(std::string& out, double value, int level) const {
   if (level >= all_digits || decimals_ == every_digit) return append_shortest(out, value);
   const std::size_t begin = out.size();
-  append_fixed(out, value, decimals_ + decimals_a_level * level);
+  append_fixed(out, value, decimals_ + more_decimals[static_cast<std::size_t>(level)]);
   if (out.find('.', begin) == std::string::npos) return;
   while (out.back() == '0') out.pop_back();
   if (out.back() == '.') out.pop_back();

@@ -44,7 +44,7 @@ TEST(VertexRounding, a_cell_that_would_turn_over_gets_more_decimals) {
   // Rounded to one decimal the third vertex would lie on the other side of the first edge.
   const Ring ring = {{0, 0.04}, {1, 0.06}, {0.25, 0.0451}};
   const std::vector<MultiPolygon> cells = {shape(ring)};
-  EXPECT_EQ(written(VertexRounding(cells, 1), ring), "[[0,0.04],[1,0.06],[0.25,0.0451],[0,0.04]]");
+  EXPECT_EQ(written(VertexRounding(cells, 1), ring), "[[0,0.04],[1,0.06],[0.25,0.05],[0,0.04]]");
 }
 
 TEST(VertexRounding, neighbours_of_a_fine_cell_write_the_shared_vertices_alike) {

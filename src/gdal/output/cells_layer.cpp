@@ -20,6 +20,7 @@
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
 #include "gdal/output/memory_files.h"
+#include "gdal/output/written_validity.h"
 
 namespace thiessen {
 namespace {
@@ -121,10 +122,22 @@ class LayerWriter {
     for (std::size_t i = 0; i < shapes.size(); ++i) add(layer, features_.cells[i], shapes[i]);
     dataset.reset();
     check(true);
-    return folder_.take();
+    std::vector<EncodedFile> files = folder_.take();
+    require_valid_after_rounding(driver.GetDescription());
+    return files;
   }
 
  private:
+  void require_valid_after_rounding(const std::string& driver) const {
+    const auto fault = fault_after_rounding(folder_.file(), driver);
+    if (!fault || fault->feature >= features_.cells.size()) return;
+    throw Error(Message{path_, 0,
+                        "the format rounds coordinates so that the cell of station " +
+                            quoted(features_.cells[fault->feature].station, 80) +
+                            " is no valid shape: " + fault->reason,
+                        "a .gpkg keeps every digit"});
+  }
+
   void check(bool done) const {
     if (!done || errors_.failed())
       throw Error(Message{path_, 0, "GDAL cannot write it: " + errors_.text(), {}});
