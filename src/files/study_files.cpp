@@ -10,6 +10,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "files/basin_tracing.h"
 #include "files/crs_agreement.h"
 #include "files/datums.h"
 #include "gdal/crs/shape_tracer.h"
@@ -238,26 +239,35 @@ class StudyMaker {
 
   /// Subdivides every edge so that it follows its true course over the ellipsoid.
   void trace(std::size_t i, Basin& basin, Complaints& complaints) {
-    if (!tracer_) {
-      tracer_ = tracer_between(*basins_->crs, *study_.crs, request_.tolerance / 4,
-                               Course::chords_and_bulges);
-    }
-    take(i, tracer_->trace(study_.native_basins[i], Longitudes::run_on), basin, complaints);
+    if (!tracing_) tracing_.emplace(*basins_->crs, *study_.crs, request_.tolerance);
+    auto traced = tracing_->trace(study_.native_basins[i]);
+    if (traced) return take(*std::move(traced), basin);
+    if (tracing_->fault().empty()) return complain_of_area(i, tracing_->outside(), complaints);
+    complain_of_crossing(i, "longitude and latitude", tracing_->fault(), complaints);
   }
 
   /// Takes the vertices into the plane and subdivides no edge: edges are straight in the plane.
   void project(std::size_t i, Basin& basin, Complaints& complaints) {
     constexpr double untorn = 1e5;  // metres
     if (!tracer_) tracer_ = tracer_between(*basins_->crs, *study_.crs, untorn, Course::ends);
-    take(i, tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]), basin,
-         complaints);
+    auto seen = tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]);
+    if (!seen) return complain_of_area(i, tracer_->outside(), complaints);
+    const std::string fault = make_valid_in_plane(seen->shape);
+    if (!fault.empty()) return complain_of_crossing(i, "the plane", fault, complaints);
+    take(*std::move(seen), basin);
   }
 
-  void take(std::size_t i, std::optional<CurvedShape> brought, Basin& basin,
-            Complaints& complaints) const {
-    if (!brought) return complain_of_area(i, tracer_->outside(), complaints);
-    basin.shape = std::move(brought->shape);
-    basin.bulges = std::move(brought->bulges);
+  void complain_of_crossing(std::size_t i, const std::string& where, const std::string& fault,
+                            Complaints& complaints) const {
+    const RawBasin& basin = basins_->basins[i];
+    complaints.add(
+        {basins_->file, basin.line, basin.place + " crosses itself in " + where + ": " + fault,
+         "more vertices on its edges, or a smaller " + setting("tolerance") + ", keep them apart"});
+  }
+
+  static void take(CurvedShape brought, Basin& basin) {
+    basin.shape = std::move(brought.shape);
+    basin.bulges = std::move(brought.bulges);
   }
 
   // Basins on both sides of the antimeridian would otherwise lie far apart.
@@ -290,6 +300,7 @@ class StudyMaker {
   // For each basin the latitudes of its own vertices on the antimeridian, without those of cuts.
   std::vector<std::set<double>> on_antimeridian_;
   std::optional<ShapeTracer> tracer_;
+  std::optional<BasinTracing> tracing_;
 };
 
 }  // namespace
