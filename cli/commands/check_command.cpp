@@ -7,6 +7,7 @@
 #include "cli/options/common_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "cli/outputs/distances_report.h"
 #include "study/weight_findings.h"
 
 namespace thiessen::cli {
@@ -32,9 +33,10 @@ class CheckCommand : public Command {
 
   void run(Warnings& warnings) override {
     Inputs inputs(study_, 10, warnings);
-    std::string report = describe(inputs);
+    std::string report = describe(inputs) + odd_gauges_text(inputs);
     if (inputs.has_basins()) report += describe_basins(inputs, warnings);
     if (rainfall_.given()) report += describe_readings(inputs, warnings);
+    if (inputs.has_basins()) report += nearest_gauges_table(inputs);
     OutputFile out = standard_output();
     out.append(report);
     out.finish();

@@ -27,6 +27,7 @@ class StudyOptions : public OptionBlock {
   char separator() const { return separator_; }
   bool decimal_comma() const { return decimal_comma_; }
   double tolerance() const { return tolerance_; }
+  bool allow_far() const { return allow_far_; }
 
  private:
   void declare_fields(OptionGroup group);
@@ -41,6 +42,7 @@ class StudyOptions : public OptionBlock {
   char separator_ = '\0';
   bool decimal_comma_ = false;
   bool mend_ = false;
+  bool allow_far_ = false;
   const Option* basins_option_ = nullptr;
   const Option* plane_option_ = nullptr;
   const Option* mend_option_ = nullptr;

@@ -13,6 +13,7 @@
 #include "files/basin_tracing.h"
 #include "files/crs_agreement.h"
 #include "files/datums.h"
+#include "files/far_files.h"
 #include "gdal/crs/shape_tracer.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
@@ -57,6 +58,7 @@ class StudyMaker {
     choose_coordinates();
     open_gauges();
     settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
+    tell_extents();
     mend_basins();
     bring_stations();
     bring_basins();
@@ -159,6 +161,13 @@ class StudyMaker {
     range.require_one_turn();
   }
 
+  // Tells where gauges and basins are, in the coordinates that the user knows.
+  void tell_extents() {
+    if (!study_.crs || !basins_) return;
+    study_.gauges_extent = extent_text(reach_of(stations_), *stations_.crs);
+    study_.basins_extent = extent_text(reach_of(*basins_), *basins_->crs);
+  }
+
   void mend_basins() {
     if (!basins_) return;
     const bool wraps = basins_->crs && basins_->crs->kind().in_degrees() && !planar_degrees();
@@ -183,6 +192,7 @@ class StudyMaker {
     const std::vector<bool> inside = Transformation(*stations_.crs, *study_.crs).apply(points);
     Complaints complaints;
     for (std::size_t i = 0; i < points.size(); ++i) {
+      if (study_.stations[i].position == Point{0, 0}) study_.at_zero.push_back(i);
       if (!inside[i]) {
         complain_of_area(study_.stations[i], complaints);
       } else if (study_.metric == Metric::geodesic && std::abs(points[i].x) > 180) {
@@ -288,8 +298,13 @@ class StudyMaker {
       study_.basins_file = basins_->file;
       study_.basins_crs = basins_->crs;
     }
-    if (study_.crs && !study_.crs->geographic())
-      study_.metres_per_unit = study_.crs->metres_per_unit();
+    if (!study_.crs) return;
+    if (!study_.crs->geographic()) study_.metres_per_unit = study_.crs->metres_per_unit();
+    study_.degrees_per_unit = study_.crs->degrees_per_unit();
+    if (!basins_) return;
+    study_.far_causes = [stations = *stations_.crs, basins = *basins_->crs, study = *study_.crs] {
+      return far_causes_of_files(stations, basins, study);
+    };
   }
 
   const StudyRequest& request_;

@@ -8,6 +8,7 @@
 #include "geometry/predicates.h"
 #include "geometry/shape_points.h"
 #include "rainfall/network/extent.h"
+#include "study/nearness.h"
 
 namespace thiessen {
 namespace {
@@ -68,6 +69,8 @@ Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, W
                 yardstick_of(*parts_, settings.tolerance)) {
   warn_of_shared_places(warnings);
   warn_of_line(warnings);
+  if (parts_->has_basins)
+    nearest_gauges_ = judge_nearness(*parts_, network_, settings.allow_far, warnings);
 }
 
 void Study::warn_of_shared_places(Warnings& warnings) const {

@@ -7,6 +7,7 @@
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
 #include "rainfall/network/weights.h"
+#include "study/nearest_gauges.h"
 #include "study/study_parts.h"
 
 namespace thiessen {
@@ -26,15 +27,18 @@ inline constexpr SettingRange plane_units{1e-9, 1e9};
 struct StudySettings {
   double margin = 0;       ///< percent by which the extent is grown where there are no basins
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one
+  /// Whether gauges and basins may be nowhere near each other: see judge_nearness.
+  bool allow_far = false;
 };
 
 /// A study in memory: a network of gauges, and basins in which they are weighed. It owns its parts.
 class Study {
  public:
   /// Moves the stations of `parts` into the network. Without basins the extent of the stations
-  /// becomes the only study area. Warns of stations that share a place and of a network on one
-  /// line. Throws Error with every coordinate outside the exact range of predicates.h, and where
-  /// stations without extent make no study area. Cost: n log n.
+  /// becomes the only study area. Warns of stations that share a place, of a network on one
+  /// line, and of basins far from every gauge. Throws Error with every coordinate outside the exact
+  /// range of predicates.h, where stations without extent make no study area, and where gauges and
+  /// basins are nowhere near each other. Cost: n log n.
   Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, Warnings& warnings);
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;
@@ -43,6 +47,8 @@ class Study {
   const Network& network() const { return network_; }
   const Weighing& weighing() const { return weighing_; }
   const std::vector<Basin>& basins() const { return parts_->basins; }
+  /// The nearest gauge of each basin; none where there are no basins.
+  const std::vector<NearestGauge>& nearest_gauges() const { return nearest_gauges_; }
   /// How many square kilometres one unit of the weighing's areas is; 1 where the length of the
   /// plane's unit is unknown, so that areas are shown as they are.
   double km2_per_area() const {
@@ -60,6 +66,7 @@ class Study {
   std::shared_ptr<StudyParts> parts_;
   Network network_;
   Weighing weighing_;
+  std::vector<NearestGauge> nearest_gauges_;
 };
 
 }  // namespace thiessen

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "basin/basin.h"
 #include "earth/yardstick.h"
 #include "rainfall/network/network.h"
+#include "study/far_cause.h"
 
 namespace thiessen {
 
@@ -23,6 +25,16 @@ struct StudyParts {
   /// The length of the plane's unit in metres; nothing where it is unknown (no CRS, or degrees):
   /// areas are then in the square of the coordinates' unit.
   std::optional<double> metres_per_unit;
+  /// How many degrees on the Earth one unit of a plane is; 0 for a plane of lengths.
+  double degrees_per_unit = 0;
+
+  /// The mistakes that may be why gauges and basins are nowhere near each other; asked for only
+  /// then. Empty: those of far_causes_of_coordinates.
+  std::function<std::vector<FarCause>()> far_causes;
+  // Where gauges and basins are in the coordinates of their files, for messages; empty: in those of
+  // the study.
+  std::string gauges_extent;
+  std::string basins_extent;
 
   // Messages name the sources by these; a name is empty for what does not come from a file.
   std::string stations_file;

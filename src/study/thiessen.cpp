@@ -109,7 +109,7 @@ std::shared_ptr<StudyParts> parts_of(ThiessenInput input, Warnings& warnings) {
 
 struct Thiessen::Held {
   Held(ThiessenInput input, unsigned threads_wanted)
-      : settings{input.margin, input.tolerance},
+      : settings{input.margin, input.tolerance, input.allow_far},
         study(parts_of(std::move(input), warnings), settings, warnings),
         rainfall(study.weighing(), {}, threads_wanted),
         threads(threads_wanted) {}
