@@ -44,7 +44,7 @@ class CellsCommand : public Command {
     const bool to_stream = output_.output == "-";
     if (!to_stream) require_cells_format(output_.output);
     OutputFile& file = outputs.add(output_.output);
-    Inputs inputs(study_, view_.margin, warnings);
+    Inputs inputs(study_, view_.margin, common_.threads, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));

@@ -8,6 +8,7 @@
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/outputs/distances_report.h"
+#include "cli/outputs/plane_report.h"
 #include "study/weight_findings.h"
 
 namespace thiessen::cli {
@@ -32,7 +33,7 @@ class CheckCommand : public Command {
   void check() const override { study_.check(); }
 
   void run(Warnings& warnings) override {
-    Inputs inputs(study_, 10, warnings);
+    Inputs inputs(study_, 10, common_.threads, warnings);
     std::string report = describe(inputs) + odd_gauges_text(inputs);
     if (inputs.has_basins()) report += describe_basins(inputs, warnings);
     if (rainfall_.given()) report += describe_readings(inputs, warnings);
@@ -60,7 +61,7 @@ class CheckCommand : public Command {
     if (inputs.has_basins()) text += ", basins " + name(study.basins_crs);
     text += std::string("\nmetric: ") + (study.metric == Metric::geodesic ? "geodesic" : "planar") +
             "\n";
-    return text;
+    return text + describe_plane(inputs);
   }
 
   std::string describe_basins(const Inputs& inputs, Warnings& warnings) const {

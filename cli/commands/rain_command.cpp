@@ -68,7 +68,7 @@ class RainCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
-    Inputs inputs(study_, 0, warnings);
+    Inputs inputs(study_, 0, common_.threads, warnings);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
     format.errors = errors_;

@@ -7,10 +7,12 @@
 
 namespace thiessen::cli {
 
-Inputs::Inputs(const StudyOptions& options, double margin, Warnings& warnings)
+Inputs::Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings)
     : files_(std::make_shared<StudyFiles>(read_study(options.request(), warnings))),
       filtered_ids_(files_->filtered_ids.begin(), files_->filtered_ids.end()),
-      study_(files_, {margin, options.tolerance(), options.allow_far()}, warnings) {}
+      study_(files_, {margin, options.tolerance(), options.allow_far()}, warnings),
+      plane_error_(judge_plane(*files_, study_, options.tolerance(), static_cast<unsigned>(threads),
+                               warnings)) {}
 
 std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
                                                        const RainfallOptions& rainfall,

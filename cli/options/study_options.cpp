@@ -58,8 +58,9 @@ void StudyOptions::declare_method(OptionGroup group) {
             choice<std::string>(metric_, {{"geodesic", "geodesic"}, {"planar", "planar"}}),
             "what near means: the shortest path on the Earth (default where the CRS is known), or "
             "straight distance in the coordinates");
-  plane_option_ = &group.add("--plane", any_text(plane_, "CRS"),
-                             "planar, with both files brought into this CRS first");
+  plane_option_ = &group.add("--plane", any_text(plane_, "CRS|auto"),
+                             "planar, with both files brought into this CRS first; auto: into the "
+                             "conformal plane that distorts the study least");
   crs_options_.push_back(plane_option_);
   group.add("--allow-far", flag(allow_far_),
             "go on where gauges and basins are nowhere near each other");

@@ -14,6 +14,8 @@
 #include "files/crs_agreement.h"
 #include "files/datums.h"
 #include "files/far_files.h"
+#include "files/plane_choice.h"
+#include "files/plane_mapping.h"
 #include "gdal/crs/shape_tracer.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
@@ -60,6 +62,7 @@ class StudyMaker {
     settle_datums(stations_, basins_ ? &*basins_ : nullptr, study_.crs, warnings_);
     tell_extents();
     mend_basins();
+    make_plane();
     bring_stations();
     bring_basins();
     bring_basins_together();
@@ -78,6 +81,11 @@ class StudyMaker {
   }
 
   void choose_coordinates() {
+    if (request_.plane == automatic_plane) {
+      require_crs(setting("plane", automatic_plane));
+      study_.crs = Crs::wgs84();  // until make_plane knows where the basins are
+      return;
+    }
     if (!request_.plane.empty()) {
       study_.crs = Crs::from_text(request_.plane, setting("plane"));
       require_crs(setting("plane"));
@@ -127,7 +135,24 @@ class StudyMaker {
   }
 
   bool planar_degrees() const {
-    return study_.metric == Metric::planar && study_.crs->geographic();
+    return study_.metric == Metric::planar && study_.crs->geographic() &&
+           request_.plane != automatic_plane;
+  }
+
+  // Fits the plane to the study where one is to be made. Its CRS is the plane's text, by which
+  // files are written; coordinates come into it by GeographicLib.
+  void make_plane() {
+    if (request_.plane != automatic_plane) return;
+    degrees_ = study_.crs;
+    const auto basins_crs = basins_ ? basins_->crs : std::nullopt;
+    study_.plane = choose_plane(stations_, study_.native_basins, basins_crs, *degrees_, warnings_);
+    study_.crs = Crs::from_text(study_.plane->plane.proj_text(), setting("plane", automatic_plane));
+    if (degrees_->area()) study_.crs = study_.crs->over(*degrees_->area());
+  }
+
+  std::shared_ptr<const Mapping> mapping_from(const Crs& from) const {
+    if (study_.plane) return std::make_shared<PlaneMapping>(from, *degrees_, study_.plane->plane);
+    return std::make_shared<Transformation>(from, *study_.crs);
   }
 
   void warn_of_degrees() {
@@ -189,7 +214,7 @@ class StudyMaker {
     std::vector<Point> points;
     points.reserve(study_.stations.size());
     for (const Station& station : study_.stations) points.push_back(station.position);
-    const std::vector<bool> inside = Transformation(*stations_.crs, *study_.crs).apply(points);
+    const std::vector<bool> inside = mapping_from(*stations_.crs)->apply(points);
     Complaints complaints;
     for (std::size_t i = 0; i < points.size(); ++i) {
       if (study_.stations[i].position == Point{0, 0}) study_.at_zero.push_back(i);
@@ -226,7 +251,7 @@ class StudyMaker {
     Complaints complaints;
     for (std::size_t i = 0; i < study_.native_basins.size(); ++i) {
       Basin basin{basins_->basins[i].id, {}, {}};
-      if (!study_.crs || basins_->crs->same_as(*study_.crs)) {
+      if (!study_.crs || (!study_.plane && basins_->crs->same_as(*study_.crs))) {
         basin.shape = study_.native_basins[i];
       } else if (study_.metric == Metric::geodesic) {
         trace(i, basin, complaints);
@@ -259,7 +284,11 @@ class StudyMaker {
   /// Takes the vertices into the plane and subdivides no edge: edges are straight in the plane.
   void project(std::size_t i, Basin& basin, Complaints& complaints) {
     constexpr double untorn = 1e5;  // metres
-    if (!tracer_) tracer_ = tracer_between(*basins_->crs, *study_.crs, untorn, Course::ends);
+    if (!tracer_) {
+      tracer_ = study_.plane
+                    ? ShapeTracer(mapping_from(*basins_->crs), PlanePoles(), untorn, Course::ends)
+                    : tracer_between(*basins_->crs, *study_.crs, untorn, Course::ends);
+    }
     auto seen = tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]);
     if (!seen) return complain_of_area(i, tracer_->outside(), complaints);
     const std::string fault = make_valid_in_plane(seen->shape);
@@ -316,6 +345,7 @@ class StudyMaker {
   std::vector<std::set<double>> on_antimeridian_;
   std::optional<ShapeTracer> tracer_;
   std::optional<BasinTracing> tracing_;
+  std::optional<Crs> degrees_;  // WGS 84 over the study's area, on the way to a plane made for it
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "earth/plane/plane_fit.h"
 #include "files/basins_file.h"
 #include "files/stations_file.h"
 #include "gdal/crs/crs.h"
@@ -23,7 +24,7 @@ struct StudyRequest {
   std::string opened_from =
       "opened gauges";           ///< name that messages give these gauges in place of a file's
   std::optional<Metric> metric;  ///< nothing: geodesic where the coordinates have a CRS
-  std::string plane;             ///< a CRS; empty: none is asked for
+  std::string plane;             ///< a CRS, or automatic_plane; empty: none is asked for
   double tolerance = 0.1;        ///< metres
   bool mend = false;             ///< basins that cross themselves are mended by union
 };
@@ -37,8 +38,10 @@ struct StudyFiles : StudyParts {
   /// The stations whose coordinates are 0 and 0 in a known CRS, as positions in the file's order:
   /// missing coordinates are often written so.
   std::vector<std::size_t> at_zero;
-  std::optional<Crs> stations_crs;          ///< CRS of the stations' file
-  std::optional<Crs> basins_crs;            ///< CRS of the basins' file, and of native_basins
+  /// The plane that was made for the study; nothing where none was.
+  std::optional<StudyPlane> plane;
+  std::optional<Crs> stations_crs;  ///< CRS of the stations' file
+  std::optional<Crs> basins_crs;    ///< CRS of the basins' file, and of native_basins
   /// The CRS of the study's coordinates: WGS 84 where the metric is geodesic; nothing for a plane
   /// without a CRS.
   std::optional<Crs> crs;
@@ -56,7 +59,8 @@ struct StudyFiles : StudyParts {
 /// tolerance of the true edge, and the slivers that the chords cut off are kept as `bulges`.
 /// Longitudes of a basin run on over the antimeridian (to 190); stations lie in [-180, 180].
 ///
-/// Planar: coordinates stay as they are, or every vertex is taken to `plane`.
+/// Planar: coordinates stay as they are, or every vertex is taken to `plane`. A plane made for the
+/// study is told in a warning, and its CRS is that of its PROJ text.
 ///
 /// Throws Error where a CRS is unknown or contradicts the file's, coordinates do not fit the CRS,
 /// or a basin crosses itself. Cost: linear, but for one check of validity a basin (n log n).
