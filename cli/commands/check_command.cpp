@@ -1,7 +1,9 @@
 #include <cmath>
 
 #include "base/interrupt.h"
+#include "base/iso_time.h"
 #include "base/number.h"
+#include "base/utf8.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
@@ -9,6 +11,7 @@
 #include "cli/options/study_options.h"
 #include "cli/outputs/distances_report.h"
 #include "cli/outputs/plane_report.h"
+#include "rainfall/series/step_intervals.h"
 #include "study/weight_findings.h"
 
 namespace thiessen::cli {
@@ -86,17 +89,35 @@ class CheckCommand : public Command {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings);
     std::size_t steps = 0;
     std::size_t missing = 0;
+    StepIntervals intervals;
     TimeStep step;
     while (readings->next(step)) {
       throw_if_interrupted();
       ++steps;
+      intervals.note(parse_iso_time(trimmed(step.time)));
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
     }
     const double all =
         static_cast<double>(steps) * static_cast<double>(inputs.network().stations().size());
     const std::string share =
         all > 0 ? fixed_text(100 * static_cast<double>(missing) / all, 1) : "0.0";
-    return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n";
+    return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n" +
+           describe_steps(intervals);
+  }
+
+  static std::string describe_steps(const StepIntervals& intervals) {
+    if (intervals.has_labels()) return "step: none, the times are labels\n";
+    if (intervals.times() < 2) return "";
+    const std::optional<StepLength> step = intervals.step();
+    if (!step) return "step: irregular\n";
+    std::string text = "step: " + text_of(*step);
+    const auto lacking = intervals.lacking(*step);
+    if (!lacking) return text + "; the times are in no order\n";
+    if (lacking->steps == 0) return text + ", none lacks\n";
+    text += "; " + count(lacking->steps, "step lacks", "steps lack") + ", the first at " +
+            lacking->first;
+    if (lacking->steps > 1) text += ", the last at " + lacking->last;
+    return text + "\n";
   }
 
   StudyOptions study_;

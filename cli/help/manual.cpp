@@ -139,8 +139,8 @@ std::string names_entry(const std::string& of_what, std::span<const std::string_
 std::string names_section() {
   return ".SH NAMES AND MISSING VALUES\n" +
          roff_paragraph(
-             "Fields that no option names are found by these names, the first that is there; case "
-             "is ignored.") +
+             "Fields that no option names are found by these names, the first that is there. Case "
+             "does not count, nor whether words are parted by a blank, a point, - or _.") +
          names_entry("station's id", known::station_ids) +
          names_entry("longitude or easting", known::eastings) +
          names_entry("latitude or northing", known::northings) +
@@ -150,8 +150,12 @@ std::string names_section() {
          names_entry("its value, with or without a unit behind it", known::values) + ".PP\n" +
          roff_paragraph(
              "Without a name of a station's id the first field is taken, without one of a basin's "
-             "the feature's number. Coordinates in fields called lon, long or longitude and lat or "
-             "latitude are degrees on WGS 84. A table without a station and a value field is wide: "
+             "the feature's number. Coordinates in fields that are called as longitude and "
+             "latitude "
+             "are degrees on WGS 84; those in x and y, easting and northing and the like are in "
+             "the "
+             "CRS that an option or the file of basins names. A table without a station and a "
+             "value field is wide: "
              "the first column is the time, and the name of every other one a station's id.") +
          names_entry("no reading, beside an empty field", known::gaps);
 }

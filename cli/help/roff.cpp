@@ -1,7 +1,10 @@
 #include "cli/help/roff.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <cstdio>
 
 namespace thiessen::cli {
 namespace {
@@ -14,12 +17,29 @@ std::string guarded(const std::string& line) {
   return is_command ? "\\&" + line : line;
 }
 
+/// A letter beyond ASCII by its number, so that every formatter knows it: \[u7DEF].
+std::string roff_character(std::string_view letter) {
+  const auto first = static_cast<unsigned char>(letter[0]);
+  std::uint32_t number = first & (0x7FU >> letter.size());
+  for (const char c : letter.substr(1))
+    number = number << 6U | (static_cast<unsigned char>(c) & 0x3FU);
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "\\[u%04X]", number);
+  return text.data();
+}
+
 }  // namespace
 
 std::string roff_phrase(std::string_view text) {
   std::string escaped;
-  for (const char c : text) {
-    if (c == '\\') {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0xC0) {
+      const std::size_t length = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : 2;
+      escaped += roff_character(text.substr(i, length));
+      i += length - 1;
+    } else if (c == '\\') {
       escaped += "\\e";
     } else if (c == '-') {
       escaped += "\\-";

@@ -18,8 +18,12 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
                                                        const RainfallOptions& rainfall,
                                                        Warnings& warnings,
                                                        const std::optional<StepTimes>& wanted) {
+  ReadingsOptions options = rainfall.readings(study.decimal_comma());
+  options.column_of = [request = study.request().stations](const std::string& id) {
+    return field_that_holds(request, id);
+  };
   auto readings = open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
-                                filtered_ids_, rainfall.readings(study.decimal_comma()), warnings);
+                                filtered_ids_, options, warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

@@ -24,7 +24,7 @@ void PeriodOptions::declare(OptionList& options) {
                                                            {"month", TimePrecision::month},
                                                            {"year", TimePrecision::year}}),
              "totals over calendar periods instead of a row a step, and beside them, in "
-             "BASIN_missing, how many of the period's steps have no value; with --long rows "
+             "BASIN_missing, how many of the period's steps have no value or lack in the file; with --long rows "
              "time,basin,rainfall,missing");
   allowed_missing_option_ =
       &output.add("--allow-missing", whole_number(allowed_missing_, 0, 1'000'000'000),
@@ -50,7 +50,7 @@ std::optional<StepTimes> PeriodOptions::times() const {
 
 std::optional<Totalling> PeriodOptions::totalling() const {
   if (!every_) return std::nullopt;
-  return Totalling{*every_, allowed_missing_};
+  return Totalling{*every_, allowed_missing_, range_};
 }
 
 }  // namespace thiessen::cli

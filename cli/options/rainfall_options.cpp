@@ -34,6 +34,8 @@ void RainfallOptions::declare_meaning(OptionList& options) {
                "the reading's column in a long table");
   readings.add("--ignore-unknown", flag(readings_.ignore_unknown),
                "pass over readings of stations that STATIONS lacks, with a warning");
+  readings.add("--ids-as-numbers", flag(readings_.ids_as_numbers),
+               "ids of digits that differ by leading zeros are one: 52220 and 052220");
   readings.add("--keep-flagged", flag(readings_.keep_flagged),
                "of .dly files, also the values that failed a check of quality");
 }

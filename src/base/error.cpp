@@ -64,6 +64,17 @@ std::string sentences(const std::vector<Message>& messages, std::size_t unlisted
   return all;
 }
 
+/// Forgets a hint that has been told already: what differs is easier to see without its repeats.
+void tell_once(Wording& hint, std::vector<Wording>& told) {
+  if (hint.empty()) return;
+  constexpr std::size_t remembered = 100;  // so that the cost stays linear
+  if (std::find(told.begin(), told.end(), hint) != told.end()) {
+    hint = {};
+  } else if (told.size() < remembered) {
+    told.push_back(hint);
+  }
+}
+
 }  // namespace
 
 std::string printable(std::string_view text) {
@@ -97,7 +108,15 @@ std::string Message::sentence() const {
 Error::Error(Message message) : messages_{std::move(message)}, what_(sentences(messages_, 0)) {}
 
 Error::Error(std::vector<Message> messages, std::size_t unlisted)
-    : messages_(std::move(messages)), unlisted_(unlisted), what_(sentences(messages_, unlisted)) {}
+    : messages_(std::move(messages)), unlisted_(unlisted), what_(sentences(messages_, unlisted)) {
+  std::vector<Wording> told;
+  for (Message& message : messages_) tell_once(message.hint, told);
+}
+
+void Warnings::add(Message message) {
+  tell_once(message.hint, hints_);
+  messages_.push_back(std::move(message));
+}
 
 void Complaints::add(Message message) {
   if (messages_.size() < listed_at_most) {

@@ -25,7 +25,8 @@ struct Message {
 };
 
 /// The exception for bad input or a failing machine. It carries everything that was found: the
-/// first 20 messages whole, and the number of the rest.
+/// first 20 messages whole, and the number of the rest. A hint stands with the first message that
+/// it belongs to.
 class Error : public std::exception {
  public:
   explicit Error(Message message);
@@ -74,11 +75,14 @@ class Complaints {
 /// does.
 class Warnings {
  public:
-  void add(Message message) { messages_.push_back(std::move(message)); }
+  /// Adds a message. A hint that another message has given is left out. Cost: linear in the number
+  /// of different hints.
+  void add(Message message);
   const std::vector<Message>& messages() const { return messages_; }
 
  private:
   std::vector<Message> messages_;
+  std::vector<Wording> hints_;
 };
 
 /// The text made fit for a terminal: control characters are written as \x1b, and bytes that are not

@@ -1,5 +1,6 @@
 #include "base/iso_time.h"
 
+#include <algorithm>
 #include <chrono>
 #include <tuple>
 #include <utility>
@@ -110,12 +111,6 @@ bool there_is(const IsoTime& time, const Zone& zone) {
          time.second < 60 && zone.hours < 24 && zone.minutes < 60;
 }
 
-/// The seconds from the beginning of 1970, by the time's own clock.
-std::int64_t seconds_of(const IsoTime& time) {
-  const std::int64_t days = std::chrono::sys_days(day_of(time)).time_since_epoch().count();
-  return ((days * 24 + time.hour) * 60 + time.minute) * 60 + time.second;
-}
-
 void append_digits(std::string& out, int number, std::size_t digits) {
   const std::string text = std::to_string(number);
   out.append(digits - text.size(), '0');
@@ -132,11 +127,41 @@ ParsedTime parse_iso_time(std::string_view text) {
   return {time, IsoTimeFault::none};
 }
 
+std::int64_t clock_seconds(const IsoTime& time) {
+  const std::int64_t days = std::chrono::sys_days(day_of(time)).time_since_epoch().count();
+  return ((days * 24 + time.hour) * 60 + time.minute) * 60 + time.second;
+}
+
+std::int64_t moment_seconds(const IsoTime& time) {
+  return clock_seconds(time) - std::int64_t{60} * time.ahead_of_utc.value_or(0);
+}
+
+std::string time_text(std::int64_t seconds, TimePrecision precision) {
+  const std::chrono::sys_seconds moment{std::chrono::seconds(seconds)};
+  const auto days = std::chrono::floor<std::chrono::days>(moment);
+  const std::chrono::year_month_day day(days);
+  const std::chrono::hh_mm_ss clock(moment - days);
+  IsoTime time;
+  time.year = static_cast<int>(day.year());
+  time.month = static_cast<int>(static_cast<unsigned>(day.month()));
+  time.day = static_cast<int>(static_cast<unsigned>(day.day()));
+  std::string text = date_text(time, std::min(precision, TimePrecision::day));
+  if (precision != TimePrecision::instant) return text;
+  text += 'T';
+  append_digits(text, static_cast<int>(clock.hours().count()), 2);
+  text += ':';
+  append_digits(text, static_cast<int>(clock.minutes().count()), 2);
+  if (clock.seconds().count() == 0) return text;
+  text += ':';
+  append_digits(text, static_cast<int>(clock.seconds().count()), 2);
+  return text;
+}
+
 std::strong_ordering order_of_moments(const IsoTime& a, const IsoTime& b) {
   const bool zones = a.ahead_of_utc && b.ahead_of_utc;
   const auto moment = [zones](const IsoTime& time) {
     const int ahead = zones ? *time.ahead_of_utc : 0;
-    return std::pair(seconds_of(time) - std::int64_t{60} * ahead, time.nanosecond);
+    return std::pair(clock_seconds(time) - std::int64_t{60} * ahead, time.nanosecond);
   };
   return moment(a) <=> moment(b);
 }

@@ -51,6 +51,18 @@ inline constexpr const char* iso_time_forms =
 /// seconds are refused.
 ParsedTime parse_iso_time(std::string_view text);
 
+/// The seconds from the beginning of 1970 to a time, by the clock that it is written by. Fractions
+/// are left out.
+std::int64_t clock_seconds(const IsoTime& time);
+
+/// The seconds from the beginning of 1970 to a time: of UTC where a zone is written, else by its
+/// own clock.
+std::int64_t moment_seconds(const IsoTime& time);
+
+/// The text of the moment so many seconds after the beginning of 1970: a date for
+/// TimePrecision::day and coarser ones, else YYYY-MM-DDThh:mm, with seconds where there are any.
+std::string time_text(std::int64_t seconds, TimePrecision precision);
+
 /// The order of two moments. Where both have a zone the moments themselves are compared, otherwise
 /// what the clocks say. 24:00 is 0:00 of the next day.
 std::strong_ordering order_of_moments(const IsoTime& a, const IsoTime& b);

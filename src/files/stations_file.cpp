@@ -1,7 +1,9 @@
 #include "files/stations_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <unordered_map>
 #include <utility>
 
@@ -29,8 +31,10 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
 
 [[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
   std::string wanted;
-  if (!x) wanted = listed(known::eastings);
-  if (!y) wanted += (x ? "" : ", and ") + listed(known::northings);
+  if (!x) wanted = listed(std::span(known::eastings).first(known::eastings_told));
+  if (!y)
+    wanted +=
+        (x ? "" : ", and ") + listed(std::span(known::northings).first(known::northings_told));
   throw Error(
       Message{features.file(), features.header_line(),
               "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
@@ -41,7 +45,7 @@ std::optional<std::size_t> coordinate_field(const Features& features, const std:
 
 bool holds_degrees(const std::string& name) {
   return std::any_of(known::degrees.begin(), known::degrees.end(),
-                     [&](std::string_view degrees) { return equal_ignoring_case(name, degrees); });
+                     [&](std::string_view degrees) { return same_name(name, degrees); });
 }
 
 /// Reads the stations of one file, a feature at a time.
@@ -220,6 +224,24 @@ class StationsReader {
 
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings) {
   return StationsReader(request, warnings).read();
+}
+
+std::string field_that_holds(const StationsRequest& request, const std::string& text) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(request.source.file, error)) return {};
+  try {
+    Features features(request.source, longest_field);
+    Complaints complaints;
+    while (features.next(complaints)) {
+      const auto& fields = features.row().fields;
+      for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (trimmed(fields[i]) == text) return features.header()[i];
+      }
+    }
+  } catch (const Error&) {
+    // The file was read before; what changed since is not what this hint is about.
+  }
+  return {};
 }
 
 }  // namespace thiessen

@@ -37,4 +37,9 @@ struct StationsFile : StationList {              ///< positions in `crs`, or in 
 /// stations. Cost: linear in the file's length, memory linear in the number of stations.
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings);
 
+/// Finds the field of the stations' file, other than that of the ids, in which a station has this
+/// text; empty where there is none, and where the file cannot be read a second time. Cost: linear
+/// in the file's length.
+std::string field_that_holds(const StationsRequest& request, const std::string& text);
+
 }  // namespace thiessen

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/number.h"
 #include "base/utf8.h"
 #include "readings/dly_files.h"
 
@@ -51,6 +52,7 @@ bool DlyReadings::next(TimeStep& step) {
     done_ = false;
   }
   while (next_day(step)) {
+    source_.findings.note_step(step);
     if (source_.findings.complaints().empty()) return true;
   }
   done_ = true;
@@ -134,7 +136,10 @@ void DlyReadings::scan_days(const DlyRecord& record, StationIndex station) {
     if (!read.is_number || read.value == dly_missing) continue;
     any_value_ = true;
     if (read.is_flagged && !source_.keep_flagged) continue;
-    source_.findings.note({0.1 * read.value, ReadingKind::amount}, station);
+    const Reading reading{read.value / 10.0, ReadingKind::amount};
+    if (!source_.findings.note(reading, station))
+      source_.findings.note_amount(reading.amount, {lines_.place().line, station},
+                                   shortest_text(reading.amount));
   }
 }
 
@@ -180,6 +185,7 @@ bool DlyReadings::next_day(TimeStep& step) {
   }
   step.time = text_of(today_.month, today_.day);
   step.readings = readings_;
+  step.line = 0;
   ++steps_;
   if (++today_.day > days_in(today_.month)) today_ = {after(today_.month, 1), 1};
   return true;
@@ -257,7 +263,8 @@ std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
                                             std::span<const std::string> passed_over,
                                             const ReadingsOptions& options, Warnings& warnings) {
   refuse_table_options(rainfall, options);
-  auto known = std::make_unique<const ReadingsStations>(stations, passed_over);
+  auto known = std::make_unique<const ReadingsStations>(
+      stations, passed_over, IdJoin{options.ids_as_numbers, options.column_of});
   ReadingsFindings findings(rainfall, *known, options.ignore_unknown, warnings);
   return std::make_unique<DlyReadings>(DlySource{rainfall, dly_files(rainfall), std::move(known),
                                                  std::move(findings), options.keep_flagged});

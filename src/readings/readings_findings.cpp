@@ -27,40 +27,65 @@ ReadingsFindings::ReadingsFindings(std::string file, const ReadingsStations& sta
       stations_(stations),
       ignore_unknown_(ignore_unknown),
       warnings_(warnings),
-      heard_(stations.all().size()) {}
+      heard_(stations.all().size()),
+      steps_(stations.all().size()) {}
 
 void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
                                    std::string_view field, const ReadingGrammar& grammar) {
-  const std::string& id = stations_.id(place.station);
+  if (reading.kind == ReadingKind::amount) return note_amount(reading.amount, place, field);
+  const std::string station = " of station " + quoted(stations_.id(place.station));
   const std::string shown = quoted(trimmed(field), longest_field_shown);
-  Message message{file_, place.line, "", ""};
-  if (reading.kind == ReadingKind::amount) {
-    heard_[index(place.station)] = Heard::yes;
-    if (++absurd_count_ > 1) return;
-    message.text =
-        "reading " + shown + " of station " + quoted(id) + " is more than falls anywhere in a year";
-    first_absurd_ = std::move(message);
-    return;
-  }
+  Message message{file_, place.line, "", hint_for(reading, trimmed(field), grammar)};
   if (reading.kind == ReadingKind::negative) {
-    message.text = "negative reading " + shown + " of station " + quoted(id);
-    message.hint = setting("missing", trimmed(field)) + " takes it for a gap";
+    message.text = "negative reading " + shown + station;
   } else {
-    message.text = "reading " + shown + " of station " + quoted(id) +
+    message.text = "reading " + shown + station +
                    (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
                                                               : " is no number");
-    if (grammar.wants_decimal_comma(field)) {
-      message.hint = setting("decimal_comma") + " reads 1,5 as 1.5";
-    }
   }
   complaints_.add(std::move(message));
+}
+
+/// What may be done about a reading that is wrong. It is told once for each kind of fault: twenty
+/// lines that say the same hide what differs.
+Wording ReadingsFindings::hint_for(const Reading& reading, std::string_view field,
+                                   const ReadingGrammar& grammar) {
+  constexpr std::size_t longest_code = 20;
+  if (reading.kind == ReadingKind::out_of_range) return {};
+  if (grammar.wants_decimal_comma(field)) return setting("decimal_comma") + " reads 1,5 as 1.5";
+  bool& told = reading.kind == ReadingKind::negative ? told_negative_ : told_code_;
+  if (field.size() > longest_code || std::exchange(told, true)) return {};
+  return setting("missing", field) + " takes it for a gap, " + setting("trace", field) + " for 0";
+}
+
+void ReadingsFindings::note_amount(double amount, const Place& place, std::string_view field) {
+  heard_[index(place.station)] = Heard::yes;
+  for (Code& code : codes_) {
+    if (amount != code.number) continue;
+    if (++code.count > 1) return;
+    code.line = place.line;
+    code.station = place.station;
+    return;
+  }
+  const bool above_year = amount > more_than_a_year;
+  if (!above_year && amount <= more_than_a_day) return;
+  Absurd& absurd = above_year ? above_year_ : above_day_;
+  if (++absurd.count > 1) return;
+  absurd.first = {file_, place.line,
+                  "reading " + quoted(trimmed(field), longest_field_shown) + " of station " +
+                      quoted(stations_.id(place.station)) + " is more than falls anywhere in a ",
+                  setting("missing", trimmed(field)) + " takes it for a gap"};
 }
 
 void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const std::string& text,
                                     const Wording& hint) {
   if (!unknown_.emplace(id).second) return;
   if (!ignore_unknown_) {
-    complaints_.add({file_, line, text, unknown_.size() == 1 ? hint : Wording()});
+    // The first that may be another station's id in another spelling tells it for all.
+    Wording meant = told_meant_ ? Wording() : stations_.meant_by(id);
+    told_meant_ = told_meant_ || !meant.empty();
+    if (meant.empty() && unknown_.size() == 1) meant = hint;
+    complaints_.add({file_, line, text, std::move(meant)});
   } else if (first_unknown_.size() < names_listed) {
     first_unknown_.emplace_back(id);
   }
@@ -80,9 +105,11 @@ Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
 
 void ReadingsFindings::conclude(std::size_t steps) {
   complaints_.throw_if_any();
+  if (const auto fault = steps_.fault(file_, stations_.all())) throw Error(*fault);
   warn_of_unknown();
   if (steps > 0) warn_of_silent();
   warn_of_absurd();
+  warn_of_codes();
 }
 
 void ReadingsFindings::warn_of_unknown() {
@@ -107,11 +134,27 @@ void ReadingsFindings::warn_of_silent() {
 }
 
 void ReadingsFindings::warn_of_absurd() {
-  if (absurd_count_ == 0) return;
-  if (absurd_count_ > 1) {
-    first_absurd_.text += ", and so are " + std::to_string(absurd_count_ - 1) + " more";
+  const auto warn = [&](Absurd& absurd, const char* period) {
+    if (absurd.count == 0) return;
+    absurd.first.text += period;
+    if (absurd.count > 1)
+      absurd.first.text += ", and so are " + std::to_string(absurd.count - 1) + " more";
+    warnings_.add(std::exchange(absurd.first, {}));
+  };
+  const std::optional<StepLength> step = steps_.intervals().step();
+  if (step && step->is_a_day_or_less()) warn(above_day_, "day");
+  warn(above_year_, "year");
+}
+
+void ReadingsFindings::warn_of_codes() {
+  for (const Code& code : codes_) {
+    if (code.count < 2) continue;
+    warnings_.add({file_, code.line,
+                   "reading " + std::string(code.text) + " of station " +
+                       quoted(stations_.id(code.station)) + " comes " + std::to_string(code.count) +
+                       " times in the file: it may stand for a gap",
+                   setting("missing", code.text) + " takes it for one"});
   }
-  warnings_.add(std::exchange(first_absurd_, {}));
 }
 
 }  // namespace thiessen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "rainfall/series/readings.h"
+#include "readings/mixed_steps.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_reader.h"
 #include "readings/readings_stations.h"
@@ -36,16 +39,21 @@ class ReadingsFindings {
   /// Takes note of a reading that is plain or a gap, and returns true. Returns false for any other;
   /// that one has to be given to note_oddity.
   bool note(const Reading& reading, StationIndex station) {
-    if (!(reading.amount <= absurd_reading)) return reading.kind == ReadingKind::missing;
+    if (!(reading.amount <= plain_reading)) return reading.kind == ReadingKind::missing;
     heard_[index(station)] = Heard::yes;
     return true;
   }
-  /// Takes note of a reading that is wrong (a complaint) or absurdly large (a warning). `field` is
-  /// its text, and `grammar` is the one that it was read with.
+  /// Takes note of a reading that is wrong (a complaint), or so large that it may be a code for a
+  /// gap or more than falls (a warning). `field` is its text, and `grammar` is the one that it was
+  /// read with.
   void note_oddity(const Reading& reading, const Place& place, std::string_view field,
                    const ReadingGrammar& grammar);
+  /// Takes note of a large amount of rain, which stands as `field` in the file.
+  void note_amount(double amount, const Place& place, std::string_view field);
+  /// Takes note of a time step, once its readings are known, in the order of the file.
+  void note_step(const TimeStep& step) { steps_.note(step.time, step.line, step.readings); }
   /// Takes note of a station that is in no list; each is reported once. `text` and `hint` are those
-  /// of the complaint.
+  /// of the complaint; the hint gives way to what is known of a station that may be meant.
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
                     const Wording& hint);
   void note_empty_time(std::size_t line);
@@ -62,6 +70,24 @@ class ReadingsFindings {
   void warn_of_unknown();
   void warn_of_silent();
   void warn_of_absurd();
+  void warn_of_codes();
+  Wording hint_for(const Reading& reading, std::string_view field, const ReadingGrammar& grammar);
+
+  /// The largest reading that is looked at no further: less than any code for a gap.
+  static constexpr double plain_reading = 99.9;
+  /// A number that often stands for a gap, and where it stands.
+  struct Code {
+    double number;
+    const char* text;
+    std::size_t count = 0;
+    std::size_t line = 0;
+    StationIndex station = {};
+  };
+  /// Readings above a bound: the first of them, and how many.
+  struct Absurd {
+    Message first;
+    std::size_t count = 0;
+  };
 
   std::string file_;
   const ReadingsStations& stations_;
@@ -75,8 +101,18 @@ class ReadingsFindings {
   std::vector<Heard> heard_;  ///< by station
   std::unordered_set<std::string> unknown_;
   std::vector<std::string> first_unknown_;
-  Message first_absurd_;
-  std::size_t absurd_count_ = 0;
+  MixedSteps steps_;
+  Absurd above_day_, above_year_;
+  std::array<Code, 7> codes_ = {{{99.99, "99.99"},
+                                 {999.9, "999.9"},
+                                 {999.99, "999.99"},
+                                 {9999, "9999"},
+                                 {9999.9, "9999.9"},
+                                 {9999.99, "9999.99"},
+                                 {99999, "99999"}}};
+  bool told_negative_ = false;
+  bool told_code_ = false;
+  bool told_meant_ = false;
 };
 
 }  // namespace thiessen

@@ -13,6 +13,8 @@ namespace {
 
 using Names = std::span<const std::string_view>;
 
+constexpr std::size_t names_told = 7;
+
 constexpr std::string_view units[] = {"mm",    "cm",     "m",      "in",    "inch",  "inches",
                                       "ft",    "mm/h",   "mm_h",   "mm/hr", "mm_hr", "mm/d",
                                       "mm_d",  "mm/day", "mm_day", "in/h",  "in_h",  "in/hr",
@@ -36,9 +38,9 @@ bool is_unit_suffix(std::string_view rest) {
 
 bool means(std::string_view header, std::string_view name, bool with_unit) {
   header = trimmed(header);
-  if (equal_ignoring_case(header, name)) return true;
+  if (same_name(header, name)) return true;
   return with_unit && header.size() > name.size() &&
-         equal_ignoring_case(header.substr(0, name.size()), name) &&
+         same_name(header.substr(0, name.size()), name) &&
          is_unit_suffix(header.substr(name.size()));
 }
 
@@ -85,7 +87,10 @@ class LayoutFinder {
                      bool with_unit) const {
     if (!given.empty()) return column_named(given, its_setting);
     const std::optional<std::size_t> found = column_among(names, with_unit);
-    if (!found) fail("no column is called " + listed(names), its_setting + " names it");
+    if (!found)
+      fail("no column is called " + listed(names.first(std::min(names_told, names.size()))) +
+               " or the like",
+           its_setting + " names it");
     return *found;
   }
 

@@ -36,6 +36,7 @@ bool LongReadings::next(TimeStep& step) {
     } while (has_piece_ && piece_.first_line == first_line);
     ++steps_;
     step.readings = readings_;
+    findings.note_step(step);
     if (findings.complaints().empty() && twice_.empty()) return true;
   }
   done_ = true;

@@ -12,7 +12,8 @@ std::unique_ptr<Readings> open_readings(std::unique_ptr<Table> table,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings) {
-  auto known = std::make_unique<const ReadingsStations>(stations, passed_over);
+  auto known = std::make_unique<const ReadingsStations>(
+      stations, passed_over, IdJoin{options.ids_as_numbers, options.column_of});
   const ReadingsLayout layout = find_layout(*table, *known, options);
   const DecimalMark mark = options.decimal_comma ? DecimalMark::comma : DecimalMark::point;
   ReadingGrammar grammar(options.missing, options.trace, mark);

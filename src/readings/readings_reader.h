@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,10 +24,16 @@ struct ReadingsOptions {
   bool decimal_comma = false;
   bool keep_flagged = false;    ///< GHCN-Daily: readings that failed a check of quality count
   bool ignore_unknown = false;  ///< unknown stations are passed over, with a warning
+  bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
+  /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
+  std::function<std::string(const std::string& id)> column_of;
 };
 
 /// More rain than any gauge has caught in a year (26,470 mm). A reading above it gets a warning.
-constexpr double absurd_reading = 30'000;
+constexpr double more_than_a_year = 30'000;
+/// More rain, in millimetres, than any gauge has caught in a day (1,825 mm on Reunion in 1966). A
+/// reading above it gets a warning where steps are a day or less.
+constexpr double more_than_a_day = 1'825;
 
 /// Opens the readings in a table, wide or long. `passed_over` holds the ids of the stations that
 /// the user's filter left out. The stations, the ids and `warnings` must outlive the result.
@@ -44,8 +51,10 @@ constexpr double absurd_reading = 30'000;
 /// Throws Error here for a header that cannot be read so, and for unknown stations of a wide table.
 /// All else that is wrong is thrown from `next`, all bad rows together: in place of the steps that
 /// follow the first bad row, or, for a long table that is sorted, before the first step. Times that
-/// are given twice may be found only at the end. Warnings come when the last step has been read: of
-/// stations without readings, unknown stations passed over, and absurd readings.
+/// are given twice may be found only at the end, and so are steps of two lengths in one table and
+/// times with and without a zone (see MixedSteps). Warnings come when the last step has been read:
+/// of stations without readings, unknown stations passed over, absurd readings, and readings that
+/// look like codes for a gap.
 std::unique_ptr<Readings> open_readings(std::unique_ptr<Table> table,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,

@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "readings/dly_record.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 
@@ -31,6 +32,7 @@ void WideReadings::match_columns() {
                      ", and none of readings",
                  is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : ""});
   }
+  require_a_station();
   constexpr std::size_t none = 0;  // a column's number counts from 1
   std::vector<std::size_t> column_of(readings_.size(), none);
   for (std::size_t i = 0; i < header.size(); ++i) {
@@ -49,6 +51,29 @@ void WideReadings::match_columns() {
     column = i + 1;
     columns_.push_back({i, found.station});
   }
+}
+
+/// A table whose header names no station at all is more likely of another layout than of twenty
+/// unknown stations.
+void WideReadings::require_a_station() const {
+  const std::vector<std::string>& header = source_.table->header();
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (i == time_field_) continue;
+    if (source_.stations->find(header[i]).standing != Standing::unknown) return;
+  }
+  Wording hint;
+  for (std::size_t i = 0; i < header.size() && hint.empty(); ++i) {
+    if (i != time_field_) hint = source_.stations->meant_by(header[i]);
+  }
+  if (hint.empty()) {
+    hint = "where a row is one reading, " + setting("station_field") + " and " +
+           setting("value_field") + " name its columns";
+  }
+  throw Error({source_.table->file(), source_.table->header_line(),
+               "no column is called as a station of " + input("stations") + ", such as " +
+                   quoted(source_.stations->all().front().id, 80) + "; the columns are " +
+                   listed(header),
+               hint});
 }
 
 void WideReadings::note_unknown_column(std::size_t field) {
@@ -70,6 +95,7 @@ bool WideReadings::next(TimeStep& step) {
     step.time = row_.fields[time_field_];
     step.line = row_.line;
     step.readings = readings_;
+    source_.findings.note_step(step);
     return true;
   }
   done_ = true;

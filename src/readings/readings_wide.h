@@ -14,7 +14,7 @@ namespace thiessen {
 class WideReadings : public Readings {
  public:
   /// Throws Error if a column is of an unknown station and these are not ignored, if two columns
-  /// are of the same station, or if there is no column beside the time.
+  /// are of the same station, or if no column is of a station.
   WideReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
@@ -27,6 +27,7 @@ class WideReadings : public Readings {
   };
 
   void match_columns();
+  void require_a_station() const;
   void note_unknown_column(std::size_t field);
   void read_row();
   void conclude();

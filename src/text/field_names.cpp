@@ -24,15 +24,33 @@ bool is_plain_real(std::string_view text) {
   return !padded && !whole;
 }
 
+/// The form of a name in which names that are one are the same text.
+std::string plain_name(std::string_view name) {
+  std::string plain = lower_case(trimmed(name));
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    if (plain[i] == ' ' || plain[i] == '-' || plain[i] == '.') plain[i] = '_';
+    // U+00C0 to U+00DE are the capitals of U+00E0 to U+00FE, but for U+00D7, the sign of times.
+    if (plain[i] != '\xC3' || i + 1 == plain.size()) continue;
+    const auto second = static_cast<unsigned char>(plain[i + 1]);
+    if (second <= 0x9E && second != 0x97) plain[i + 1] = static_cast<char>(second + 0x20);
+  }
+  return plain;
+}
+
 }  // namespace
+
+bool same_name(std::string_view a, std::string_view b) {
+  return plain_name(a) == plain_name(b);
+}
 
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,
                                       std::span<const std::string_view> names) {
+  std::vector<std::string> plain;
+  plain.reserve(header.size());
+  for (const std::string& field : header) plain.push_back(plain_name(field));
   for (const std::string_view name : names) {
-    const auto found = std::find_if(header.begin(), header.end(), [&](const std::string& field) {
-      return equal_ignoring_case(field, name);
-    });
-    if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
+    const auto found = std::find(plain.begin(), plain.end(), plain_name(name));
+    if (found != plain.end()) return static_cast<std::size_t>(found - plain.begin());
   }
   return std::nullopt;
 }

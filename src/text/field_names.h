@@ -12,8 +12,13 @@
 
 namespace thiessen {
 
-/// The index in `header` of the first of `names` that stands there, or nothing where none does.
-/// Case is ignored.
+/// Whether two names of a field are one: blanks round them, case, and whether words are parted by a
+/// blank, `_`, `-` or `.` do not count (Station ID and station_id). Of letters beyond ASCII those
+/// of Latin with an accent are compared without regard to case.
+bool same_name(std::string_view a, std::string_view b);
+
+/// The index in `header` of the first of `names` that stands there (see same_name), or nothing
+/// where none does.
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,
                                       std::span<const std::string_view> names);
 

@@ -13,11 +13,34 @@
 namespace thiessen {
 namespace {
 
-/// A number for a period, which differs for different periods of one length.
-int number_of(const IsoTime& time, TimePrecision every) {
-  const int month = every >= TimePrecision::month ? time.month : 0;
-  const int day = every >= TimePrecision::day ? time.day : 0;
-  return (time.year * 16 + month) * 32 + day;
+constexpr std::int64_t day_seconds = 86'400;
+// Where more periods than these have no step, a time is more likely mistyped than a gauge silent.
+constexpr std::int64_t most_absent = 100'000;
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
+
+IsoTime month_of(std::int64_t number) {
+  IsoTime time;
+  time.precision = TimePrecision::month;
+  time.year = static_cast<int>(number / 12);
+  time.month = static_cast<int>(number % 12) + 1;
+  return time;
+}
+
+int days_in_month(const IsoTime& time) {
+  const std::chrono::year_month_day_last last(
+      std::chrono::year(time.year) / std::chrono::month(static_cast<unsigned>(time.month)) /
+      std::chrono::last);
+  return static_cast<int>(static_cast<unsigned>(last.day()));
+}
+
+/// How many whole numbers k have low <= anchor + k * length < high.
+std::int64_t count_within(std::int64_t low, std::int64_t high, std::int64_t anchor,
+                          std::int64_t length) {
+  const auto below = [&](std::int64_t limit) {  // the k with anchor + k * length < limit, from -inf
+    const std::int64_t apart = limit - anchor;
+    return apart / length + (apart % length > 0 ? 1 : 0);
+  };
+  return std::max<std::int64_t>(0, below(high) - below(low));
 }
 
 }  // namespace
@@ -35,12 +58,13 @@ void RainPeriods::add(const RainStep& step) {
   }
   before_ = time;
   text_before_ = step.time;
-  if (!open_ || order_of_dates(time, first_, totalling_.every) != 0) {
+  intervals_.note({time, IsoTimeFault::none});
+  if (!open_ || number_of(time) != held_.back().number) {
     if (open_) end();
     begin(time, step);
   }
-  if (order_of_dates(time, first_, TimePrecision::day) < 0) first_ = time;
-  if (order_of_dates(time, last_, TimePrecision::day) > 0) last_ = time;
+  ++held_.back().steps;
+  held_.back().last_ahead = time.ahead_of_utc.value_or(0);
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const double rainfall = step.basins[b].rainfall;
     Sum& sum = sums_[b];
@@ -54,57 +78,163 @@ void RainPeriods::add(const RainStep& step) {
 }
 
 void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
-  if (!begun_.insert(number_of(time, totalling_.every)).second) {
+  const std::int64_t number = number_of(time);
+  if (!begun_.insert(number).second) {
     throw Error({file_, step.line,
                  "time " + quoted(step.time, 80) + " comes back to " +
                      date_text(time, totalling_.every) + " after another period has begun",
                  "sort the file by time"});
   }
-  first_ = last_ = time;
+  held_.push_back({number, time, 0, 0});
   sums_.assign(step.basins.size(), Sum{});
   open_ = true;
 }
 
-bool RainPeriods::is_partial() const {
-  using std::chrono::month;
-  using std::chrono::year;
-  const TimePrecision steps = std::min(first_.precision, TimePrecision::day);
-  const auto year_begins = first_.month == 1 && last_.month == 12;
-  if (totalling_.every < TimePrecision::month && steps >= TimePrecision::month && !year_begins)
-    return true;
-  if (totalling_.every == TimePrecision::day || steps < TimePrecision::day) return false;
-  const auto last_day = std::chrono::year_month_day_last(
-      year{last_.year} / month{static_cast<unsigned>(last_.month)} / std::chrono::last);
-  return first_.day != 1 ||
-         static_cast<unsigned>(last_.day) != static_cast<unsigned>(last_day.day());
+void RainPeriods::end() {
+  taken_.clear();
+  for (const Sum& sum : sums_)
+    taken_.push_back({sum.values > 0 ? sum.rainfall.value() : no_value, sum.missing});
+  totals_.add(taken_);
+  open_ = false;
 }
 
-void RainPeriods::end() {
-  RainPeriod period{date_text(first_, totalling_.every), {}};
-  for (const Sum& sum : sums_) period.basins.push_back(total_of(sum));
-  open_ = false;
-  if (is_partial() && ++partial_ == 1) {
-    const TimePrecision steps = std::min(first_.precision, TimePrecision::day);
-    first_partial_ = period.time + ", with steps from " + date_text(first_, steps) + " to " +
-                     date_text(last_, steps);
+std::int64_t RainPeriods::number_of(const IsoTime& time) const {
+  if (totalling_.every == TimePrecision::year) return time.year;
+  if (totalling_.every == TimePrecision::month) return month_number(time);
+  IsoTime day = time;
+  day.hour = day.minute = day.second = 0;
+  return clock_seconds(day) / day_seconds -
+         (clock_seconds(day) < 0 && clock_seconds(day) % day_seconds != 0 ? 1 : 0);
+}
+
+std::string RainPeriods::text_of(std::int64_t number) const {
+  if (totalling_.every == TimePrecision::day)
+    return time_text(number * day_seconds, TimePrecision::day);
+  const bool years = totalling_.every == TimePrecision::year;
+  return date_text(month_of(years ? 12 * number : number), totalling_.every);
+}
+
+/// The first second of a period, by the clock.
+std::int64_t RainPeriods::begin_of(std::int64_t number) const {
+  if (totalling_.every == TimePrecision::day) return number * day_seconds;
+  return clock_seconds(month_of(totalling_.every == TimePrecision::year ? 12 * number : number));
+}
+
+/// How many steps of months a period has.
+std::int64_t RainPeriods::months_within(std::int64_t number, const StepLength& step,
+                                        const IsoTime& in_line_with) const {
+  const bool years = totalling_.every == TimePrecision::year;
+  std::int64_t count = 0;
+  for (std::int64_t month = years ? 12 * number : number;
+       month < (years ? 12 * (number + 1) : number + 1); ++month) {
+    IsoTime time = in_line_with;
+    time.year = static_cast<int>(month / 12);
+    time.month = static_cast<int>(month % 12) + 1;
+    // A day that the month lacks is its last, as 31 January is followed by 28 February.
+    time.day = std::min(in_line_with.day, days_in_month(time));
+    const bool in_line = (month - month_number(in_line_with)) % step.months == 0;
+    count += in_line && totalling_.range.holds(time) ? 1 : 0;
+  }
+  return count;
+}
+
+/// How many steps a period has where none lacks: those in line with a step of it. `growth` is by
+/// how many minutes the zone's offset grows in the period, which shortens it: summer time begins.
+std::int64_t RainPeriods::expected(std::int64_t number, const StepLength& step,
+                                   const IsoTime& in_line_with, int growth) const {
+  if (step.months > 0) {
+    return totalling_.every == TimePrecision::day ? 0 : months_within(number, step, in_line_with);
+  }
+  std::int64_t low = begin_of(number);
+  std::int64_t high = begin_of(number + 1);
+  const auto clock = [&](const IsoTime& limit) {
+    const bool zones = limit.ahead_of_utc && in_line_with.ahead_of_utc;
+    return clock_seconds(limit) +
+           (zones ? std::int64_t{60} * (*in_line_with.ahead_of_utc - *limit.ahead_of_utc) : 0);
+  };
+  if (const auto& from = totalling_.range.from) low = std::max(low, clock(*from));
+  if (const auto& to = totalling_.range.to) {
+    IsoTime end = *to;
+    if (to->precision == TimePrecision::year) end.month = 12;
+    if (to->precision <= TimePrecision::month) {
+      end.day = days_in_month(end);
+    }
+    high = std::min(high, clock(end) + (to->precision == TimePrecision::instant ? 1 : day_seconds));
+  }
+  return count_within(low, high - std::int64_t{60} * growth, clock_seconds(in_line_with),
+                      step.seconds);
+}
+
+void RainPeriods::hand_on(std::int64_t number, std::size_t lacking, std::size_t expected) {
+  RainPeriod period{text_of(number), taken_};
+  for (BasinTotal& total : period.basins) {
+    total.missing += lacking;
+    if (total.missing > totalling_.allowed_missing) total.rainfall = no_value;
+  }
+  if (lacking > 0 && ++lacking_periods_ == 1) {
+    first_lacking_ = period.time + ", which lacks " + std::to_string(lacking) + " of " +
+                     std::to_string(expected);
   }
   take_(period);
 }
 
-void RainPeriods::finish(Warnings& warnings) {
-  if (open_) end();
-  if (partial_ == 0) return;
-  const std::string subject =
-      partial_ == 1 ? "a period lacks steps at its beginning or end: "
-                    : std::to_string(partial_) +
-                          " periods lack steps at their beginning or end, the first is ";
-  warnings.add(
-      {file_, 0, subject + first_partial_ + "; totals are of the steps that there are", ""});
+/// Hands on the periods between two that follow each other in the file and in time, for they have
+/// no step.
+void RainPeriods::hand_on_absent(const Held& before, const Held& after, const StepLength& step) {
+  const std::int64_t way = before.number < after.number ? 1 : -1;
+  if ((after.number - before.number) * way > most_absent) {
+    throw Error({file_, 0,
+                 "no step lies between " + text_of(std::min(before.number, after.number)) +
+                     " and " + text_of(std::max(before.number, after.number)),
+                 "is one of them mistyped?"});
+  }
+  std::fill(taken_.begin(), taken_.end(), BasinTotal{no_value, 0});
+  for (std::int64_t number = before.number + way; number != after.number; number += way) {
+    const auto lacking = static_cast<std::size_t>(expected(number, step, before.first, 0));
+    if (lacking > 0) hand_on(number, lacking, lacking);
+  }
 }
 
-BasinTotal RainPeriods::total_of(const Sum& sum) const {
-  const bool has_total = sum.values > 0 && sum.missing <= totalling_.allowed_missing;
-  return {has_total ? sum.rainfall.value() : std::numeric_limits<double>::quiet_NaN(), sum.missing};
+void RainPeriods::finish(Warnings& warnings) {
+  if (open_) end();
+  const std::optional<StepLength> step = intervals_.step();
+  const auto number = [](const Held& held) { return held.number; };
+  const bool ascends = std::ranges::is_sorted(held_, {}, number);
+  const bool descends = std::ranges::is_sorted(held_, std::ranges::greater(), number);
+  taken_.resize(sums_.size());
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const Held& held = held_[i];
+    totals_.take(taken_);
+    std::int64_t all = 0;
+    if (step) {
+      const int ahead = held.first.ahead_of_utc.value_or(0);
+      all = expected(held.number, *step, held.first, ascends ? held.last_ahead - ahead : 0);
+    }
+    const auto lacking = std::max<std::int64_t>(0, all - static_cast<std::int64_t>(held.steps));
+    hand_on(held.number, static_cast<std::size_t>(lacking), static_cast<std::size_t>(all));
+    if (step && (ascends || descends) && i + 1 < held_.size())
+      hand_on_absent(held, held_[i + 1], *step);
+  }
+  warn(step, warnings);
+}
+
+void RainPeriods::warn(const std::optional<StepLength>& step, Warnings& warnings) const {
+  if (intervals_.times() > 0 && !step) {
+    const char* why =
+        intervals_.times() == 1 ? "there is one time step" : "the times have no regular step";
+    warnings.add({file_, 0,
+                  why + std::string(": steps that the file lacks inside a period are not counted "
+                                    "as missing"),
+                  ""});
+  }
+  if (lacking_periods_ == 0) return;
+  const bool one = lacking_periods_ == 1;
+  warnings.add({file_, 0,
+                (one ? "a period lacks steps of "
+                     : std::to_string(lacking_periods_) + " periods lack steps of ") +
+                    thiessen::text_of(*step) + (one ? ": " : ", the first is ") + first_lacking_ +
+                    "; they count as missing",
+                setting("allow_missing") + " says how many a total may lack"});
 }
 
 }  // namespace thiessen

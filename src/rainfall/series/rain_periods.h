@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <unordered_set>
 #include <vector>
@@ -9,15 +11,12 @@
 #include "base/error.h"
 #include "base/iso_time.h"
 #include "geometry/long_sum.h"
+#include "rainfall/series/held_totals.h"
 #include "rainfall/series/rain_series.h"
+#include "rainfall/series/step_intervals.h"
+#include "rainfall/series/time_range.h"
 
 namespace thiessen {
-
-/// The areal rainfall of a basin over a period.
-struct BasinTotal {
-  double rainfall;      ///< sum of the steps' values; NaN where there is none
-  std::size_t missing;  ///< steps without a value
-};
 
 /// The totals of one year, month or day of a series of areal rainfall.
 struct RainPeriod {
@@ -29,6 +28,7 @@ struct RainPeriod {
 struct Totalling {
   TimePrecision every = TimePrecision::month;  ///< not instant
   std::size_t allowed_missing = 0;  ///< steps that may lack a value in a period with a total
+  TimeRange range = {};             ///< the steps that count; what lies beyond does not lack
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
@@ -36,21 +36,23 @@ struct Totalling {
 ///
 /// The steps of a period follow each other; the periods come in any order, each once. A total is
 /// the sum of the steps that have a value. There is no total where no step has a value, or where
-/// more steps than allowed lack one. Steps that the series does not have are not counted, and a
-/// period without any step is not handed on. Sums are LongSums, so the order of the steps does not
-/// matter. Memory: one period, and some 40 bytes for each that has ended.
+/// more steps than allowed lack one. A step that the series does not have counts as one without a
+/// value: those of the period's whole length count, at the file's step (StepIntervals) and in line
+/// with the period's first; a period between others that has no step at all is handed on too. Where
+/// the file has no step nothing is known to lack. Sums are LongSums, so the order of the steps does
+/// not matter. Memory: HeldTotals, and some 120 bytes for each period.
 class RainPeriods {
  public:
   using Take = std::function<void(const RainPeriod&)>;
 
-  /// `take` gets each period once it has ended. `file` is for messages.
+  /// `take` gets the periods in `finish`, for the file's step is known only then. `file` is for
+  /// messages.
   RainPeriods(Totalling totalling, std::string file, Take take);
 
   /// Adds a step. Throws Error if its time is not ISO 8601 or does not say its period, if its time
   /// is that of the step before written differently, and if its period has ended before.
   void add(const RainStep& step);
-  /// Hands on the last period. Warns if periods have no step on their first or last day (or month,
-  /// where steps are months), for what is missing there is not counted.
+  /// Hands on all periods. Warns of steps that lack, and where it cannot be known whether some do.
   void finish(Warnings& warnings);
 
  private:
@@ -59,23 +61,40 @@ class RainPeriods {
     std::size_t values = 0;
     std::size_t missing = 0;
   };
+  /// A period that has steps.
+  struct Held {
+    std::int64_t number;  ///< of the year, of the month (month_number) or of the day since 1970
+    IsoTime first;        ///< the time of its first step in the file
+    int last_ahead;       ///< the last step's offset from UTC, in minutes
+    std::size_t steps;
+  };
 
   void begin(const IsoTime& time, const RainStep& step);
   void end();
-  bool is_partial() const;
-  BasinTotal total_of(const Sum& sum) const;
+  std::int64_t number_of(const IsoTime& time) const;
+  std::string text_of(std::int64_t number) const;
+  std::int64_t begin_of(std::int64_t number) const;
+  std::int64_t months_within(std::int64_t number, const StepLength& step,
+                             const IsoTime& in_line_with) const;
+  std::int64_t expected(std::int64_t number, const StepLength& step, const IsoTime& in_line_with,
+                        int growth) const;
+  void hand_on(std::int64_t number, std::size_t lacking, std::size_t expected);
+  void hand_on_absent(const Held& before, const Held& after, const StepLength& step);
+  void warn(const std::optional<StepLength>& step, Warnings& warnings) const;
 
   Totalling totalling_;
   std::string file_;
   Take take_;
-  IsoTime first_;   ///< earliest time of the period's steps, by date
-  IsoTime last_;    ///< latest time of the period's steps, by date
   IsoTime before_;  ///< time of the step before
   std::string text_before_;
   std::vector<Sum> sums_;
-  std::unordered_set<int> begun_;
-  std::size_t partial_ = 0;
-  std::string first_partial_;
+  std::unordered_set<std::int64_t> begun_;
+  std::vector<Held> held_;
+  HeldTotals totals_;
+  StepIntervals intervals_;
+  std::vector<BasinTotal> taken_;
+  std::size_t lacking_periods_ = 0;
+  std::string first_lacking_;
   bool open_ = false;
 };
 

@@ -69,8 +69,9 @@ TEST(RainPeriods, are_days_months_or_years) {
 }
 
 TEST(RainPeriods, may_descend_and_come_in_any_order) {
-  EXPECT_EQ(totals_of({{"2014-01", {1}}, {"2013-12", {2}}, {"2013-11", {4}}}, years),
-            (Steps{{"2014", {1}}, {"2013", {6}}}));
+  EXPECT_EQ(
+      totals_of({{"2014-01", {1}}, {"2013-12", {2}}, {"2013-11", {4}}}, {TimePrecision::year, 11}),
+      (Steps{{"2014", {1}}, {"2013", {6}}}));
   EXPECT_EQ(totals_of({{"2013", {1}}, {"2015", {2}}, {"2014", {4}}}, years),
             (Steps{{"2013", {1}}, {"2015", {2}}, {"2014", {4}}}));
 }
@@ -86,7 +87,7 @@ TEST(RainPeriods, are_those_of_the_times_as_written) {
 
 TEST(RainPeriods, have_no_total_where_a_step_has_no_value) {
   const auto periods = periods_of(
-      {{"2013-01-01", {1, 5}}, {"2013-01-02", {none, 5}}, {"2013-02-01", {2, none}}}, months);
+      {{"2013-01-01", {1, 5}}, {"2013-01-06", {none, 5}}, {"2013-02-01", {2, none}}}, months);
   ASSERT_EQ(periods.size(), 2u);
   EXPECT_TRUE(std::isnan(periods[0].basins[0].rainfall));
   EXPECT_EQ(periods[0].basins[0].missing, 1u);
@@ -99,7 +100,7 @@ TEST(RainPeriods, have_no_total_where_a_step_has_no_value) {
 
 TEST(RainPeriods, pass_over_as_many_steps_without_a_value_as_allowed) {
   const Steps steps = {
-      {"2013-01-01", {1}}, {"2013-01-02", {none}}, {"2013-01-03", {none}}, {"2013-01-04", {2}}};
+      {"2013-01-01", {1}}, {"2013-01-03", {none}}, {"2013-01-06", {none}}, {"2013-01-10", {2}}};
   EXPECT_TRUE(std::isnan(totals_of(steps, {TimePrecision::month, 1})[0].second[0]));
   EXPECT_EQ(totals_of(steps, {TimePrecision::month, 2}), (Steps{{"2013-01", {3}}}));
   EXPECT_EQ(periods_of(steps, {TimePrecision::month, 2})[0].basins[0].missing, 2u);
@@ -125,6 +126,79 @@ TEST(RainPeriods, add_a_century_of_tenths_without_loss) {
   for (int i = 0; i < 100'000; ++i) steps.push_back({"2013-08-01", {0.1}});
   // 0.1 is 5.6e-18 too much, 1e5 of them 5.6e-13 more than 10000, whose last place is 1.8e-12.
   EXPECT_EQ(totals_of(steps, years), (Steps{{"2013", {10000}}}));
+}
+
+/// A step of one millimetre on each day from the first to the last of a month's days.
+void add_days(Steps& steps, const std::string& month, int first, int last) {
+  for (int day = first; day <= last; ++day)
+    steps.push_back({month + (day < 10 ? "-0" : "-") + std::to_string(day), {1}});
+}
+
+std::size_t missing_in(const std::vector<RainPeriod>& periods, const std::string& time) {
+  for (const RainPeriod& period : periods) {
+    if (period.time == time) return period.basins.at(0).missing;
+  }
+  ADD_FAILURE() << time << " is not there";
+  return 0;
+}
+
+TEST(RainPeriods, law_1_AStepThatLacksCountsAsOneWithoutAValue) {
+  Steps steps;
+  add_days(steps, "2019-05", 1, 31);
+  add_days(steps, "2019-06", 22, 30);
+  add_days(steps, "2019-07", 1, 31);
+  add_days(steps, "2019-09", 1, 29);
+  const auto periods = periods_of(steps, months);
+  ASSERT_EQ(periods.size(), 5u);
+  EXPECT_EQ(periods[0].basins[0].rainfall, 31);
+  EXPECT_EQ(missing_in(periods, "2019-06"), 21u);
+  EXPECT_EQ(missing_in(periods, "2019-07"), 0u);
+  EXPECT_EQ(periods[3].time, "2019-08");
+  EXPECT_EQ(missing_in(periods, "2019-08"), 31u);
+  EXPECT_EQ(missing_in(periods, "2019-09"), 1u);
+  EXPECT_TRUE(std::isnan(periods[4].basins[0].rainfall));
+}
+
+TEST(RainPeriods, law_2_TheOrderOfTheFileDoesNotChangeWhatLacks) {
+  Steps steps;
+  add_days(steps, "2019-05", 3, 31);
+  add_days(steps, "2019-07", 1, 30);
+  std::reverse(steps.begin(), steps.end());
+  const auto periods = periods_of(steps, months);
+  ASSERT_EQ(periods.size(), 3u);
+  EXPECT_EQ(periods[0].time, "2019-07");
+  EXPECT_EQ(periods[1].time, "2019-06");
+  EXPECT_EQ(missing_in(periods, "2019-07"), 1u);
+  EXPECT_EQ(missing_in(periods, "2019-06"), 30u);
+  EXPECT_EQ(missing_in(periods, "2019-05"), 2u);
+}
+
+TEST(RainPeriods, law_3_WhatIsNotAskedForDoesNotLack) {
+  Steps steps;
+  add_days(steps, "2019-05", 10, 31);
+  add_days(steps, "2019-06", 1, 20);
+  TimeRange range{parse_iso_time("2019-05-10").time, parse_iso_time("2019-06-20").time};
+  const auto periods = periods_of(steps, {TimePrecision::month, 0, range});
+  EXPECT_EQ(missing_in(periods, "2019-05"), 0u);
+  EXPECT_EQ(missing_in(periods, "2019-06"), 0u);
+  range.from = parse_iso_time("2019-05-08").time;
+  EXPECT_EQ(missing_in(periods_of(steps, {TimePrecision::month, 0, range}), "2019-05"), 2u);
+}
+
+TEST(RainPeriods, count_months_that_lack_in_a_year) {
+  Steps steps;
+  for (const char* month : {"2019-03-31", "2019-04-30", "2019-05-31", "2019-06-30", "2019-07-31",
+                            "2019-08-31", "2019-09-30", "2019-10-31", "2019-11-30", "2019-12-31"})
+    steps.push_back({month, {1}});
+  EXPECT_EQ(missing_in(periods_of(steps, years), "2019"), 2u);
+}
+
+TEST(RainPeriods, refuse_a_time_that_is_mistyped_by_ages) {
+  Steps steps;
+  add_days(steps, "2019-05", 1, 31);
+  steps.push_back({"9019-06-01", {1}});
+  EXPECT_EQ(fault_of(steps, days),
+            "r.csv: no step lies between 2019-05-31 and 9019-06-01; is one of them mistyped?");
 }
 
 TEST(RainPeriods, refuse_one_that_comes_back) {

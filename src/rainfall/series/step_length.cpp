@@ -1,0 +1,48 @@
+#include "rainfall/series/step_length.h"
+
+#include <array>
+#include <chrono>
+#include <tuple>
+
+namespace thiessen {
+namespace {
+
+struct Unit {
+  std::int64_t length;
+  const char* name;
+};
+
+std::string counted(std::int64_t length, const Unit& unit) {
+  const std::int64_t count = length / unit.length;
+  return std::to_string(count) + " " + unit.name + (count == 1 ? "" : "s");
+}
+
+bool is_last_of_month(const IsoTime& time) {
+  const std::chrono::year_month_day_last last(
+      std::chrono::year(time.year) / std::chrono::month(static_cast<unsigned>(time.month)) /
+      std::chrono::last);
+  return static_cast<unsigned>(time.day) == static_cast<unsigned>(last.day());
+}
+
+}  // namespace
+
+std::string text_of(const StepLength& length) {
+  constexpr std::array<Unit, 4> clock{
+      {{86'400, "day"}, {3'600, "hour"}, {60, "minute"}, {1, "second"}}};
+  if (length.months > 0) {
+    return counted(length.months, length.months % 12 == 0 ? Unit{12, "year"} : Unit{1, "month"});
+  }
+  for (const Unit& unit : clock) {
+    if (length.seconds % unit.length == 0) return counted(length.seconds, unit);
+  }
+  return {};
+}
+
+bool stand_alike_in_months(const IsoTime& a, const IsoTime& b) {
+  const auto clock = [](const IsoTime& time) {
+    return std::tuple(time.hour, time.minute, time.second, time.nanosecond);
+  };
+  return clock(a) == clock(b) && (a.day == b.day || (is_last_of_month(a) && is_last_of_month(b)));
+}
+
+}  // namespace thiessen
