@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/secrets.h"
 #include "cli/options/name_lists.h"
 #include "cli/options/usage_error.h"
 
@@ -62,7 +63,8 @@ void read_options(OptionList& options, const Arguments& said) {
   for (const Option& option : options.options()) read(option);
   refuse_missing(options);
   if (words > arguments.size()) {
-    throw UsageError{"one file too many: '" + printable(said.words[arguments.size() + 1]) + "'",
+    throw UsageError{"one file too many: '" +
+                         printable(without_password(said.words[arguments.size() + 1])) + "'",
                      ""};
   }
 }

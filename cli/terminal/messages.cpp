@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "base/secrets.h"
+
 namespace thiessen::cli {
 namespace {
 
@@ -34,8 +36,8 @@ void print(std::string_view before, const Message& message) {
 }
 
 void print(std::string_view before, const std::string& text, const std::string& hint) {
-  std::cerr << before << text << '\n';
-  if (!hint.empty()) std::cerr << "hint: " << hint << '\n';
+  std::cerr << before << without_passwords(text) << '\n';
+  if (!hint.empty()) std::cerr << "hint: " << without_passwords(hint) << '\n';
 }
 
 void print(std::string_view before, const Error& error) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/secrets.h"
 #include "base/utf8.h"
 
 namespace thiessen {
@@ -98,11 +99,11 @@ std::string printable(std::string_view text) {
 
 Wording Message::placed() const {
   if (file.empty()) return text;
-  return file + (line > 0 ? ":" + std::to_string(line) : "") + ": " + text;
+  return without_password(file) + (line > 0 ? ":" + std::to_string(line) : "") + ": " + text;
 }
 
 std::string Message::sentence() const {
-  return printable(placed().plain());
+  return printable(without_passwords(placed().plain()));
 }
 
 Error::Error(Message message) : messages_{std::move(message)}, what_(sentences(messages_, 0)) {}
