@@ -115,6 +115,10 @@ std::string Outputs::add_foreign(const std::string& path) {
   return foreign.folder + "/" + name_in_folder(path);
 }
 
+void Outputs::remove(const std::string& path) {
+  if (examine_destination(path, rules_).kind != Kind::nothing) removed_.push_back({path, {}});
+}
+
 void Outputs::make_folder(const std::string& path) {
   const std::filesystem::path parent = std::filesystem::path(path).parent_path();
   std::error_code error;
@@ -186,10 +190,24 @@ void Outputs::commit() {
     if (!staged.backup.empty()) ::unlink(staged.backup.c_str());
     sync_folder(folder_of(staged.path));
   }
+  for (const Removed& removed : removed_) {
+    if (!removed.backup.empty()) ::unlink(removed.backup.c_str());
+  }
   for (const Foreign& foreign : foreign_) ::rmdir(foreign.folder.c_str());
 }
 
+void Outputs::move_away(Removed& removed) {
+  std::string backup = fresh_name(folder_of(removed.path));
+  if (std::rename(removed.path.c_str(), backup.c_str()) == 0) {
+    removed.backup = std::move(backup);
+  } else if (const int why = errno; why != ENOENT) {
+    roll_back();
+    throw system_error(removed.path, "cannot be removed", why);
+  }
+}
+
 void Outputs::rename_all() {
+  for (Removed& removed : removed_) move_away(removed);
   for (Staged& staged : staged_) {
     const int failed = staged.replaced ? std::rename(staged.hidden.c_str(), staged.path.c_str())
                                        : rename_to_free_name(staged.hidden, staged.path);
@@ -221,6 +239,11 @@ void Outputs::roll_back() noexcept {
       std::rename(staged.backup.c_str(), staged.path.c_str());
       staged.backup.clear();  // where that failed, the old file stays under its hidden name
     }
+  }
+  for (Removed& removed : removed_) {
+    if (removed.backup.empty()) continue;
+    std::rename(removed.backup.c_str(), removed.path.c_str());
+    removed.backup.clear();
   }
 }
 

@@ -42,6 +42,10 @@ class Outputs {
   /// there. Throws Error as `add` does, and where the path is no plain file.
   std::string add_foreign(const std::string& path);
 
+  /// Has `commit` remove a file, if there is one: a side file of an older output, which would be
+  /// taken for one of the new. Throws Error where it may not be replaced.
+  void remove(const std::string& path);
+
   /// Makes the folder if it does not exist. It is removed again unless `commit` succeeds.
   void make_folder(const std::string& path);
 
@@ -57,6 +61,10 @@ class Outputs {
     bool renamed = false;
     bool replaced = false;
   };
+  struct Removed {
+    std::string path;
+    std::string backup;  ///< its name until all is done; empty while it has its own
+  };
   struct Foreign {
     std::string path;
     std::string folder;
@@ -66,6 +74,7 @@ class Outputs {
   void collect_foreign_files();
   void prepare(Staged& staged);
   void rename_all();
+  void move_away(Removed& removed);
   void roll_back() noexcept;
   void discard() noexcept;
 
@@ -73,6 +82,7 @@ class Outputs {
   std::deque<OutputFile> files_;
   std::deque<OutputFile> streams_;
   std::vector<Staged> staged_;
+  std::vector<Removed> removed_;
   std::vector<Foreign> foreign_;
   std::vector<std::string> new_folders_;
   bool has_standard_output_ = false;

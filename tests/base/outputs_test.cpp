@@ -41,6 +41,37 @@ TEST(Outputs, appear_when_all_are_committed_and_not_before) {
   EXPECT_EQ(folder.read("b.csv"), "two");
 }
 
+TEST(Outputs, remove_side_files_of_the_older_output_with_it) {
+  const TemporaryFolder folder;
+  folder.write("a.shp", "old");
+  folder.write("a.qix", "old");
+  Outputs outputs(replacing);
+  outputs.add(folder.path("a.shp")).append("new");
+  outputs.remove(folder.path("a.qix"));
+  outputs.remove(folder.path("a.sbn"));
+  EXPECT_EQ(folder.read("a.qix"), "old");
+  outputs.commit();
+  EXPECT_EQ(folder.names(), (Names{"a.shp"}));
+  EXPECT_EQ(folder.read("a.shp"), "new");
+}
+
+TEST(Outputs, keep_the_side_files_where_they_fail) {
+  const TemporaryFolder folder;
+  folder.write("a.qix", "old");
+  {
+    Outputs outputs(replacing);
+    outputs.remove(folder.path("a.qix"));
+    outputs.add(folder.path("a.shp")).append("new");
+    outputs.add(folder.path("b")).append("new");
+    std::filesystem::create_directory(folder.path("b"));
+    EXPECT_THROW(outputs.commit(), Error);
+  }
+  EXPECT_EQ(folder.names(), (Names{"a.qix", "b"}));
+  EXPECT_EQ(folder.read("a.qix"), "old");
+  EXPECT_EQ(sentence_of([&] { Outputs({}).remove(folder.path("a.qix")); }),
+            folder.path("a.qix") + " exists already");
+}
+
 TEST(Outputs, leave_nothing_behind_unless_committed) {
   const TemporaryFolder folder;
   folder.write("b.csv", "old");
