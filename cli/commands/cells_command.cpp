@@ -1,3 +1,6 @@
+#include <memory>
+#include <string>
+
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs/gauges.h"
@@ -8,6 +11,9 @@
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
+#include "cli/outputs/encoded_files.h"
+#include "files/geopackage_copy.h"
+#include "gdal/output/layer_formats.h"
 
 namespace thiessen::cli {
 namespace {
@@ -36,7 +42,8 @@ class CellsCommand : public Command {
   }
   void check() const override {
     study_.check();
-    view_.check(rainfall_.given());
+    rainfall_.check();
+    view_.check(rainfall_.given(), study_.has_basins());
   }
 
   void run(Warnings& warnings) override {
@@ -44,25 +51,31 @@ class CellsCommand : public Command {
     const bool to_stream = output_.output == "-";
     if (!to_stream) require_cells_format(output_.output);
     OutputFile& file = outputs.add(output_.output);
+    const std::unique_ptr<GeoPackageCopy> older = older_layers();
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
-    const CellsOutput output = cells_output(inputs, cells, shown, study_);
+    const CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
     if (to_stream) {
       file.append(cells_geojson(output));
     } else {
-      const auto encoded = cells_files(output, output_.output);
-      file.append(encoded.front().bytes);
-      for (std::size_t i = 1; i < encoded.size(); ++i)
-        outputs.add(encoded[i].name).append(encoded[i].bytes);
+      append_files(outputs, file,
+                   cells_files(output, output_.output, warnings, older ? older->bytes() : ""));
     }
+    warn_of_new_names(output, to_stream ? "standard output" : output_.output, warnings);
     warn_of_own_coordinates(inputs, output_.output, warnings);
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
 
  private:
+  /// The GeoPackage that is there, whose other layers are kept.
+  std::unique_ptr<GeoPackageCopy> older_layers() const {
+    const std::string extension = extension_of(output_.output);
+    return extension == "gpkg" ? copy_of_geopackage(output_.output) : nullptr;
+  }
+
   StudyOptions study_;
   RainfallOptions rainfall_;
   ViewOptions view_;

@@ -33,7 +33,10 @@ class CheckCommand : public Command {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
            "samples/colorado/rainfall.csv";
   }
-  void check() const override { study_.check(); }
+  void check() const override {
+    study_.check();
+    rainfall_.check();
+  }
 
   void run(Warnings& warnings) override {
     Inputs inputs(study_, 10, common_.threads, warnings);

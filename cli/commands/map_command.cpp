@@ -11,7 +11,9 @@
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
+#include "cli/outputs/encoded_files.h"
 #include "cli/outputs/picture_of.h"
+#include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
 #include "gdal/output/raster_file.h"
 
@@ -38,7 +40,7 @@ class MapCommand : public Command {
     view_.declare_time(options());
     view_.declare_margin(options());
     view_.declare_look(options());
-    options().group("Picture").add(
+    resolution_option_ = &options().group("Picture").add(
         "--resolution", number(resolution_, above_zero),
         "the raster's pixel in units of its CRS; default: the longer side in 2000 pixels");
     output_.declare(options(), Need::required, "map.png", "where the picture or the raster goes");
@@ -54,9 +56,16 @@ class MapCommand : public Command {
            "samples/colorado/rainfall.csv -o map.png";
   }
   void check() const override {
-    kind_of(output_.output);
+    const Kind kind = kind_of(output_.output);
     study_.check();
-    view_.check(rainfall_.given());
+    rainfall_.check();
+    view_.check(rainfall_.given(), study_.has_basins());
+    if (kind == Kind::tiff) {
+      view_.check_raster();
+    } else if (resolution_option_->is_given()) {
+      throw UsageError{"--resolution is of a raster, and a picture is written",
+                       "--size gives its pixels; a .tif is a raster"};
+    }
   }
 
   void run(Warnings& warnings) override {
@@ -71,13 +80,12 @@ class MapCommand : public Command {
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const unsigned threads = static_cast<unsigned>(common_.threads);
     if (kind == Kind::tiff) {
-      const auto encoded = raster_of(inputs, shown, resolution_, output_.output, threads);
-      file.append(encoded.front().bytes);
-      for (std::size_t i = 1; i < encoded.size(); ++i)
-        outputs.add(encoded[i].name).append(encoded[i].bytes);
+      const Provenance made_by = provenance_of(inputs, study_, shown ? view_.units : "");
+      append_files(outputs, file,
+                   raster_of(inputs, shown, resolution_, made_by, output_.output, threads));
     } else {
       const auto cells = cells_of(inputs, shown, threads);
-      file.append(encode_picture(picture_of(inputs, cells, shown, view_),
+      file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_),
                                  kind == Kind::png ? PictureFormat::png : PictureFormat::jpeg,
                                  warnings));
     }
@@ -90,6 +98,7 @@ class MapCommand : public Command {
   RainfallOptions rainfall_;
   ViewOptions view_;
   double resolution_ = 0;
+  const Option* resolution_option_ = nullptr;
   OutputOptions output_;
   CommonOptions common_;
 };

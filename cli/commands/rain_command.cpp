@@ -64,6 +64,8 @@ class RainCommand : public Command {
     const std::optional<StepTimes> times = periods_.times();
     const std::vector<RainMethod>& methods = method_.methods();
     if (errors_) require_two_readings();
+    require_table_name(output_.output);
+    require_table_name(weights_log_);
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);

@@ -97,10 +97,12 @@ class RunCommand : public Command {
       summary.set_errors_of_mean(std::move(errors), error.shortfall());
     }
     const auto cells = cells_of(inputs, &mean, threads);
-    cells_file.append(cells_geojson(cells_output(inputs, cells, &mean, study_)));
+    const CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
+    cells_file.append(cells_geojson(output));
+    warn_of_new_names(output, cells_file.name(), warnings);
     warn_of_own_coordinates(inputs, cells_file.name(), warnings);
-    map_file.append(
-        encode_picture(picture_of(inputs, cells, &mean, view_), PictureFormat::png, warnings));
+    map_file.append(encode_picture(picture_of(inputs, cells, &mean, study_, view_),
+                                   PictureFormat::png, warnings));
     if (!common_.quiet) outputs.add("-").append(summary.text(view_.units));
     outputs.commit();
   }

@@ -63,6 +63,7 @@ class WeightsCommand : public Command {
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = range_.times();
+    require_table_name(output_.output);
     Outputs outputs(output_.rules(input_files()));
     OutputFile& file = outputs.add(output_.output);
     study_.opened = changes_.opened();

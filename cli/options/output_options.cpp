@@ -1,5 +1,7 @@
 #include "cli/options/output_options.h"
 
+#include "base/error.h"
+#include "base/utf8.h"
 #include "cli/options/option_values.h"
 
 namespace thiessen::cli {
@@ -19,6 +21,16 @@ void OutputOptions::declare_value(OptionList& options, Need need, OptionValue va
   group.add("-o,--output", std::move(value), help).need = need;
   group.add("--overwrite", flag(overwrite_),
             "replace an output that exists; else that is an error");
+}
+
+void require_table_name(const std::string& path) {
+  const std::string name = name_in_folder(path);
+  const std::size_t dot = name.rfind('.');
+  const std::string extension =
+      dot == std::string::npos || dot == 0 ? "" : lower_case(name.substr(dot));
+  if (extension.empty() || extension == "." || extension == ".csv" || extension == ".txt") return;
+  throw Error({path, 0, "no format of tables has the extension " + extension,
+               "a table is CSV, and written to .csv, .txt or a name without an extension"});
 }
 
 }  // namespace thiessen::cli

@@ -18,6 +18,7 @@ class OutputOptions : public OptionBlock {
   void declare(OptionList& options, Need need, const std::string& kind, const std::string& help);
   /// Declares the options of an output that is a folder.
   void declare_folder(OptionList& options, const std::string& help);
+  bool overwrites() const { return overwrite_; }
   /// The rules by which the output is written. `inputs` are files that may not be overwritten.
   OutputRules rules(std::vector<std::string> inputs) const {
     return {overwrite_, std::move(inputs)};
@@ -28,5 +29,9 @@ class OutputOptions : public OptionBlock {
 
   bool overwrite_ = false;
 };
+
+/// Requires the name of a table: .csv, .txt or no extension, so that no table stands under the name
+/// of another format. Throws Error, with the list.
+void require_table_name(const std::string& path);
 
 }  // namespace thiessen::cli

@@ -1,6 +1,7 @@
 #include "cli/options/rainfall_options.h"
 
 #include "cli/options/option_values.h"
+#include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
 
@@ -38,6 +39,13 @@ void RainfallOptions::declare_meaning(OptionList& options) {
                "ids of digits that differ by leading zeros are one: 52220 and 052220");
   readings.add("--keep-flagged", flag(readings_.keep_flagged),
                "of .dly files, also the values that failed a check of quality");
+}
+
+void RainfallOptions::check() const {
+  const Option* option = first_given();
+  if (given() || option == nullptr) return;
+  throw UsageError{option->name + " is about readings, and there is no RAINFALL",
+                   "give RAINFALL, or leave it out"};
 }
 
 ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {

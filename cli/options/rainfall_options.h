@@ -18,6 +18,8 @@ class RainfallOptions : public OptionBlock {
                          const std::string& help);
   /// The settings of the reader. `decimal_comma` is passed in because it is an option of the study.
   ReadingsOptions readings(bool decimal_comma) const;
+  /// Throws UsageError for options that are about readings where there are none.
+  void check() const;
   bool given() const { return !rainfall.empty(); }
   /// The name of RAINFALL in messages.
   std::string name() const { return rainfall == "-" ? "standard input" : rainfall; }

@@ -29,8 +29,8 @@ void StudyOptions::declare_fields(OptionGroup group) {
   group.add("--id", text(id_, "FIELD"), "the station's id; else found by name");
   group.add("--x", text(x_, "FIELD"), "the station's longitude or easting; else found by name");
   group.add("--y", text(y_, "FIELD"), "the station's latitude or northing; else found by name");
-  group.add("--basin-id", text(basin_id_, "FIELD"),
-            "the basin's id; features that share one are one basin");
+  of_basins_.push_back(&group.add("--basin-id", text(basin_id_, "FIELD"),
+                                  "the basin's id; features that share one are one basin"));
   crs_options_.push_back(
       &group.add("--crs", any_text(crs_, "CRS"),
                  "of the stations, where their file names none (EPSG:32633, WKT, PROJ)"));
@@ -39,16 +39,18 @@ void StudyOptions::declare_fields(OptionGroup group) {
   mend_option_ =
       &group.add("--mend", flag(mend_),
                  "mend basins that cross themselves by union, and say what is in dispute");
+  of_basins_.push_back(crs_options_.back());
 }
 
 void StudyOptions::declare_layers(OptionGroup group) {
   group.add("--stations-layer", text(stations_layer_, "LAYER"),
             "which layer of STATIONS, where the file has several");
-  group.add("--basins-layer", text(basins_layer_, "LAYER"),
-            "which layer of BASINS, where the file has several");
+  of_basins_.push_back(&group.add("--basins-layer", text(basins_layer_, "LAYER"),
+                                  "which layer of BASINS, where the file has several"));
   group.add("--stations-where", text(stations_where_, "SQL"),
             "only the stations that meet this OGR attribute filter");
-  group.add("--basins-where", text(basins_where_, "SQL"), "only the basins that meet it");
+  of_basins_.push_back(
+      &group.add("--basins-where", text(basins_where_, "SQL"), "only the basins that meet it"));
   group.add("--separator", cli::separator(separator_), "what parts the fields of CSV files");
   group.add("--decimal-comma", flag(decimal_comma_), "numbers of CSV files are written 1,5");
 }
@@ -80,6 +82,11 @@ void StudyOptions::check() const {
   }
   if (mend_ && !basins_option_->is_given())
     throw UsageError{mend_option_->name + " mends basins, and there are none", "give BASINS"};
+  for (const Option* option : of_basins_) {
+    if (!option->is_given() || has_basins()) continue;
+    throw UsageError{option->name + " is about basins, and there is no BASINS",
+                     "give BASINS, or leave it out"};
+  }
 }
 
 StudyRequest StudyOptions::request() const {

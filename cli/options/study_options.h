@@ -24,6 +24,7 @@ class StudyOptions : public OptionBlock {
   /// The request to read the study as the options say. Throws Error where the name of a CRS is
   /// empty.
   StudyRequest request() const;
+  bool has_basins() const { return basins_option_->is_given(); }
   char separator() const { return separator_; }
   bool decimal_comma() const { return decimal_comma_; }
   double tolerance() const { return tolerance_; }
@@ -47,6 +48,7 @@ class StudyOptions : public OptionBlock {
   const Option* plane_option_ = nullptr;
   const Option* mend_option_ = nullptr;
   std::vector<const Option*> crs_options_;
+  std::vector<const Option*> of_basins_;  ///< options that are about BASINS alone
 };
 
 }  // namespace thiessen::cli

@@ -12,21 +12,44 @@ void ViewOptions::declare_time(OptionList& options) {
 }
 
 void ViewOptions::declare_margin(OptionList& options) {
-  options.group("Method", *this)
-      .add("--margin", number(margin, {margins.low, margins.high, "percent from 0 to 1000"}),
-           "without BASINS: how far the study area reaches beyond the stations, in percent of "
-           "their extent's larger side; default 10");
+  margin_option_ =
+      &options.group("Method", *this)
+           .add("--margin", number(margin, {margins.low, margins.high, "percent from 0 to 1000"}),
+                "without BASINS: how far the study area reaches beyond the stations, in percent of "
+                "their extent's larger side; default 10");
 }
 
 void ViewOptions::declare_look(OptionList& options) {
   OptionGroup picture = options.group("Picture", *this);
-  picture.add("--units", any_text(units, "U"), "what the readings are in; default mm");
-  picture.add("--title", any_text(title, "T"), "what stands over the picture");
-  picture.add("--size", pixel_size(size), "the picture's pixels; default 1600 wide");
+  units_option_ =
+      &picture.add("--units", any_text(units, "U"), "what the readings are in; default mm");
+  title_option_ = &picture.add("--title", any_text(title, "T"), "what stands over the picture");
+  size_option_ =
+      &picture.add("--size", pixel_size(size), "the picture's pixels; default 1600 wide");
 }
 
-void ViewOptions::check(bool has_rainfall) const {
+void ViewOptions::check(bool has_rainfall, bool has_basins) const {
+  const auto is_given = [](const Option* option) {
+    return option != nullptr && option->is_given();
+  };
   if (!has_rainfall && !time.empty()) throw UsageError{"--time needs RAINFALL", ""};
+  if (!has_rainfall && is_given(units_option_)) {
+    throw UsageError{"--units is about readings, and there is no RAINFALL",
+                     "give RAINFALL, or leave it out"};
+  }
+  if (has_basins && is_given(margin_option_)) {
+    throw UsageError{"--margin is of a study area without BASINS, and they are given",
+                     "leave one of them out"};
+  }
+}
+
+void ViewOptions::check_raster() const {
+  for (const Option* option : {title_option_, size_option_}) {
+    if (!option->is_given()) continue;
+    throw UsageError{
+        option->name + " is about pictures, and a .tif is a raster",
+        option == size_option_ ? "--resolution gives the size of its pixels" : "leave it out"};
+  }
 }
 
 }  // namespace thiessen::cli

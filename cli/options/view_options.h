@@ -19,8 +19,17 @@ class ViewOptions : public OptionBlock {
   void declare_time(OptionList& options);
   void declare_margin(OptionList& options);
   void declare_look(OptionList& options);
-  /// Throws UsageError for a time where there is no RAINFALL.
-  void check(bool has_rainfall) const;
+  /// Throws UsageError for options that cannot act on what is shown: a time or units where there is
+  /// no RAINFALL, a margin where there are BASINS.
+  void check(bool has_rainfall, bool has_basins) const;
+  /// Throws UsageError for options of a picture's look: a raster has none.
+  void check_raster() const;
+
+ private:
+  const Option* margin_option_ = nullptr;
+  const Option* units_option_ = nullptr;
+  const Option* title_option_ = nullptr;
+  const Option* size_option_ = nullptr;
 };
 
 }  // namespace thiessen::cli

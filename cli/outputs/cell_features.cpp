@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "cli/outputs/provenance_of.h"
+
 namespace thiessen::cli {
 
 std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
@@ -11,7 +13,8 @@ std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const Gauge
 }
 
 CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
-                         const GaugeReadings* readings, const StudyOptions& options) {
+                         const GaugeReadings* readings, const StudyOptions& options,
+                         const std::string& unit) {
   CellsOutput output;
   output.has_rainfall = readings != nullptr;
   output.area_column = inputs.area_unit().column();
@@ -19,6 +22,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
   output.study_crs = inputs.study().crs;
   output.file_crs = inputs.study().output_crs();
   output.tolerance = options.tolerance();
+  output.made_by = provenance_of(inputs, options, readings == nullptr ? "" : unit);
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       CellFeature& feature = output.cells.emplace_back();

@@ -14,9 +14,10 @@ std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const Gauge
                                                unsigned threads);
 
 /// Prepares the cells to be written, with their weights, the rainfall of `readings` if there are
-/// any, and the stations' attributes if the options ask for them.
+/// any, and the stations' attributes if the options ask for them. `unit` is that of the readings.
 CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
-                         const GaugeReadings* readings, const StudyOptions& options);
+                         const GaugeReadings* readings, const StudyOptions& options,
+                         const std::string& unit);
 
 /// Warns where no CRS is known, so that the cells are not in longitude and latitude. `file` is the
 /// file to which they are written.

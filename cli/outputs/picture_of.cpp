@@ -3,12 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "cli/outputs/provenance_of.h"
 #include "gdal/crs/north.h"
 
 namespace thiessen::cli {
 
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
-                   const GaugeReadings* readings, const ViewOptions& view) {
+                   const GaugeReadings* readings, const StudyOptions& options,
+                   const ViewOptions& view) {
   const StudyFiles& study = inputs.study();
   Picture picture;
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
@@ -22,6 +24,7 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
                                         : "Thiessen cells";
   picture.subtitle = readings != nullptr ? readings->label : "";
   picture.units = view.units;
+  picture.tags = items_of(provenance_of(inputs, options, readings == nullptr ? "" : view.units));
   picture.width = static_cast<int>(view.size.width);
   picture.height = static_cast<int>(view.size.height);
   const std::vector<Station>& stations = inputs.network().stations();

@@ -11,6 +11,7 @@ namespace thiessen::cli {
 
 /// The picture of the cells: by rainfall where there are readings, else by station.
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
-                   const GaugeReadings* readings, const ViewOptions& view);
+                   const GaugeReadings* readings, const StudyOptions& options,
+                   const ViewOptions& view);
 
 }  // namespace thiessen::cli

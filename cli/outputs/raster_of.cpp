@@ -32,7 +32,8 @@ std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
 }  // namespace
 
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   double resolution, const std::string& path, unsigned threads) {
+                                   double resolution, const Provenance& made_by,
+                                   const std::string& path, unsigned threads) {
   const StudyFiles& study = inputs.study();
   const std::vector<MultiPolygon> areas = areas_of(inputs);
   const PixelGrid grid = grid_over(areas, resolution);
@@ -42,10 +43,11 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
       [&] { return mapping(study.output_crs(), study.crs); }, threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings != nullptr)
-    return rainfall_geotiff(grid, rows, readings->readings, study.output_crs(), path, threads);
+    return rainfall_geotiff(grid, rows, readings->readings, study.output_crs(), made_by, path,
+                            threads);
   std::vector<std::string> ids;
   for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
-  return owners_geotiff(grid, rows, ids, study.output_crs(), path, threads);
+  return owners_geotiff(grid, rows, ids, study.output_crs(), made_by, path, threads);
 }
 
 }  // namespace thiessen::cli

@@ -78,11 +78,25 @@ std::string cells_geojson(const CellsOutput& output) {
   return cells_geojson(output, cells.shapes, rounding);
 }
 
+void warn_of_new_names(const CellsOutput& output, const std::string& file, Warnings& warnings) {
+  const std::vector<FieldName> written = attribute_fields(output);
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const std::string& name = output.attributes->fields[i].name;
+    if (name == written[i].name) continue;
+    warnings.add({file,
+                  0,
+                  "the station's field " + quoted(name, 80) + " is called " +
+                      quoted(written[i].name, 80) + " beside the cell's own",
+                  {}});
+  }
+}
+
 void require_cells_format(const std::string& path) {
   if (!is_geojson(extension_of(path))) require_cells_driver(path);
 }
 
-std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path) {
+std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,
+                                     Warnings& warnings, const std::string& older) {
   const std::string extension = extension_of(path);
   if (is_geojson(extension)) return {{path, cells_geojson(output)}};
   require_cells_driver(path);
@@ -95,7 +109,7 @@ std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::strin
     }
     crs = Crs::wgs84();
   }
-  return write_cells_layer(output, valid_shapes_in(output, crs).shapes, crs, path);
+  return write_cells_layer(output, valid_shapes_in(output, crs).shapes, crs, path, older, warnings);
 }
 
 }  // namespace thiessen

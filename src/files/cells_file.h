@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "gdal/crs/crs.h"
 #include "gdal/output/encoded_file.h"
 #include "results/cell_features.h"
@@ -28,10 +29,17 @@ std::string cells_geojson(const CellsOutput& output);
 /// The cells in the format that the extension of `path` names: the first file is `path` itself,
 /// others lie beside it. GeoJSON is written as cells_geojson says, all other formats by GDAL in
 /// `file_crs`. Every cell is checked to be valid, slivers being collapsed in basins where one is
-/// not, and in formats that round coordinates it is read back and checked again. Throws Error, with
+/// not, and in formats that round coordinates it is read back and checked again. `older` holds the
+/// bytes of a GeoPackage whose other layers are kept; it is empty where there is none. A field that
+/// the format calls otherwise is told in `warnings`, and so is what GDAL warns of. Throws Error, with
 /// the list of known extensions, where there is no such format, and where the format cannot hold
 /// the cells.
-std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path);
+std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,
+                                     Warnings& warnings, const std::string& older = {});
+
+/// Warns of each attribute of the stations that has another name beside the cells' own fields, with
+/// both names. `file` is the name of the output in messages.
+void warn_of_new_names(const CellsOutput& output, const std::string& file, Warnings& warnings);
 
 /// Throws Error, listing the known extensions, where cells_files could not write to `path`.
 void require_cells_format(const std::string& path);

@@ -3,6 +3,7 @@
 #include <cpl_error.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace thiessen {
 namespace {
@@ -32,19 +33,24 @@ GdalErrors::~GdalErrors() {
 
 std::string GdalErrors::text() const {
   if (!error_.empty()) return error_;
-  return warning_.empty() ? "GDAL gives no reason" : warning_;
+  return warnings_.empty() ? "GDAL gives no reason" : warnings_.front();
 }
 
 void GdalErrors::clear() {
   failed_ = false;
   error_.clear();
-  warning_.clear();
+  warnings_.clear();
 }
 
 void GdalErrors::hear(bool error, const char* message) {
   failed_ = failed_ || error;
-  std::string& kept = error ? error_ : warning_;
-  if (kept.empty()) kept = on_one_line(message);
+  std::string text = on_one_line(message);
+  if (error) {
+    if (error_.empty()) error_ = std::move(text);
+  } else if (warnings_.size() < most_warnings &&
+             std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end()) {
+    warnings_.push_back(std::move(text));
+  }
 }
 
 }  // namespace thiessen

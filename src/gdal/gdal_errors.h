@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ class GdalErrors {
   /// The first error, or the first warning where there is no error; on one line, without a full
   /// stop.
   std::string text() const;
-  const std::string& first_warning() const { return warning_; }
+  /// The warnings in their order, each once and on one line; the first `most_warnings` of them.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+  static constexpr std::size_t most_warnings = 20;
   void clear();
   /// Takes a message; GDAL calls it.
   void hear(bool error, const char* message);
@@ -25,7 +28,7 @@ class GdalErrors {
  private:
   bool failed_ = false;
   std::string error_;
-  std::string warning_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace thiessen

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geometry/polygon.h"
+#include "results/provenance.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -29,6 +30,7 @@ struct CellFeatures {
   std::string area_column = "area_km2";  ///< see AreaUnit::column
   /// The stations' attributes, where every field of a station is written with its cell; else null.
   const Attributes* attributes = nullptr;
+  std::optional<Provenance> made_by;  ///< what the file says of how it was made
 };
 
 /// The names under which the stations' attributes are written beside the cells' own fields

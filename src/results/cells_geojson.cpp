@@ -85,12 +85,27 @@ void append_geometry(std::string& out, const MultiPolygon& shape, const VertexRo
   }
 }
 
+void append_provenance(std::string& out, const Provenance& made_by) {
+  out += R"("made_by":{)";
+  for (const auto& [name, value] : items_of(made_by)) {
+    append_name(out, name);
+    if (parse_number(value)) {
+      out += value;
+    } else {
+      append_json_string(out, value);
+    }
+  }
+  out += "},\n";
+}
+
 }  // namespace
 
 std::string cells_geojson(const CellFeatures& features, std::span<const MultiPolygon> shapes,
                           const VertexRounding& rounding) {
   const std::vector<FieldName> attributes = attribute_fields(features);
-  std::string out = R"({"type":"FeatureCollection","features":[)";
+  std::string out = R"({"type":"FeatureCollection",)";
+  if (features.made_by) append_provenance(out, *features.made_by);
+  out += R"("features":[)";
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     out += i == 0 ? "\n" : ",\n";
     out += R"({"type":"Feature","properties":{)";

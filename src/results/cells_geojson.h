@@ -11,7 +11,8 @@ namespace thiessen {
 /// The cells as GeoJSON (RFC 7946), one feature a line, in their order. `shapes` holds the geometry
 /// to write for each cell, outer rings counter-clockwise, in WGS 84 longitude and latitude cut at
 /// the antimeridian or in the coordinates of a plane; a cell without a shape has a null geometry.
-/// Cost: linear.
+/// What the file says of how it was made stands before them, in a member `thiessen` of version,
+/// metric, plane, tolerance, method and unit. Cost: linear.
 ///
 /// This writer is our own because GDAL's has one number of decimals for the whole file and writes
 /// 0.1 as 0.10000000000000001.

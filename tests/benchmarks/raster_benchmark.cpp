@@ -109,7 +109,7 @@ void geotiff_in_zone(benchmark::State& state) {
     Owners owners(grid, area_of(zone), network, Metric::geodesic, all, from_zone, threads);
     benchmark::DoNotOptimize(owners_geotiff(
         grid, [&](int row, int count) { return owners.rows(row, count); }, ids,
-        Crs::from_text("EPSG:32633", setting("crs")), "map.tif", threads));
+        Crs::from_text("EPSG:32633", setting("crs")), {}, "map.tif", threads));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
 #include "gdal/layers/layer.h"
@@ -26,15 +28,21 @@ CellsOutput two_cells() {
   return wanted;
 }
 
+std::vector<EncodedFile> files_of(const CellsOutput& output, const std::string& name) {
+  Warnings warnings;
+  return cells_files(output, name, warnings);
+}
+
 /// Writes the files where they belong and opens the first.
 struct OnDisk {
   explicit OnDisk(const CellsOutput& output, const std::string& name) {
-    for (const EncodedFile& file : cells_files(output, folder.path(name))) {
+    for (const EncodedFile& file : cells_files(output, folder.path(name), warnings)) {
       names.push_back(file.name.substr(folder.path().size() + 1));
       folder.write(names.back(), file.bytes);
     }
   }
   TemporaryFolder folder;
+  Warnings warnings;
   std::vector<std::string> names;
 };
 
@@ -57,7 +65,39 @@ TEST_P(Format, comes_back_as_it_went) {
   EXPECT_TRUE(layer.crs()->is_wgs84());
 }
 
-INSTANTIATE_TEST_SUITE_P(CellsFile, Format, testing::Values("gpkg", "fgb"));
+INSTANTIATE_TEST_SUITE_P(CellsFile, Format, testing::Values("gpkg"));
+
+TEST(CellsFile, a_flatgeobuf_has_its_cells_in_the_order_of_its_index) {
+  const OnDisk disk(two_cells(), "c.fgb");
+  Layer layer(disk.folder.path("c.fgb"), "", "");
+  std::set<std::string> stations;
+  for (Row row; layer.next(row);) stations.emplace(row.fields.at(0));
+  EXPECT_EQ(stations, (std::set<std::string>{"007", "\xC3\xA9t\xC3\xA9"}));
+}
+
+TEST(CellsFile, a_field_that_the_format_renames_is_told_with_both_names) {
+  CellsOutput wanted = two_cells();
+  const Attributes attributes{{{"a_name_that_is_long", FieldType::text}}, {{"x"}, {"y"}}};
+  wanted.attributes = &attributes;
+  wanted.cells[1].attribute_row = 1;
+  const OnDisk disk(wanted, "c.shp");
+  ASSERT_EQ(disk.warnings.messages().size(), 1u);
+  EXPECT_TRUE(contains(disk.warnings.messages()[0].sentence(),
+                       "the field 'a_name_that_is_long' is called 'a_name_tha'"));
+}
+
+TEST(CellsFile, whole_numbers_and_letters_of_all_scripts_come_back_from_mapinfo) {
+  CellsOutput wanted = two_cells();
+  const Attributes attributes{{{"n", FieldType::integer}}, {{"7"}, {"-8"}}};
+  wanted.attributes = &attributes;
+  wanted.cells[1].attribute_row = 1;
+  wanted.cells[1].station = "\xE6\x9D\xB1\xE4\xBA\xAC";
+  for (const char* name : {"c.tab", "c.mif"}) EXPECT_NO_THROW(files_of(wanted, name)) << name;
+  wanted.cells[1].station = std::string(300, 'x');
+  for (const char* name : {"c.tab", "c.mif", "c.shp"})
+    EXPECT_TRUE(contains(complaint_of([&] { files_of(wanted, name); }), "is cut to 254 of its 300"))
+        << name << complaint_of([&] { files_of(wanted, name); });
+}
 
 TEST(CellsFile, a_shapefile_is_several_files) {
   const OnDisk disk(two_cells(), "c.shp");
@@ -71,8 +111,8 @@ TEST(CellsFile, a_shapefile_is_several_files) {
 
 TEST(CellsFile, the_same_cells_make_the_same_bytes) {
   for (const char* name : {"c.gpkg", "c.shp", "c.fgb", "c.kml", "c.gml"}) {
-    const auto first = cells_files(two_cells(), name);
-    const auto second = cells_files(two_cells(), name);
+    const auto first = files_of(two_cells(), name);
+    const auto second = files_of(two_cells(), name);
     ASSERT_EQ(first.size(), second.size());
     for (std::size_t i = 0; i < first.size(); ++i)
       EXPECT_TRUE(first[i].bytes == second[i].bytes) << first[i].name;
@@ -94,9 +134,9 @@ TEST(CellsFile, other_formats_are_in_the_files_crs) {
 TEST(CellsFile, kml_is_in_longitude_and_latitude) {
   CellsOutput wanted = two_cells();
   wanted.file_crs = Crs::from_text("EPSG:32633", setting("basins_crs"));
-  EXPECT_TRUE(contains(cells_files(wanted, "c.kml").at(0).bytes, "15,50"));
+  EXPECT_TRUE(contains(files_of(wanted, "c.kml").at(0).bytes, "15,50"));
   wanted.study_crs.reset();
-  EXPECT_TRUE(contains(complaint_of([&] { cells_files(wanted, "c.kml"); }),
+  EXPECT_TRUE(contains(complaint_of([&] { files_of(wanted, "c.kml"); }),
                        "c.kml: the format holds longitude"));
 }
 
@@ -113,8 +153,8 @@ TEST(CellsFile, an_unknown_extension_lists_the_known_ones) {
 TEST(CellsFile, a_text_too_long_for_the_format_is_an_error) {
   CellsOutput wanted = two_cells();
   wanted.cells[0].station = std::string(300, 'x');
-  EXPECT_TRUE(contains(complaint_of([&] { cells_files(wanted, "c.shp"); }), "c.shp: "));
-  EXPECT_NO_THROW(cells_files(wanted, "c.gpkg"));
+  EXPECT_TRUE(contains(complaint_of([&] { files_of(wanted, "c.shp"); }), "c.shp: "));
+  EXPECT_NO_THROW(files_of(wanted, "c.gpkg"));
 }
 
 }  // namespace

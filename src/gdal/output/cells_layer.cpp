@@ -8,88 +8,24 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
+#include <limits>
 #include <memory>
+#include <string_view>
 #include <utility>
 
-#include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "gdal/crs/crs_definition.h"
-#include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
+#include "gdal/output/layer_readback.h"
 #include "gdal/output/memory_files.h"
 #include "gdal/output/written_validity.h"
 
 namespace thiessen {
 namespace {
 
-struct Format {
-  std::string_view extension;
-  const char* driver;
-};
-
-constexpr std::array formats = {Format{"gpkg", "GPKG"},
-                                Format{"shp", "ESRI Shapefile"},
-                                Format{"shz", "ESRI Shapefile"},
-                                Format{"fgb", "FlatGeobuf"},
-                                Format{"kml", "LIBKML"},
-                                Format{"kmz", "LIBKML"},
-                                Format{"gml", "GML"},
-                                Format{"tab", "MapInfo File"},
-                                Format{"mif", "MapInfo File"},
-                                Format{"sqlite", "SQLite"},
-                                Format{"csv", "CSV"},
-                                Format{"geojsonl", "GeoJSONSeq"},
-                                Format{"gmt", "OGR_GMT"},
-                                Format{"jml", "JML"},
-                                Format{"sql", "PGDUMP"}};
-
-bool writes(GDALDriver& driver, const std::string& extension) {
-  const auto is_set = [&](const char* key) { return driver.GetMetadataItem(key) != nullptr; };
-  if (!is_set(GDAL_DCAP_VECTOR) || !is_set(GDAL_DCAP_CREATE) || !is_set(GDAL_DCAP_VIRTUALIO))
-    return false;
-  // Spreadsheets hold no geometry.
-  const std::string_view name = driver.GetDescription();
-  if (name == "XLSX" || name == "ODS") return false;
-  const char* known = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
-  const CPLStringList extensions(CSLTokenizeString2(known == nullptr ? "" : known, " ", 0));
-  return extensions.FindString(extension.c_str()) >= 0;
-}
-
-GDALDriver* find_driver(const std::string& extension) {
-  start_gdal();
-  const GdalErrors errors;
-  GDALAllRegister();
-  GDALDriverManager& drivers = *GetGDALDriverManager();
-  for (const Format& format : formats) {
-    if (format.extension == extension) return drivers.GetDriverByName(format.driver);
-  }
-  for (int i = 0; i < drivers.GetDriverCount(); ++i) {
-    if (!extension.empty() && writes(*drivers.GetDriver(i), extension)) return drivers.GetDriver(i);
-  }
-  return nullptr;
-}
-
-std::string known_extensions() {
-  std::string text = ".geojson, .json";
-  for (const Format& format : formats) text += ", ." + std::string(format.extension);
-  return text;
-}
-
-[[noreturn]] void refuse(const std::string& path, const std::string& text) {
-  throw Error(Message{path, 0, text, "cells are written to " + known_extensions()});
-}
-
-GDALDriver& require_driver(const std::string& path) {
-  const std::string extension = extension_of(path);
-  if (extension.empty()) refuse(path, "the extension tells the format, and there is none");
-  GDALDriver* driver = find_driver(extension);
-  if (driver == nullptr)
-    refuse(path, "no format of cells has the extension ." + printable(extension));
-  return *driver;
-}
+constexpr const char* layer_name = "cells";
 
 /// Fixes the date that GDAL writes for as long as it lives, so that the same cells make the same
 /// bytes on any day.
@@ -101,29 +37,53 @@ class FixedDate {
   FixedDate& operator=(const FixedDate&) = delete;
 };
 
-OGRFieldType ogr_type(FieldType type) {
-  if (type == FieldType::integer) return OFTInteger64;
-  return type == FieldType::real ? OFTReal : OFTString;
+/// Which texts a driver's files hold without a limit of their length, names and letters.
+bool holds_any_text(std::string_view driver) {
+  constexpr std::array<std::string_view, 3> drivers = {"GPKG", "FlatGeobuf", "PGDUMP"};
+  return std::find(drivers.begin(), drivers.end(), driver) != drivers.end();
+}
+
+bool is_of_renaming(std::string_view warning) {
+  return warning.find("laundered") != std::string_view::npos;
+}
+
+bool is_of_loss(std::string_view warning) {
+  constexpr std::array<std::string_view, 3> signs = {"truncated", "not successfully written",
+                                                     "couldn't be converted"};
+  return std::any_of(signs.begin(), signs.end(), [&](std::string_view sign) {
+    return warning.find(sign) != std::string_view::npos;
+  });
 }
 
 /// Writes the cells into one layer of GDAL's.
 class LayerWriter {
  public:
-  LayerWriter(const CellFeatures& features, const std::string& path)
-      : features_(features), path_(path), attributes_(attribute_fields(features)), folder_(path) {}
+  LayerWriter(const CellFeatures& features, const std::string& path, Warnings& warnings)
+      : features_(features), path_(path), warnings_(warnings), folder_(path) {
+    fields_.push_back({"station", FieldType::text});
+    if (has_basins()) fields_.push_back({"basin", FieldType::text});
+    fields_.push_back({features_.area_column, FieldType::real});
+    fields_.push_back({"weight", FieldType::real});
+    if (features_.has_rainfall) fields_.push_back({"rainfall", FieldType::real});
+    own_fields_ = fields_.size();
+    const std::vector<FieldName> attributes = attribute_fields(features_);
+    fields_.insert(fields_.end(), attributes.begin(), attributes.end());
+  }
 
   std::vector<EncodedFile> write(GDALDriver& driver, std::span<const MultiPolygon> shapes,
-                                 const std::optional<Crs>& crs) {
+                                 const std::optional<Crs>& crs, const std::string& older) {
     const FixedDate date;
-    std::unique_ptr<GDALDataset> dataset(
-        driver.Create(folder_.file().c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-    check(dataset != nullptr);
-    OGRLayer& layer = create_layer(*dataset, crs);
+    dataset_ = older.empty() ? create(driver) : open(driver, older);
+    OGRLayer& layer = create_layer(crs);
     for (std::size_t i = 0; i < shapes.size(); ++i) add(layer, features_.cells[i], shapes[i]);
-    dataset.reset();
+    dataset_.reset();
     check(true);
+    const std::string name = driver.GetDescription();
+    if (!holds_any_text(name)) require_read_back(driver, folder_.file(), texts(), path_, warnings_);
+    require_no_loss();
     std::vector<EncodedFile> files = folder_.take();
-    require_valid_after_rounding(driver.GetDescription());
+    require_valid_after_rounding(name);
+    tell_warnings();
     return files;
   }
 
@@ -141,30 +101,85 @@ class LayerWriter {
   void check(bool done) const {
     if (!done || errors_.failed())
       throw Error(Message{path_, 0, "GDAL cannot write it: " + errors_.text(), {}});
-    if (errors_.first_warning().find("truncated") != std::string::npos) {
-      throw Error(Message{path_, 0, "the format is too narrow: " + errors_.first_warning(),
+  }
+
+  /// Requires that GDAL warned of no loss. It is asked last, for reading back tells more of it.
+  void require_no_loss() const {
+    for (const std::string& warning : errors_.warnings()) {
+      if (!is_of_loss(warning)) continue;
+      throw Error(Message{path_, 0, "the format is too narrow: " + warning,
                           "a .gpkg holds texts of any length"});
     }
   }
 
-  OGRLayer& create_layer(GDALDataset& dataset, const std::optional<Crs>& crs) {
+  std::unique_ptr<GDALDataset> create(GDALDriver& driver) const {
     CPLStringList options;
-    const std::string driver = dataset.GetDriverName();
+    if (driver.GetDescription() == std::string_view("GML") && features_.made_by)
+      options.SetNameValue("DESCRIPTION", sentence_of(*features_.made_by).c_str());
+    std::unique_ptr<GDALDataset> dataset(
+        driver.Create(folder_.file().c_str(), 0, 0, 0, GDT_Unknown, options.List()));
+    check(dataset != nullptr);
+    return dataset;
+  }
+
+  /// Opens the older dataset without its layer of cells.
+  std::unique_ptr<GDALDataset> open(GDALDriver& driver, const std::string& older) const {
+    folder_.put(older);
+    const char* drivers[] = {driver.GetDescription(), nullptr};
+    std::unique_ptr<GDALDataset> dataset(GDALDataset::Open(
+        folder_.file().c_str(), GDAL_OF_VECTOR | GDAL_OF_UPDATE, drivers, nullptr, nullptr));
+    check(dataset != nullptr);
+    for (int i = dataset->GetLayerCount() - 1; i >= 0; --i) {
+      if (lower_case(dataset->GetLayer(i)->GetName()) == layer_name)
+        check(dataset->DeleteLayer(i) == OGRERR_NONE);
+    }
+    return dataset;
+  }
+
+  /// A name for a column of the format's own that no field has.
+  std::string free_name(std::string name) const {
+    const auto is_taken = [&](const FieldName& field) { return lower_case(field.name) == name; };
+    while (std::any_of(fields_.begin(), fields_.end(), is_taken)) name += '_';
+    return name;
+  }
+
+  CPLStringList layer_options(std::string_view driver) const {
+    CPLStringList options;
     if (driver == "CSV") options.SetNameValue("GEOMETRY", "AS_WKT");
-    // FlatGeobuf's index would put the cells into another order.
-    if (driver == "FlatGeobuf") options.SetNameValue("SPATIAL_INDEX", "NO");
     if (driver == "ESRI Shapefile") options.SetNameValue("DBF_DATE_LAST_UPDATE", "1970-01-01");
-    if (driver == "ESRI Shapefile") options.SetNameValue("ENCODING", "UTF-8");
+    if (driver == "ESRI Shapefile" || driver == "MapInfo File")
+      options.SetNameValue("ENCODING", "UTF-8");
+    if (driver == "GPKG") {
+      options.SetNameValue("FID", free_name("fid").c_str());
+      options.SetNameValue("GEOMETRY_NAME", free_name("geom").c_str());
+    }
+    if (driver == "SQLite" || driver == "PGDUMP") {
+      options.SetNameValue("LAUNDER", "NO");
+      options.SetNameValue("FID", free_name("ogc_fid").c_str());
+    }
+    if (driver == "SQLite") options.SetNameValue("GEOMETRY_NAME", free_name("geometry").c_str());
+    if (driver == "PGDUMP") {
+      options.SetNameValue("GEOMETRY_NAME", free_name("wkb_geometry").c_str());
+      // Whoever runs the script decides about a table that is there: its CREATE fails.
+      options.SetNameValue("DROP_TABLE", "NO");
+      if (features_.made_by)
+        options.SetNameValue("DESCRIPTION", sentence_of(*features_.made_by).c_str());
+    }
+    return options;
+  }
+
+  OGRLayer& create_layer(const std::optional<Crs>& crs) {
+    const std::string driver = dataset_->GetDriverName();
     std::unique_ptr<OGRSpatialReference> system;
     if (crs) system.reset(crs->definition().system.Clone());
-    OGRLayer* layer = dataset.CreateLayer("cells", system.get(), wkbMultiPolygon, options.List());
+    OGRLayer* layer = dataset_->CreateLayer(layer_name, system.get(), wkbMultiPolygon,
+                                            layer_options(driver).List());
     check(layer != nullptr);
-    add_field(*layer, "station", OFTString);
-    if (has_basins()) add_field(*layer, "basin", OFTString);
-    add_field(*layer, features_.area_column, OFTReal);
-    add_field(*layer, "weight", OFTReal);
-    if (features_.has_rainfall) add_field(*layer, "rainfall", OFTReal);
-    for (const FieldName& field : attributes_) add_field(*layer, field.name, ogr_type(field.type));
+    for (std::size_t i = 0; i < fields_.size(); ++i) add_field(*layer, i);
+    if (driver == "GPKG" && features_.made_by) {
+      for (const auto& [name, value] : items_of(*features_.made_by))
+        layer->SetMetadataItem(name.c_str(), value.c_str());
+    }
     return *layer;
   }
 
@@ -172,18 +187,50 @@ class LayerWriter {
     return !features_.cells.empty() && features_.cells[0].basin.has_value();
   }
 
-  void add_field(OGRLayer& layer, const std::string& name, OGRFieldType type) const {
-    OGRFieldDefn field(name.c_str(), type);
+  void add_field(OGRLayer& layer, std::size_t field) {
+    const FieldName& wanted = fields_[field];
+    OGRFieldDefn definition(wanted.name.c_str(), type_of(field));
     // Where a format states widths, fields must be wide enough for any double's digits.
-    if (type == OFTReal && narrow_numbers()) {
-      field.SetWidth(24);
-      field.SetPrecision(15);
+    if (wanted.type == FieldType::real && narrow_numbers()) {
+      definition.SetWidth(24);
+      definition.SetPrecision(15);
     }
-    check(layer.CreateField(&field) == OGRERR_NONE);
+    check(layer.CreateField(&definition) == OGRERR_NONE);
   }
 
   bool narrow_numbers() const {
     return extension_of(path_) == "shp" || extension_of(path_) == "shz";
+  }
+
+  /// The type as which the format holds a field.
+  OGRFieldType type_of(std::size_t field) {
+    switch (fields_[field].type) {
+      case FieldType::text:
+        return OFTString;
+      case FieldType::real:
+        return OFTReal;
+      case FieldType::integer:
+        break;
+    }
+    const char* types = dataset_->GetDriver()->GetMetadataItem(GDAL_DMD_CREATIONFIELDDATATYPES);
+    if (types == nullptr || std::string_view(types).find("Integer64") != std::string_view::npos)
+      return OFTInteger64;
+    if (is_short(field)) return OFTInteger;
+    warnings_.add({path_,
+                   0,
+                   "the field " + quoted(fields_[field].name, 80) +
+                       " is written as text: whole numbers of the format end at " +
+                       std::to_string(std::numeric_limits<std::int32_t>::max()),
+                   {}});
+    return OFTString;
+  }
+
+  bool is_short(std::size_t field) const {
+    return std::all_of(
+        features_.cells.begin(), features_.cells.end(), [&](const CellFeature& cell) {
+          const auto value = parse_number(text(cell, field));
+          return !value || std::abs(value.value) <= std::numeric_limits<std::int32_t>::max();
+        });
   }
 
   void add(OGRLayer& layer, const CellFeature& cell, const MultiPolygon& shape) {
@@ -197,11 +244,8 @@ class LayerWriter {
     feature->SetField(field++, cell.weight);
     if (features_.has_rainfall && std::isfinite(cell.rainfall))
       feature->SetField(field, cell.rainfall);
-    if (features_.has_rainfall) ++field;
-    for (std::size_t i = 0; i < attributes_.size(); ++i) {
-      set(*feature, field++, features_.attributes->rows[cell.attribute_row][i],
-          attributes_[i].type);
-    }
+    for (std::size_t i = own_fields_; i < fields_.size(); ++i)
+      set(*feature, static_cast<int>(i), text(cell, i), fields_[i].type);
     check(layer.CreateFeature(feature.get()) == OGRERR_NONE);
   }
 
@@ -214,28 +258,55 @@ class LayerWriter {
     }
   }
 
+  /// The text of a field that is no number of our own; empty for such a one.
+  const std::string& text(const CellFeature& cell, std::size_t field) const {
+    static const std::string none;
+    if (field == 0) return cell.station;
+    if (field == 1 && cell.basin) return *cell.basin;
+    if (field < own_fields_) return none;
+    return features_.attributes->rows[cell.attribute_row][field - own_fields_];
+  }
+
+  LayerTexts texts() const {
+    LayerTexts wanted;
+    wanted.rows = features_.cells.size();
+    for (const FieldName& field : fields_) wanted.names.push_back(field.name);
+    wanted.text = [&](std::size_t row, std::size_t field) {
+      return fields_[field].type == FieldType::real ? std::string()
+                                                    : text(features_.cells[row], field);
+    };
+    return wanted;
+  }
+
+  /// Tells what GDAL warned of, but for new names of fields, which are told already.
+  void tell_warnings() {
+    for (const std::string& warning : errors_.warnings()) {
+      if (!is_of_renaming(warning)) warnings_.add({path_, 0, "GDAL warns: " + warning, {}});
+    }
+  }
+
   const CellFeatures& features_;
   const std::string& path_;
-  std::vector<FieldName> attributes_;
+  Warnings& warnings_;
+  std::vector<FieldName> fields_;
+  std::size_t own_fields_ = 0;  ///< how many of them are not the station's attributes
   MemoryFolder folder_;
   GdalErrors errors_;
+  std::unique_ptr<GDALDataset> dataset_;
 };
 
 }  // namespace
 
-std::string extension_of(const std::string& path) {
-  const std::size_t dot = path.find_last_of("./");
-  return dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1));
-}
-
 void require_cells_driver(const std::string& path) {
-  require_driver(path);
+  require_vector_driver(path);
 }
 
 std::vector<EncodedFile> write_cells_layer(const CellFeatures& features,
                                            std::span<const MultiPolygon> shapes,
-                                           const std::optional<Crs>& crs, const std::string& path) {
-  return LayerWriter(features, path).write(require_driver(path), shapes, crs);
+                                           const std::optional<Crs>& crs, const std::string& path,
+                                           const std::string& older, Warnings& warnings) {
+  return LayerWriter(features, path, warnings)
+      .write(require_vector_driver(path), shapes, crs, older);
 }
 
 }  // namespace thiessen

@@ -55,6 +55,14 @@ MemoryFolder::~MemoryFolder() {
   VSIRmdirRecursive(folder_.c_str());
 }
 
+void MemoryFolder::put(const std::string& bytes) const {
+  const GdalErrors errors;
+  VSILFILE* file = VSIFOpenL(file_.c_str(), "wb");
+  const std::size_t written = file == nullptr ? 0 : VSIFWriteL(bytes.data(), 1, bytes.size(), file);
+  if (file != nullptr) VSIFCloseL(file);
+  if (written != bytes.size()) throw Error(Message{path_, 0, "not enough memory", {}});
+}
+
 std::vector<EncodedFile> MemoryFolder::take() const {
   const CPLStringList entries(VSIReadDirRecursive(folder_.c_str()));
   std::vector<std::string> names;

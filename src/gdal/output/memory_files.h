@@ -19,6 +19,8 @@ class MemoryFolder {
 
   /// The path in memory to which GDAL is to write the dataset.
   const std::string& file() const { return file_; }
+  /// Puts bytes there, for GDAL to go on with.
+  void put(const std::string& bytes) const;
   /// Copies the files that GDAL wrote: the dataset's own first, then side files by name. Each gets
   /// the name that belongs to `path`. Throws Error where the dataset's own file is missing or GDAL
   /// made a folder.

@@ -35,7 +35,8 @@ class GeoTiffWriter {
   GeoTiffWriter(const GeoTiffWriter&) = delete;
   GeoTiffWriter& operator=(const GeoTiffWriter&) = delete;
 
-  GDALRasterBand& create(GDALDataType type, const std::optional<Crs>& crs) {
+  GDALRasterBand& create(GDALDataType type, const std::optional<Crs>& crs,
+                         const Provenance& made_by) {
     CPLStringList options;
     options.SetNameValue("COMPRESS", "DEFLATE");
     options.SetNameValue("NUM_THREADS", std::to_string(threads_).c_str());
@@ -49,6 +50,10 @@ class GeoTiffWriter {
     double transform[6] = {grid_.north_west.x, grid_.pixel, 0, grid_.north_west.y, 0, -grid_.pixel};
     check(dataset_->SetGeoTransform(transform) == CE_None);
     if (crs) check(dataset_->SetSpatialRef(&crs->definition().system) == CE_None);
+    for (const auto& [name, value] : items_of(made_by)) {
+      const char* item = name == "software" ? "TIFFTAG_SOFTWARE" : name.c_str();
+      check(dataset_->SetMetadataItem(item, value.c_str()) == CE_None);
+    }
     return *dataset_->GetRasterBand(1);
   }
 
@@ -112,10 +117,10 @@ std::unique_ptr<GDALRasterAttributeTable> table_of(const std::vector<std::string
 
 std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, const OwnerRows& owners,
                                         const std::vector<std::string>& station_ids,
-                                        const std::optional<Crs>& crs, const std::string& path,
-                                        unsigned threads) {
+                                        const std::optional<Crs>& crs, const Provenance& made_by,
+                                        const std::string& path, unsigned threads) {
   GeoTiffWriter writer(grid, path, threads);
-  GDALRasterBand& band = writer.create(GDT_Int32, crs);
+  GDALRasterBand& band = writer.create(GDT_Int32, crs, made_by);
   writer.check(band.SetNoDataValue(0) == CE_None);
   writer.write(band, GDT_Int32, owners,
                [](std::span<const std::int32_t> some) { return some.data(); });
@@ -125,13 +130,13 @@ std::vector<EncodedFile> owners_geotiff(const PixelGrid& grid, const OwnerRows& 
 
 std::vector<EncodedFile> rainfall_geotiff(const PixelGrid& grid, const OwnerRows& owners,
                                           std::span<const double> rainfall,
-                                          const std::optional<Crs>& crs, const std::string& path,
-                                          unsigned threads) {
+                                          const std::optional<Crs>& crs, const Provenance& made_by,
+                                          const std::string& path, unsigned threads) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   std::vector<float> by_number{static_cast<float>(none)};
   for (const double reading : rainfall) by_number.push_back(static_cast<float>(reading));
   GeoTiffWriter writer(grid, path, threads);
-  GDALRasterBand& band = writer.create(GDT_Float32, crs);
+  GDALRasterBand& band = writer.create(GDT_Float32, crs, made_by);
   writer.check(band.SetNoDataValue(none) == CE_None);
   std::vector<float> pixels;
   writer.write(band, GDT_Float32, owners, [&](std::span<const std::int32_t> some) {

@@ -7,7 +7,7 @@
 
 namespace thiessen {
 
-std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format) {
+std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format, const PictureTags& tags) {
   const cv::Mat pixels(canvas.height(), canvas.width(), CV_8UC3, canvas.bytes().data());
   const bool png = format == PictureFormat::png;
   const std::vector<int> options = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
@@ -15,6 +15,11 @@ std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format) {
   std::vector<unsigned char> bytes;
   if (!cv::imencode(png ? ".png" : ".jpg", pixels, bytes, options) || bytes.empty()) {
     throw Error(Message{{}, 0, "the picture could not be encoded", {}});
+  }
+  if (png) {
+    tag_png(bytes, tags);
+  } else {
+    tag_jpeg(bytes, tags);
   }
   return bytes;
 }

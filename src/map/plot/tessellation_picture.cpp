@@ -1,5 +1,8 @@
 #include "map/plot/tessellation_picture.h"
 
+#include <string>
+
+#include "base/version.h"
 #include "map/opencv/drawing_errors.h"
 #include "map/opencv/encoding.h"
 #include "map/plot/plane_plot.h"
@@ -12,7 +15,8 @@ template <typename Plot>
 std::vector<unsigned char> picture_of(Plot&& plot) {
   try {
     Canvas canvas = plot();
-    return encoded(canvas, PictureFormat::png);
+    return encoded(canvas, PictureFormat::png,
+                   {{"software", std::string("thiessen ") + version()}});
   } catch (...) {
     throw_drawing_error();
   }

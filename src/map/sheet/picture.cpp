@@ -72,7 +72,7 @@ std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnin
   canvas.blend(page.style.em, page.subtitle_baseline - page.subtitle.baseline, page.subtitle.ink,
                ink::quiet_text);
   if (legend.width() > 0) legend.draw(canvas, page, classes);
-  const std::vector<unsigned char> bytes = encoded(canvas, format);
+  const std::vector<unsigned char> bytes = encoded(canvas, format, picture.tags);
   warn_of_missing(type, warnings);
   return {bytes.begin(), bytes.end()};
 }

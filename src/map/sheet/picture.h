@@ -52,6 +52,7 @@ struct Picture {
   std::string title;
   std::string subtitle;  ///< such as "mean over 120 months"; may be empty
   std::string units;     ///< of the rainfall, such as "mm"; may be empty
+  PictureTags tags;      ///< what the file says of how it was made
   int width = 1600;      ///< width of the picture, in pixels
   int height = 0;        ///< in pixels; 0: chosen by the shape of the study area
 };

@@ -42,7 +42,7 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   const TemporaryFolder folder;
   const auto files =
       owners_geotiff(grid, rows_of(owners, 300), {"007", "a<b"},
-                     Crs::from_text("EPSG:32633", setting("crs")), folder.path("map.tif"), 1);
+                     Crs::from_text("EPSG:32633", setting("crs")), {}, folder.path("map.tif"), 1);
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].name, folder.path("map.tif"));
   EXPECT_EQ(files[1].name, folder.path("map.tif.aux.xml"));
@@ -72,7 +72,7 @@ TEST(RasterFile, rainfall_is_the_owner_s_and_not_a_number_outside) {
   owners[302] = 1;
   const std::vector<double> rainfall{0.1, 12.5};
   const TemporaryFolder folder;
-  const auto files = rainfall_geotiff(grid, rows_of(owners, 300), rainfall, std::nullopt,
+  const auto files = rainfall_geotiff(grid, rows_of(owners, 300), rainfall, std::nullopt, {},
                                       folder.path("map.tif"), 2);
   ASSERT_EQ(files.size(), 1U);
   folder.write("map.tif", files[0].bytes);
@@ -94,7 +94,7 @@ TEST(RasterFile, the_same_pixels_make_the_same_bytes) {
     owners[i] = static_cast<std::int32_t>(i % 977 * (i / 1000) % 1013);
   const std::vector<double> rainfall(1013, 1);
   const auto bytes = [&](unsigned threads) {
-    return owners_geotiff(large, rows_of(owners, 1000), {"a"}, Crs::wgs84(), "a.tif", threads)
+    return owners_geotiff(large, rows_of(owners, 1000), {"a"}, Crs::wgs84(), {}, "a.tif", threads)
         .at(0)
         .bytes;
   };
@@ -102,10 +102,10 @@ TEST(RasterFile, the_same_pixels_make_the_same_bytes) {
   EXPECT_TRUE(one == bytes(1));
   EXPECT_TRUE(one == bytes(2));
   EXPECT_TRUE(one == bytes(5));
-  EXPECT_TRUE(rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), "a.tif", 1)
+  EXPECT_TRUE(rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), {}, "a.tif", 1)
                   .at(0)
                   .bytes ==
-              rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), "b.tif", 3)
+              rainfall_geotiff(large, rows_of(owners, 1000), rainfall, Crs::wgs84(), {}, "b.tif", 3)
                   .at(0)
                   .bytes);
 }

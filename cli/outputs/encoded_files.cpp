@@ -1,0 +1,19 @@
+#include "cli/outputs/encoded_files.h"
+
+#include <algorithm>
+
+#include "gdal/output/side_files.h"
+
+namespace thiessen::cli {
+
+void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded) {
+  file.append(encoded.front().bytes);
+  for (std::size_t i = 1; i < encoded.size(); ++i)
+    outputs.add(encoded[i].name).append(encoded[i].bytes);
+  for (const std::string& name : side_files_of(encoded.front().name)) {
+    const auto is_it = [&](const EncodedFile& one) { return one.name == name; };
+    if (std::none_of(encoded.begin(), encoded.end(), is_it)) outputs.remove(name);
+  }
+}
+
+}  // namespace thiessen::cli

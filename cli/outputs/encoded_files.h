@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/outputs.h"
+#include "gdal/output/encoded_file.h"
+
+namespace thiessen::cli {
+
+/// Appends the files of an output: the first to `file`, which is open, the others beside it. Side
+/// files of an older output that this one lacks are removed with it.
+void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded);
+
+}  // namespace thiessen::cli

@@ -1,0 +1,20 @@
+#include "cli/outputs/provenance_of.h"
+
+#include "base/version.h"
+
+namespace thiessen::cli {
+
+Provenance provenance_of(const Inputs& inputs, const StudyOptions& options,
+                         const std::string& unit) {
+  const StudyFiles& study = inputs.study();
+  Provenance made_by;
+  made_by.software = std::string("thiessen ") + version();
+  made_by.metric = study.metric == Metric::geodesic ? "geodesic" : "planar";
+  if (study.metric == Metric::planar && study.crs) made_by.plane = study.crs->name();
+  made_by.tolerance = options.tolerance();
+  made_by.method = "thiessen";
+  made_by.unit = unit;
+  return made_by;
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,9 @@
+#include "base/version.h"
+
+namespace thiessen {
+
+const char* version() {
+  return THIESSEN_VERSION;
+}
+
+}  // namespace thiessen

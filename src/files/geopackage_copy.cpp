@@ -1,0 +1,107 @@
+#include "files/geopackage_copy.h"
+
+#include <sqlite3.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <fstream>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace thiessen {
+namespace {
+
+struct CloseDatabase {
+  void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+};
+using Database = std::unique_ptr<sqlite3, CloseDatabase>;
+
+struct FreeBytes {
+  void operator()(unsigned char* bytes) const { sqlite3_free(bytes); }
+};
+
+[[noreturn]] void refuse(const std::string& path, int status) {
+  const bool busy = status == SQLITE_BUSY || status == SQLITE_LOCKED;
+  throw Error(Message{
+      path, 0,
+      busy ? "cannot be replaced: another program is using it"
+           : "its other layers cannot be kept: " + std::string(sqlite3_errstr(status)),
+      busy ? "close it there, or give the output another name" : "give the output another name"});
+}
+
+void require(int status, const std::string& path) {
+  if (status != SQLITE_OK && status != SQLITE_DONE) refuse(path, status & 0xFF);
+}
+
+Database open(const std::string& path, const std::string& name, int flags) {
+  sqlite3* opened = nullptr;
+  const int status = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
+  Database database(opened);
+  require(status, path);
+  return database;
+}
+
+bool is_there(const std::string& path) {
+  struct stat status = {};
+  return ::stat(path.c_str(), &status) == 0 && status.st_size > 0;
+}
+
+/// Requires that no other program is within a change of the file, or has it open in the mode in
+/// which changes stand in a log beside it.
+void require_no_journal(const std::string& path) {
+  for (const char* suffix : {"-wal", "-journal"}) {
+    if (!is_there(path + suffix)) continue;
+    throw Error(Message{path, 0,
+                        "cannot be replaced: " + path + suffix +
+                            " holds changes of another program that has it open",
+                        "close it there, or give the output another name"});
+  }
+}
+
+bool is_sqlite(const std::string& path) {
+  constexpr std::string_view magic = "SQLite format 3";
+  std::array<char, magic.size()> bytes = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), bytes.size());
+  return file && std::string_view(bytes.data(), bytes.size()) == magic;
+}
+
+}  // namespace
+
+struct GeoPackageCopy::Lock {
+  Database database;
+};
+
+GeoPackageCopy::GeoPackageCopy(const std::string& path) : lock_(std::make_unique<Lock>()) {
+  require_no_journal(path);
+  const std::string name = path.starts_with('/') ? path : "./" + path;
+  lock_->database = open(path, name, SQLITE_OPEN_READWRITE);
+  const int locked =
+      sqlite3_exec(lock_->database.get(), "BEGIN IMMEDIATE", nullptr, nullptr, nullptr);
+  // Nobody else can write to a file that its owner may not write to.
+  if (locked != SQLITE_READONLY) require(locked, path);
+  const Database source = open(path, name, SQLITE_OPEN_READONLY);
+  const Database copy = open(path, ":memory:", SQLITE_OPEN_READWRITE);
+  sqlite3_backup* backup = sqlite3_backup_init(copy.get(), "main", source.get(), "main");
+  if (backup == nullptr) refuse(path, sqlite3_errcode(copy.get()));
+  constexpr int all_pages = -1;
+  const int status = sqlite3_backup_step(backup, all_pages);
+  sqlite3_backup_finish(backup);
+  require(status, path);
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, FreeBytes> bytes(
+      sqlite3_serialize(copy.get(), "main", &size, 0));
+  if (!bytes) refuse(path, SQLITE_NOMEM);
+  bytes_.assign(reinterpret_cast<const char*>(bytes.get()), static_cast<std::size_t>(size));
+}
+
+GeoPackageCopy::~GeoPackageCopy() = default;
+
+std::unique_ptr<GeoPackageCopy> copy_of_geopackage(const std::string& path) {
+  if (is_there(path) && is_sqlite(path)) return std::make_unique<GeoPackageCopy>(path);
+  require_no_journal(path);
+  return nullptr;
+}
+
+}  // namespace thiessen

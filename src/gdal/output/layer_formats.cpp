@@ -1,0 +1,90 @@
+#include "gdal/output/layer_formats.h"
+
+#include <cpl_string.h>
+#include <gdal_priv.h>
+
+#include <array>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/utf8.h"
+#include "gdal/drivers.h"
+#include "gdal/gdal_errors.h"
+
+namespace thiessen {
+namespace {
+
+struct Format {
+  std::string_view extension;
+  const char* driver;
+};
+
+constexpr std::array formats = {Format{"gpkg", "GPKG"},
+                                Format{"shp", "ESRI Shapefile"},
+                                Format{"shz", "ESRI Shapefile"},
+                                Format{"fgb", "FlatGeobuf"},
+                                Format{"kml", "LIBKML"},
+                                Format{"kmz", "LIBKML"},
+                                Format{"gml", "GML"},
+                                Format{"tab", "MapInfo File"},
+                                Format{"mif", "MapInfo File"},
+                                Format{"sqlite", "SQLite"},
+                                Format{"csv", "CSV"},
+                                Format{"geojsonl", "GeoJSONSeq"},
+                                Format{"gmt", "OGR_GMT"},
+                                Format{"jml", "JML"},
+                                Format{"sql", "PGDUMP"}};
+
+bool writes(GDALDriver& driver, const std::string& extension) {
+  const auto is_set = [&](const char* key) { return driver.GetMetadataItem(key) != nullptr; };
+  if (!is_set(GDAL_DCAP_VECTOR) || !is_set(GDAL_DCAP_CREATE) || !is_set(GDAL_DCAP_VIRTUALIO))
+    return false;
+  // Spreadsheets hold no geometry.
+  const std::string_view name = driver.GetDescription();
+  if (name == "XLSX" || name == "ODS") return false;
+  const char* known = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
+  const CPLStringList extensions(CSLTokenizeString2(known == nullptr ? "" : known, " ", 0));
+  return extensions.FindString(extension.c_str()) >= 0;
+}
+
+GDALDriver* find_driver(const std::string& extension) {
+  start_gdal();
+  const GdalErrors errors;
+  GDALAllRegister();
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  for (const Format& format : formats) {
+    if (format.extension == extension) return drivers.GetDriverByName(format.driver);
+  }
+  for (int i = 0; i < drivers.GetDriverCount(); ++i) {
+    if (!extension.empty() && writes(*drivers.GetDriver(i), extension)) return drivers.GetDriver(i);
+  }
+  return nullptr;
+}
+
+std::string known_extensions() {
+  std::string text = ".geojson, .json";
+  for (const Format& format : formats) text += ", ." + std::string(format.extension);
+  return text;
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& text) {
+  throw Error(Message{path, 0, text, "cells are written to " + known_extensions()});
+}
+
+}  // namespace
+
+std::string extension_of(const std::string& path) {
+  const std::size_t dot = path.find_last_of("./");
+  return dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1));
+}
+
+GDALDriver& require_vector_driver(const std::string& path) {
+  const std::string extension = extension_of(path);
+  if (extension.empty()) refuse(path, "the extension tells the format, and there is none");
+  GDALDriver* driver = find_driver(extension);
+  if (driver == nullptr)
+    refuse(path, "no format of cells has the extension ." + printable(extension));
+  return *driver;
+}
+
+}  // namespace thiessen

@@ -1,0 +1,104 @@
+#include "gdal/output/layer_readback.h"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <memory>
+
+#include "base/utf8.h"
+#include "gdal/gdal_errors.h"
+
+namespace thiessen {
+namespace {
+
+constexpr const char* roomy = "a .gpkg holds texts of any length and names of any kind";
+
+class LayerReadback {
+ public:
+  LayerReadback(OGRLayer& layer, const LayerTexts& wanted, const std::string& path)
+      : layer_(layer), wanted_(wanted), path_(path) {}
+
+  /// Finds each field by its name, or else by its place, where the format made another of it.
+  void find_fields(Warnings& warnings) {
+    OGRFeatureDefn& definition = *layer_.GetLayerDefn();
+    for (std::size_t i = 0; i < wanted_.names.size(); ++i) {
+      const std::string& name = wanted_.names[i];
+      int at = definition.GetFieldIndex(name.c_str());
+      if (at < 0) at = static_cast<int>(i) + first_field();
+      if (at >= definition.GetFieldCount()) fail("the format has no field " + quoted(name, 80));
+      const std::string actual = definition.GetFieldDefn(at)->GetNameRef();
+      if (actual != name) {
+        warnings.add({path_,
+                      0,
+                      "the field " + quoted(name, 80) + " is called " + quoted(actual, 80) +
+                          ": the format has no longer names, or not such",
+                      {}});
+      }
+      places_.push_back(at);
+    }
+  }
+
+  void compare() {
+    std::size_t row = 0;
+    for (const auto& feature : layer_) {
+      if (row == wanted_.rows) break;
+      for (std::size_t i = 0; i < places_.size(); ++i) compare(*feature, row, i);
+      ++row;
+    }
+    if (row != wanted_.rows) {
+      fail("the format holds " + std::to_string(row) + " of " + std::to_string(wanted_.rows) +
+           " cells");
+    }
+  }
+
+ private:
+  [[noreturn]] void fail(std::string text) const {
+    throw Error(Message{path_, 0, std::move(text), roomy});
+  }
+
+  /// Some formats put fields of their own before those that are asked for.
+  int first_field() const {
+    return std::max(0, layer_.GetLayerDefn()->GetFieldIndex(wanted_.names.front().c_str()));
+  }
+
+  void compare(OGRFeature& feature, std::size_t row, std::size_t field) const {
+    const std::string text = wanted_.text(row, field);
+    if (text.empty()) return;
+    const bool is_there = feature.IsFieldSetAndNotNull(places_[field]) != FALSE;
+    const std::string found = is_there ? feature.GetFieldAsString(places_[field]) : "";
+    if (trimmed(found) == trimmed(text)) return;
+    const std::string what =
+        quoted(wanted_.names[field], 80) + " of cell " + std::to_string(row + 1);
+    if (text.starts_with(found)) {
+      fail(what + " is cut to " + std::to_string(found.size()) + " of its " +
+           std::to_string(text.size()) + " bytes by the format: " + quoted(text, 60));
+    }
+    fail(what + " cannot be written in the format: " + quoted(text, 60) + " becomes " +
+         quoted(found, 60));
+  }
+
+  OGRLayer& layer_;
+  const LayerTexts& wanted_;
+  const std::string& path_;
+  std::vector<int> places_;
+};
+
+}  // namespace
+
+void require_read_back(GDALDriver& driver, const std::string& written, const LayerTexts& wanted,
+                       const std::string& path, Warnings& warnings) {
+  const char* drivers[] = {driver.GetDescription(), nullptr};
+  const GdalErrors errors;
+  const std::unique_ptr<GDALDataset> dataset(GDALDataset::Open(
+      written.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers, nullptr, nullptr));
+  const bool has_layer = dataset && dataset->GetLayerCount() > 0;
+  if (!has_layer && wanted.rows == 0) return;  // some formats hold no layer without a feature
+  if (!has_layer) {
+    throw Error(Message{path, 0, "GDAL cannot read again what it wrote: " + errors.text(), {}});
+  }
+  LayerReadback readback(*dataset->GetLayer(0), wanted, path);
+  readback.find_fields(warnings);
+  readback.compare();
+}
+
+}  // namespace thiessen

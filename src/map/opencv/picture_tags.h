@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thiessen {
+
+/// Names and values that a picture's file says of itself.
+using PictureTags = std::vector<std::pair<std::string, std::string>>;
+
+/// Puts texts into the bytes of a PNG, behind its header: a chunk tEXt for each, or iTXt where it
+/// is not ASCII. The name `software` becomes PNG's own keyword Software. Requires names of 1 to 79
+/// letters.
+void tag_png(std::vector<unsigned char>& bytes, const PictureTags& tags);
+
+/// Puts the texts into the bytes of a JPEG as one comment, `name: value` parted by semicolons.
+void tag_jpeg(std::vector<unsigned char>& bytes, const PictureTags& tags);
+
+}  // namespace thiessen
