@@ -98,6 +98,7 @@ void InputFile::await_writer() {
 
 std::size_t InputFile::read(std::span<char> into) {
   throw_if_interrupted();
+  if (source_) return source_(into);
   if (first_ && !into.empty()) {
     into[0] = *first_;
     first_.reset();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/descriptor.h"
 
@@ -17,6 +19,11 @@ class InputFile {
   /// Throws Error where the name is empty or cannot be opened, is a folder, or is a named pipe to
   /// which nobody writes within three seconds.
   explicit InputFile(const std::string& name);
+  /// Gives bytes in their order: reads the next ones into the beginning of `into`, and returns how
+  /// many they are; 0 at the end.
+  using Source = std::function<std::size_t(std::span<char> into)>;
+  /// A file whose bytes are had from a source, such as an archive.
+  InputFile(std::string name, Source source) : name_(std::move(name)), source_(std::move(source)) {}
 
   /// The name as the user gave it; "standard input" for `-`.
   const std::string& name() const { return name_; }
@@ -33,6 +40,7 @@ class InputFile {
   std::string name_;
   Descriptor file_;
   std::size_t size_ = 0;
+  Source source_;              ///< where the bytes come from, if not from `file_`
   std::optional<char> first_;  ///< a byte that was read while waiting for a writer
 };
 

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/secrets.h"
 #include "base/utf8.h"
 #include "files/features.h"
 #include "geometry/shape_points.h"
@@ -29,7 +30,7 @@ struct Candidate {
 class BasinsReader {
  public:
   BasinsReader(const BasinsRequest& request, Warnings& warnings)
-      : request_(request), warnings_(warnings), features_(request.source, longest_field) {
+      : request_(request), warnings_(warnings), features_(request.source, longest_field, warnings) {
     result_.file = features_.file();
     if (!features_.has_geometry()) {
       throw Error(Message{features_.file(), features_.header_line(), "holds no polygons",
@@ -56,7 +57,7 @@ class BasinsReader {
       throw Error(
           Message{{},
                   0,
-                  "no basins in " + features_.file() +
+                  "no basins in " + without_password(features_.file()) +
                       (number_ > 0 ? " pass " + setting(request_.source.where_setting) : ""),
                   {}});
     }

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "files/csv_file.h"
 #include "gdal/layers/opening.h"
 #include "gdal/layers/wkt.h"
-#include "text/csv_reader.h"
 #include "text/field_names.h"
 
 namespace thiessen {
@@ -16,12 +16,12 @@ namespace {
 
 constexpr std::array<std::string_view, 1> wkt_name = {"wkt"};
 
-std::unique_ptr<Table> open_csv(const Source& source, std::size_t longest_field) {
+std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field) {
   CsvOptions options;
   if (source.separator != '\0') options.separator = source.separator;
   options.limits.field_bytes = longest_field;
   options.limits.row_bytes = std::max(options.limits.row_bytes, longest_field);
-  return std::make_unique<CsvReader>(source.file, options);
+  return open_csv(source.file, options);
 }
 
 }  // namespace
@@ -33,9 +33,11 @@ struct Features::Loaded {
   std::optional<Error> error;
 };
 
-Features::Features(const Source& source, std::size_t longest_field) : source_(source) {
+Features::Features(const Source& source, std::size_t longest_field, Warnings& warnings)
+    : source_(source) {
   if (read_by_gdal(source.file)) {
-    auto layer = std::make_unique<Layer>(source.file, source.layer, source.layer_setting);
+    auto layer =
+        std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);
     layer_ = layer.get();
     table_ = std::move(layer);
   } else {
@@ -46,7 +48,7 @@ Features::Features(const Source& source, std::size_t longest_field) : source_(so
           "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
           {}});
     }
-    table_ = open_csv(source, longest_field);
+    table_ = open_rows(source, longest_field);
     wkt_ = find_field(header(), wkt_name);
     if (source.decimal_comma) mark_ = DecimalMark::comma;
   }

@@ -21,8 +21,9 @@ namespace thiessen {
 /// geometry where there is one, and whether the filter of the source keeps them.
 class Features {
  public:
-  /// Opens the source. `longest_field` is the limit of a CSV's field in bytes. Throws Error.
-  Features(const Source& source, std::size_t longest_field);
+  /// Opens the source. `longest_field` is the limit of a CSV's field in bytes. What GDAL warns of
+  /// goes to `warnings`, which must live until the last feature is read. Throws Error.
+  Features(const Source& source, std::size_t longest_field, Warnings& warnings);
   ~Features();
 
   const std::string& file() const { return table_->file(); }

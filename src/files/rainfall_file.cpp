@@ -16,7 +16,8 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
   if (options.keep_flagged) {
     throw Error({rainfall, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
   }
-  return open_readings(open_table(rainfall, separator), stations, passed_over, options, warnings);
+  return open_readings(open_table(rainfall, separator, warnings), stations, passed_over, options,
+                       warnings);
 }
 
 }  // namespace thiessen

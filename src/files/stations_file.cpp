@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number.h"
+#include "base/secrets.h"
 #include "base/utf8.h"
 #include "files/features.h"
 #include "geometry/shape_points.h"
@@ -52,7 +53,7 @@ bool holds_degrees(const std::string& name) {
 class StationsReader {
  public:
   StationsReader(const StationsRequest& request, Warnings& warnings)
-      : request_(request), warnings_(warnings), features_(request.source, longest_field) {
+      : request_(request), warnings_(warnings), features_(request.source, longest_field, warnings) {
     result_.file = features_.file();
     result_.has_lines = features_.has_lines();
     find_fields();
@@ -187,7 +188,7 @@ class StationsReader {
 
   void require_some() const {
     if (!result_.stations.empty()) return;
-    Wording text = "no stations in " + features_.file();
+    Wording text = "no stations in " + without_password(features_.file());
     if (!result_.filtered_ids.empty()) text += " pass " + setting(request_.source.where_setting);
     throw Error(Message{{}, 0, text, {}});
   }

@@ -52,9 +52,13 @@ std::string_view likely_separator(std::string_view name, char used) {
 }  // namespace
 
 CsvReader::CsvReader(const std::string& file, CsvOptions options)
-    : options_(options),
-      is_standard_input_(file == "-"),
-      text_(InputFile(file), options.separator) {
+    : CsvReader(InputFile(file), options, file != "-") {}
+
+CsvReader::CsvReader(InputFile input, CsvOptions options)
+    : CsvReader(std::move(input), options, false) {}
+
+CsvReader::CsvReader(InputFile input, CsvOptions options, bool is_on_disk)
+    : options_(options), is_on_disk_(is_on_disk), text_(std::move(input), options.separator) {
   skip_byte_order_mark();
   read_header();
   if (options_.has_names) check_header();
@@ -90,7 +94,7 @@ double CsvReader::share_read() const {
 
 std::unique_ptr<Table> CsvReader::again() const {
   struct stat status = {};
-  if (is_standard_input_ || ::stat(file().c_str(), &status) != 0) return nullptr;
+  if (!is_on_disk_ || ::stat(file().c_str(), &status) != 0) return nullptr;
   if (!S_ISREG(status.st_mode)) return nullptr;
   return std::make_unique<CsvReader>(file(), options_);
 }

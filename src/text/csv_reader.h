@@ -46,6 +46,8 @@ class CsvReader : public Table {
  public:
   /// Opens the file (`-` is the standard input) and reads the header. Throws Error.
   explicit CsvReader(const std::string& file, CsvOptions options = {});
+  /// Reads a file that is open. It cannot be read again.
+  explicit CsvReader(InputFile input, CsvOptions options = {});
 
   const std::string& file() const override { return text_.name(); }
   const std::vector<std::string>& header() const override { return header_; }
@@ -61,6 +63,7 @@ class CsvReader : public Table {
   enum class RowKind : std::uint8_t { whole, bad, none };
   enum class Follows : std::uint8_t { separator, line_end, nothing, text };
 
+  CsvReader(InputFile input, CsvOptions options, bool is_on_disk);
   void skip_byte_order_mark();
   void read_header();
 
@@ -90,7 +93,7 @@ class CsvReader : public Table {
   [[noreturn]] void fail(std::size_t line, std::string text, std::string hint = "");
 
   CsvOptions options_;
-  bool is_standard_input_;
+  bool is_on_disk_;  ///< it has a name by which it can be opened again
   CsvText text_;
   std::vector<std::string> header_;
   std::size_t header_line_ = 0;

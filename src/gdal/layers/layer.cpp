@@ -5,17 +5,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
 #include "base/number.h"
+#include "base/secrets.h"
 #include "base/utf8.h"
 #include "gdal/crs/crs_definition.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
 #include "gdal/layers/opening.h"
 #include "gdal/layers/vsi_bytes.h"
+#include "gdal/layers/wholeness.h"
 #include "text/geojson_audit.h"
 
 namespace thiessen {
@@ -63,17 +66,17 @@ struct CloseDataset {
 
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-Dataset open(const std::string& file, const Opening& opening) {
+/// Opens the dataset. An error that GDAL reports is one even where it goes on.
+Dataset open(const std::string& file, const Opening& opening, const GdalErrors& errors) {
   std::vector<const char*> drivers = opening.drivers;
   drivers.push_back(nullptr);
   // Dates in GeoJSON are texts and must stay as written; GDAL would reformat them.
   static constexpr const char* options[] = {"DATE_AS_STRING=YES", nullptr};
   const bool geojson = opening.drivers.front() == std::string_view("GeoJSON");
-  const GdalErrors errors;
   Dataset dataset(GDALDataset::Open(opening.name.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY,
                                     drivers.data(), geojson ? options : nullptr, nullptr));
-  if (!dataset) {
-    const std::string reason = errors.failed() ? ": " + errors.text() : "";
+  if (!dataset || (errors.failed() && !geojson)) {
+    const std::string reason = errors.failed() ? ": " + without_secrets(errors.text(), file) : "";
     throw Error(
         Message{file, 0, "cannot be read as " + std::string(opening.drivers.front()) + reason, {}});
   }
@@ -102,7 +105,6 @@ std::vector<OGRLayer*> layers_of(GDALDataset& dataset) {
 
 OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::string& wanted,
                  const std::string& its_setting) {
-  const GdalErrors errors;
   if (!wanted.empty()) {
     if (OGRLayer* layer = dataset.GetLayerByName(wanted.c_str())) return layer;
   }
@@ -118,6 +120,17 @@ OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::strin
                         its_setting.empty() ? Wording() : "name one with " + setting(its_setting)});
   }
   return layers[0];
+}
+
+/// The CRS that a layer names. One that GDAL does not understand is none, and noted among the
+/// oddities, for the user may know it.
+std::unique_ptr<OGRSpatialReference> system_of(OGRLayer& layer,
+                                               std::vector<std::string>& oddities) {
+  const GdalErrors errors;
+  const OGRSpatialReference* system = layer.GetSpatialRef();
+  if (system != nullptr) return std::unique_ptr<OGRSpatialReference>(system->Clone());
+  if (errors.failed()) oddities.push_back("its CRS is not understood: " + errors.text());
+  return nullptr;
 }
 
 /// The CRS that a GeoJSON file names. It is read here because GDAL silently takes WGS 84 where it
@@ -145,6 +158,11 @@ struct Layer::Opened {
   bool geojson = false;
   Dataset dataset;
   OGRLayer* layer = nullptr;
+  std::unique_ptr<OGRSpatialReference> system;
+  bool has_geometry = false;
+  std::optional<std::uint64_t> declared;
+  Warnings* told = nullptr;
+  std::vector<std::string> warnings;
   std::vector<std::string> header;
   std::vector<FieldType> types;
   OGRFeatureUniquePtr feature;
@@ -154,9 +172,11 @@ struct Layer::Opened {
   std::vector<std::string> oddities;
 };
 
-Layer::Layer(std::string file, const std::string& layer, const std::string& layer_setting)
+Layer::Layer(std::string file, const std::string& layer, const std::string& layer_setting,
+             Warnings* warnings)
     : opened_(std::make_unique<Opened>()) {
   Opened& it = *opened_;
+  it.told = warnings;
   it.file = std::move(file);
   it.opening = find_opening(it.file);
   if (it.opening.drivers.empty()) {
@@ -170,14 +190,23 @@ Layer::Layer(std::string file, const std::string& layer, const std::string& laye
   if (it.findings.crs == CrsMember::link) {
     it.oddities.push_back("its crs member is a link, which is never followed; WGS 84 is assumed");
   }
-  it.dataset = open(it.file, it.opening);
+  require_whole(it.file, it.opening, it.oddities);
+  GdalErrors errors;
+  it.dataset = open(it.file, it.opening, errors);
+  // Of GeoJSON the audit knows more: its text is whole, and its CRS is read by ourselves.
+  if (it.geojson) errors.clear();
   it.layer = choose(*it.dataset, it.file, layer, layer_setting);
+  it.declared = declared_features(*it.layer, it.opening);
   const OGRFeatureDefn& fields = *it.layer->GetLayerDefn();
   for (int i = 0; i < fields.GetFieldCount(); ++i) {
     it.header.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
     it.types.push_back(type_of(fields.GetFieldDefn(i)->GetType()));
   }
+  it.has_geometry = fields.GetGeomFieldCount() > 0;
+  it.system = system_of(*it.layer, it.oddities);
   it.layer->ResetReading();
+  if (errors.failed()) throw Error(Message{it.file, 0, "cannot be read: " + errors.text(), {}});
+  hear(errors);
 }
 
 Layer::~Layer() = default;
@@ -202,28 +231,26 @@ const std::vector<std::string>& Layer::oddities() const {
 }
 
 bool Layer::has_geometry() const {
-  return opened_->layer->GetLayerDefn()->GetGeomFieldCount() > 0;
+  return opened_->has_geometry;
 }
 
 bool Layer::next(Row& row) {
   Opened& it = *opened_;
-  const GdalErrors errors;
-  it.feature.reset(it.layer->GetNextFeature());
-  if (errors.failed()) {
-    throw Error(
-        Message{it.file,
-                0,
-                "feature " + std::to_string(it.number + 1) + " cannot be read: " + errors.text(),
-                {}});
+  if (!it.dataset) return false;
+  {
+    const GdalErrors errors;
+    it.feature.reset(it.layer->GetNextFeature());
+    if (errors.failed()) {
+      throw Error(
+          Message{it.file,
+                  0,
+                  "feature " + std::to_string(it.number + 1) + " cannot be read: " + errors.text(),
+                  {}});
+    }
+    hear(errors);
   }
   if (!it.feature) {
-    if (it.geojson && it.number != it.findings.features) {
-      throw Error(Message{it.file,
-                          0,
-                          "GDAL reads " + std::to_string(it.number) + " of its " +
-                              std::to_string(it.findings.features) + " features",
-                          {}});
-    }
+    finish();
     return false;
   }
   it.texts.clear();
@@ -235,12 +262,47 @@ bool Layer::next(Row& row) {
   return true;
 }
 
+void Layer::hear(const GdalErrors& errors) {
+  std::vector<std::string>& heard = opened_->warnings;
+  for (const std::string& warning : errors.warnings()) {
+    if (heard.size() < GdalErrors::most_warnings &&
+        std::find(heard.begin(), heard.end(), warning) == heard.end()) {
+      heard.push_back(warning);
+    }
+  }
+}
+
+// Closes the file, for that may be when GDAL notices what is wrong with it.
+void Layer::finish() {
+  Opened& it = *opened_;
+  if (it.geojson && it.number != it.findings.features) {
+    throw Error(Message{it.file,
+                        0,
+                        "GDAL reads " + std::to_string(it.number) + " of its " +
+                            std::to_string(it.findings.features) + " features",
+                        {}});
+  }
+  if (it.declared && it.number != *it.declared) {
+    throw Error(Message{it.file,
+                        0,
+                        "is not whole: it declares " + std::to_string(*it.declared) +
+                            " features, and " + std::to_string(it.number) + " can be read",
+                        {}});
+  }
+  const GdalErrors errors;
+  GDALClose(it.dataset.release());
+  if (errors.failed()) throw Error(Message{it.file, 0, "cannot be read: " + errors.text(), {}});
+  hear(errors);
+  if (it.told == nullptr) return;
+  for (const std::string& warning : it.warnings)
+    it.told->add({it.file, 0, "GDAL warns: " + warning, {}});
+}
+
 std::optional<Crs> Layer::crs() const {
   const Opened& it = *opened_;
   if (it.geojson) return crs_of(it.file, it.findings);
-  const OGRSpatialReference* system = it.layer->GetSpatialRef();
-  if (system == nullptr) return std::nullopt;
-  return crs_from_system(*system, it.file);
+  if (!it.system) return std::nullopt;
+  return crs_from_system(*it.system, it.file);
 }
 
 bool Layer::crs_implied() const {

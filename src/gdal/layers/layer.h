@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "gdal/crs/crs.h"
+#include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_record.h"
 #include "text/attributes.h"
 #include "text/table.h"
@@ -19,12 +21,16 @@ class Layer : public Table {
  public:
   /// Opens a layer of a file. `layer` may be empty where the file has one layer; if it has several,
   /// an Error lists them and names `layer_setting`. Throws Error where the file cannot be opened by
-  /// one of the drivers of drivers.h, or is not whole.
-  Layer(std::string file, const std::string& layer, const std::string& layer_setting);
+  /// one of the drivers of drivers.h, or is not whole (see wholeness.h). What GDAL warns of is
+  /// added to `warnings`, if given, when the last row has been read.
+  Layer(std::string file, const std::string& layer, const std::string& layer_setting,
+        Warnings* warnings = nullptr);
   ~Layer() override;
 
   const std::string& file() const override;
   const std::vector<std::string>& header() const override;
+  /// Reads the next row. At the end the number of rows is held against the number that the file
+  /// declares. Throws Error where they differ, and where GDAL reports any error.
   bool next(Row& row) override;
 
   /// The types of the fields, in the order of the header.
@@ -40,12 +46,15 @@ class Layer : public Table {
   bool crs_implied() const;
   /// Whether the file is GeoJSON, whose features are named by their path in messages.
   bool is_geojson() const;
-  /// What is odd about the file: a `crs` link that was not followed.
+  /// What is odd about the file: a `crs` link that was not followed, a .dbf that is not there.
   const std::vector<std::string>& oddities() const;
 
   struct Opened;
 
  private:
+  void hear(const GdalErrors& errors);
+  void finish();
+
   std::unique_ptr<Opened> opened_;
 };
 

@@ -11,40 +11,19 @@
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "base/utf8.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
+#include "gdal/layers/archive.h"
+#include "gdal/layers/formats.h"
+#include "gdal/layers/vsi_bytes.h"
+#include "text/file_kind.h"
 
 namespace thiessen {
 namespace {
-
-struct Format {
-  std::string_view extension;
-  std::vector<const char*> drivers;
-};
-
-const std::vector<Format>& formats() {
-  static const std::vector<Format> known = {{".geojson", {"GeoJSON"}},
-                                            {".json", {"GeoJSON"}},
-                                            {".gpkg", {"GPKG"}},
-                                            {".shp", {"ESRI Shapefile"}},
-                                            {".dbf", {"ESRI Shapefile"}},
-                                            {".shz", {"ESRI Shapefile"}},
-                                            {".shp.zip", {"ESRI Shapefile"}},
-                                            {".fgb", {"FlatGeobuf"}},
-                                            {".kml", {"LIBKML", "KML"}},
-                                            {".kmz", {"LIBKML"}},
-                                            {".xlsx", {"XLSX"}},
-                                            {".xlsm", {"XLSX"}},
-                                            {".ods", {"ODS"}},
-                                            {".xls", {"XLS"}},
-                                            {".csv", {}},
-                                            {".tsv", {}},
-                                            {".txt", {}}};
-  return known;
-}
 
 [[noreturn]] void refuse(const std::string& file, std::string text, std::string hint = {}) {
   throw Error(Message{file, 0, std::move(text), std::move(hint)});
@@ -108,18 +87,6 @@ void require_local_archive(const std::string& file) {
   }
 }
 
-const Format* by_extension(const std::string& file) {
-  const std::string name = lower_case(file);
-  const Format* found = nullptr;
-  for (const Format& format : formats()) {
-    if (name.ends_with(format.extension) &&
-        (found == nullptr || format.extension.size() > found->extension.size())) {
-      found = &format;
-    }
-  }
-  return found;
-}
-
 std::vector<const char*> by_first_bytes(const std::string& name) {
   static constexpr std::array<const char*, 9> drivers = {
       "GeoJSON", "GPKG", "ESRI Shapefile", "FlatGeobuf", "LIBKML", "XLSX", "ODS", "XLS", nullptr};
@@ -129,25 +96,95 @@ std::vector<const char*> by_first_bytes(const std::string& name) {
   return {GDALGetDriverShortName(driver)};
 }
 
+std::string first_bytes(const std::string& file, const std::string& name) {
+  constexpr std::size_t enough = 4096;
+  return VsiBytes(file, name).read_at(0, enough);
+}
+
+bool is_zip(std::string_view bytes) {
+  return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
+}
+
+bool is_gzip(std::string_view bytes) {
+  return bytes.starts_with("\x1f\x8b");
+}
+
+[[noreturn]] void refuse_kind(const std::string& file, const FileKind& kind) {
+  refuse(file, "is " + std::string(kind.name) + ", which is not read", std::string(kind.hint));
+}
+
+/// Opens a zip that no format's extension explains: a spreadsheet under another name, or an archive
+/// of one data set.
+Opening zip_opening(const std::string& file, const std::string& name) {
+  const std::vector<std::string> names = files_in_archive(file, name);
+  const auto has = [&](std::string_view wanted) {
+    return std::find(names.begin(), names.end(), wanted) != names.end();
+  };
+  if (const auto kind = unread_archive(has)) refuse_kind(file, *kind);
+  if (has("xl/workbook.xml")) return {{"XLSX"}, name};
+  if (has("content.xml") && has("mimetype")) return {{"ODS"}, name};
+  const std::string member = data_set_in_archive(file, names);
+  const InputFormat& format = *format_by_extension(member);
+  return {format.drivers, "/vsizip/{" + name + "}/" + member, Opening::Packing::archived};
+}
+
+/// Opens a gzip: a CSV whose name says so, or one whose name says nothing.
+Opening gzip_opening(const std::string& file, const std::string& name) {
+  const bool says_so = lower_case(file).ends_with(".gz");
+  const InputFormat* format = format_by_extension(says_so ? file.substr(0, file.size() - 3) : file);
+  if (format != nullptr && !format->drivers.empty()) {
+    refuse(file, "is a gzip archive of no CSV", "unpack it first, or read it as /vsigzip/" + file);
+  }
+  return {{}, name, Opening::Packing::gzip};
+}
+
+void require_no_geodatabase(const std::string& file) {
+  struct stat status {};
+  if (lower_case(file).ends_with(".gdb") && stat(file.c_str(), &status) == 0 &&
+      S_ISDIR(status.st_mode)) {
+    refuse(file, "is a file geodatabase (.gdb), which is not read",
+           "ogr2ogr out.gpkg FILE makes a GeoPackage of it");
+  }
+}
+
+/// Opens a file that is on the disk.
+Opening file_opening(const std::string& file, const std::string& name) {
+  const std::string bytes = first_bytes(file, name);
+  const InputFormat* format = format_by_extension(file);
+  const bool is_kml = format != nullptr && format->extension == ".kml";
+  if (const auto kind = unread_kind(bytes); kind && !is_kml) refuse_kind(file, *kind);
+  if (format != nullptr && !format->drivers.empty()) return {format->drivers, name};
+  if (is_gzip(bytes)) return gzip_opening(file, name);
+  if (is_zip(bytes)) return zip_opening(file, name);
+  const bool is_binary = bytes.find('\0') != std::string::npos;
+  std::vector<const char*> drivers;
+  if (format == nullptr || is_binary) drivers = by_first_bytes(name);
+  if (format != nullptr && !drivers.empty()) {
+    refuse(file,
+           "is a file of the kind " + std::string(drivers.front()) + " under the name of a CSV",
+           "rename it");
+  }
+  if (format != nullptr) return {{}, name};
+  if (drivers.empty() && bytes.starts_with("SQLite format 3"))
+    refuse(file, "is a SQLite database, and no GeoPackage", "export its table as .csv or .gpkg");
+  return {drivers, name};
+}
+
 }  // namespace
 
 Opening find_opening(const std::string& file) {
   start_gdal();
   if (file.starts_with("PG:")) return {{"PostgreSQL"}, file};
-  const bool archive = file.starts_with("/vsi");
-  if (archive) {
+  if (file.starts_with("/vsi")) {
     require_local_archive(file);
-  } else {
-    require_readable(file);
-    if (!regular(file)) return {{}, file};
+    const InputFormat* format = format_by_extension(file);
+    std::vector<const char*> drivers = format != nullptr ? format->drivers : by_first_bytes(file);
+    return {std::move(drivers), file, Opening::Packing::archived};
   }
-  const std::string name = file.starts_with('/') ? file : "./" + file;
-  const Format* format = by_extension(file);
-  Opening opening{format != nullptr ? format->drivers : by_first_bytes(name), name};
-  if (archive && opening.drivers.empty()) {
-    refuse(file, "a CSV file is not read from within an archive", "unpack it first");
-  }
-  return opening;
+  require_no_geodatabase(file);
+  require_readable(file);
+  if (!regular(file)) return {{}, file};
+  return file_opening(file, file.starts_with('/') ? file : "./" + file);
 }
 
 bool read_by_gdal(const std::string& file) {

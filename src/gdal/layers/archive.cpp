@@ -1,0 +1,88 @@
+#include "gdal/layers/archive.h"
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/utf8.h"
+#include "gdal/gdal_errors.h"
+#include "gdal/layers/formats.h"
+
+namespace thiessen {
+namespace {
+
+/// What a program of the archive's maker left in it.
+bool is_litter(const std::string& name) {
+  const std::string last = name.substr(name.rfind('/') + 1);
+  return name.starts_with("__MACOSX/") || last.starts_with(".");
+}
+
+std::string stem_of(const std::string& name) {
+  return lower_case(name.substr(0, name.rfind('.')));
+}
+
+std::vector<std::string> data_sets(const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  std::vector<std::string> texts;
+  for (const std::string& name : names) {
+    const InputFormat* format = format_by_extension(name);
+    if (format == nullptr || is_litter(name)) continue;
+    (format->extension == ".txt" ? texts : found).push_back(name);
+  }
+  std::erase_if(found, [&](const std::string& name) {
+    return lower_case(name).ends_with(".dbf") &&
+           std::any_of(found.begin(), found.end(), [&](const std::string& other) {
+             return lower_case(other).ends_with(".shp") && stem_of(other) == stem_of(name);
+           });
+  });
+  // Beside data a text tells about them; alone it is the data.
+  return found.empty() ? texts : found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i == 0 ? "" : ", ") + quoted(names[i], 80);
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                             : text;
+}
+
+}  // namespace
+
+std::vector<std::string> files_in_archive(const std::string& file, const std::string& name) {
+  const GdalErrors errors;
+  const CPLStringList entries(VSIReadDirRecursive(("/vsizip/{" + name + "}").c_str()));
+  if (errors.failed() || entries.Count() == 0) {
+    throw Error(Message{file,
+                        0,
+                        errors.failed() ? "no whole zip archive: " + errors.text()
+                                        : "no whole zip archive, or an empty one",
+                        {}});
+  }
+  std::vector<std::string> names;
+  for (int i = 0; i < entries.Count(); ++i) {
+    std::string entry = entries[i];
+    if (!entry.ends_with('/')) names.push_back(std::move(entry));
+  }
+  return names;
+}
+
+std::string data_set_in_archive(const std::string& file, const std::vector<std::string>& names) {
+  const std::vector<std::string> found = data_sets(names);
+  if (found.empty()) {
+    throw Error(Message{file, 0, "a zip archive without a data set that is read: " + listed(names),
+                        "read are CSV, GeoJSON, GeoPackage, Shapefile, FlatGeobuf, KML and "
+                        "spreadsheets"});
+  }
+  if (found.size() > 1) {
+    throw Error(Message{file, 0, "a zip archive of several data sets: " + listed(found),
+                        "name one as /vsizip/" + file + "/" + found.front()});
+  }
+  return found.front();
+}
+
+}  // namespace thiessen

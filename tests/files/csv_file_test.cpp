@@ -1,0 +1,73 @@
+#include "files/csv_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "base/complaints.h"
+#include "base/temporary_folder.h"
+
+namespace thiessen {
+namespace {
+
+std::vector<std::string> ids_in(const std::string& file) {
+  const auto csv = open_csv(file, {});
+  std::vector<std::string> ids;
+  for (Row row; csv->next(row);) ids.emplace_back(row.fields[0]);
+  return ids;
+}
+
+class CsvFile : public testing::Test {
+ protected:
+  void pack(const std::string& command) const {
+    ASSERT_EQ(std::system(("cd '" + folder_.path() + "' && " + command).c_str()), 0);
+  }
+
+  TemporaryFolder folder_;
+  std::string long_text_ = "id\n";
+  std::vector<std::string> ids_;
+
+  void SetUp() override {
+    for (int i = 0; i < 20'000; ++i) {
+      ids_.push_back(std::to_string(i * 7919 % 100'003));
+      long_text_ += ids_.back() + "\n";
+    }
+    folder_.write("a.csv", long_text_);
+  }
+};
+
+TEST_F(CsvFile, is_read_from_gzip_of_one_member_or_several) {
+  pack("gzip -kn a.csv");
+  EXPECT_EQ(ids_in(folder_.path("a.csv.gz")), ids_);
+  pack("(head -n 77 a.csv | gzip; tail -n +78 a.csv | gzip) > b.csv.gz");
+  EXPECT_EQ(ids_in(folder_.path("b.csv.gz")), ids_);
+}
+
+TEST_F(CsvFile, cut_off_or_damaged_is_an_error) {
+  pack("gzip -kn a.csv");
+  const std::string whole = folder_.read("a.csv.gz");
+  for (std::size_t cut = 20; cut < whole.size(); cut += whole.size() / 40) {
+    folder_.write("b.csv.gz", std::string_view(whole).substr(0, cut));
+    EXPECT_THROW(ids_in(folder_.path("b.csv.gz")), Error) << cut;
+  }
+  std::string damaged = whole;
+  damaged[whole.size() / 2] ^= 0x55;
+  EXPECT_THROW(ids_in(folder_.write("c.csv.gz", damaged)), Error);
+}
+
+TEST_F(CsvFile, is_read_from_an_archive_of_one) {
+  pack("python3 -m zipfile -c a.zip a.csv");
+  EXPECT_EQ(ids_in(folder_.path("a.zip")), ids_);
+  EXPECT_EQ(ids_in("/vsizip/" + folder_.path("a.zip") + "/a.csv"), ids_);
+  EXPECT_EQ(open_csv(folder_.path("a.zip"), {})->again(), nullptr);
+}
+
+TEST_F(CsvFile, in_an_archive_that_is_damaged_is_an_error) {
+  pack("python3 -m zipfile -c a.zip a.csv");
+  std::string bytes = folder_.read("a.zip");
+  bytes[200] ^= 0x55;
+  EXPECT_THROW(ids_in(folder_.write("b.zip", bytes)), Error);
+}
+
+}  // namespace
+}  // namespace thiessen
