@@ -52,7 +52,7 @@ TEST(PlaneMapping, goes_by_way_of_the_files_own_crs) {
 TEST(PlaneMapping, what_is_not_on_the_earth_lies_outside) {
   const ConformalPlane plane({ProjectionKind::polar_stereographic, 0, 90, 1});
   const PlaneMapping mapping(Crs::wgs84(), Crs::wgs84(), plane);
-  std::vector<Point> points = {{10, 80}, {10, 95}, {10, -90}};
+  std::vector<Point> points = {{10, 80}, {10, 95}, {10, -91}};
   const std::vector<bool> inside = mapping.apply(points);
   EXPECT_TRUE(inside[0]);
   EXPECT_FALSE(inside[1]);

@@ -143,11 +143,16 @@ double least_of(double low, double high, const std::function<double(double)>& va
   return (low + high) / 2;
 }
 
-/// Gives the plane the k_0 for which the least and the largest scale are equally far from 1.
+/// Gives the plane the k_0 for which the least and the largest scale are equally far from 1. It is
+/// rounded; and GDAL takes what is nearer to 1 than 1e-8 for 1, so this is 1 here too.
 StudyPlane balanced(PlaneParameters parameters, const ScaleRange& range) {
+  constexpr double taken_for_one = 1.5e-8;
   // Beyond a half no scale makes the plane sensible.
-  if (range.error() < half) parameters.scale = rounded(2 / (range.least + range.largest), 1e9);
-  return {ConformalPlane(parameters), range.error()};
+  if (range.error() >= half) return {ConformalPlane(parameters), range.error()};
+  const double scale = rounded(2 / (range.least + range.largest), 1e8);
+  parameters.scale = std::abs(scale - 1) < taken_for_one ? 1 : scale;
+  return {ConformalPlane(parameters),
+          std::max(range.largest * parameters.scale - 1, 1 - range.least * parameters.scale)};
 }
 
 /// Nothing where a point is farther than `side` degrees of longitude from every central meridian.

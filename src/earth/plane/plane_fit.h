@@ -30,7 +30,7 @@ inline constexpr double largest_scale_error = 0.2;
 /// which the farthest point from it is the nearest. Lambert: the standard parallel for which the
 /// southern and the northern edge have one scale. Stereographic: the nearer pole. Then k_0 makes
 /// the largest and the least scale equally far from 1. Longitudes and latitudes are rounded to
-/// 0.001 degrees and k_0 to nine decimals, so that the plane's text is short and exact.
+/// 0.001 degrees and k_0 to eight decimals, so that the plane's text is short and exact.
 ///
 /// The first two have a cut through the Earth and only take studies within 180 degrees of
 /// longitude. Requires at least one point with finite coordinates; longitudes may run on beyond
