@@ -55,6 +55,16 @@ std::string code_or_name(const OGRSpatialReference& system) {
   return name == nullptr ? "unnamed" : name;
 }
 
+/// What a CRS of a file is called that has neither code nor name: its text in PROJ's notation.
+std::string proj_text_of(const OGRSpatialReference& system) {
+  const GdalErrors errors;
+  char* text = nullptr;
+  const bool known = system.exportToProj4(&text) == OGRERR_NONE && text != nullptr;
+  std::string name = known ? quoted(text, 80) : "unknown";
+  CPLFree(text);
+  return name;
+}
+
 std::string wkt_of(const OGRSpatialReference& system) {
   static constexpr std::array<const char*, 3> how = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
   char* text = nullptr;
@@ -197,7 +207,7 @@ std::optional<Crs> crs_from_system(const OGRSpatialReference& system, const std:
   if (system.IsLocal() != 0 || name.starts_with("Undefined")) return std::nullopt;
   const GdalErrors errors;
   try {
-    return define(system, "unknown");
+    return define(system, proj_text_of(system));
   } catch (const Fault& fault) {
     throw Error(Message{file, 0, "its CRS " + quoted(name, 80) + " " + fault.text, {}});
   }

@@ -77,6 +77,12 @@ TEST(Spheres, law_2_holds_for_the_systems_of_layers) {
   EXPECT_EQ(crs->name(), "sphere");
 }
 
+TEST(Spheres, a_system_without_code_and_name_is_called_by_its_text) {
+  OGRSpatialReference system;
+  ASSERT_EQ(system.SetFromUserInput("+proj=longlat +R=6370000 +no_defs"), OGRERR_NONE);
+  EXPECT_EQ(crs_from_system(system, "f.fgb")->name(), "'+proj=longlat +R=6370000 +no_defs'");
+}
+
 TEST(Spheres, a_shift_of_an_ellipsoid_stays) {
   const Crs crs = Crs::from_text("+proj=longlat +ellps=bessel +towgs84=600,100,400", "CRS");
   std::vector<Point> points = {{10, 50}};
