@@ -17,11 +17,13 @@ enum Status { done = 0, failed = 1, wrong_usage = 2 };
 
 constexpr const char* before_error = "thiessen: error: ";
 constexpr const char* before_warning = "thiessen: warning: ";
+constexpr const char* before_notice = "thiessen: notice: ";
 
 int run_command(Command& command) {
   Warnings warnings;
   const auto report = [&] {
     if (command.quiet()) return;
+    for (const Message& message : warnings.notices()) print(before_notice, message);
     for (const Message& message : warnings.messages()) print(before_warning, message);
   };
   try {

@@ -71,18 +71,23 @@ class Complaints {
   std::size_t unlisted_ = 0;
 };
 
-/// What was odd but is no error, in the order found. The library never prints these; its caller
-/// does.
+/// What was odd but is no error, in the order found, and apart from it what was taken for granted.
+/// The library never prints these; its caller does.
 class Warnings {
  public:
   /// Adds a message. A hint that another message has given is left out. Cost: linear in the number
   /// of different hints.
   void add(Message message);
+  /// Adds what a user should know though nothing is odd about it: a choice that was made for lack
+  /// of another.
+  void add_notice(Message message) { notices_.push_back(std::move(message)); }
   const std::vector<Message>& messages() const { return messages_; }
+  const std::vector<Message>& notices() const { return notices_; }
 
  private:
   std::vector<Message> messages_;
   std::vector<Wording> hints_;
+  std::vector<Message> notices_;
 };
 
 /// The text made fit for a terminal: control characters are written as \x1b, and bytes that are not
