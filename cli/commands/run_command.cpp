@@ -72,7 +72,7 @@ class RunCommand : public Command {
 
     RainTable series(rain_file, inputs.basins(), format_.format(), periods_.totalling(),
                      rainfall_.name());
-    MeanReadings means(inputs.network().stations().size());
+    MeanReadings means(inputs.network());
     MeanError error(rainfall, inputs.weighing());
     Summary summary(inputs, rainfall.full_weights());
     {
@@ -90,13 +90,13 @@ class RunCommand : public Command {
           });
     }
     series.finish(warnings);
-    const GaugeReadings mean = means.result();
+    const GaugeReadings mean = means.of_all();
     if (!common_.quiet) {
       if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
       std::vector<double> errors = error.result(threads);
       summary.set_errors_of_mean(std::move(errors), error.shortfall());
     }
-    const auto cells = cells_of(inputs, &mean, threads);
+    const auto cells = cells_of_network(inputs, threads);
     const CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
     cells_file.append(cells_geojson(output));
     warn_of_new_names(output, cells_file.name(), warnings);

@@ -8,8 +8,12 @@ namespace thiessen::cli {
 
 std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
                                                unsigned threads) {
-  return inputs.weighing().cells(readings == nullptr ? inputs.all_report() : readings->reports(),
-                                 threads);
+  if (readings == nullptr) return cells_of_network(inputs, threads);
+  return inputs.weighing().cells(readings->reports(), threads);
+}
+
+std::vector<std::vector<StationCell>> cells_of_network(const Inputs& inputs, unsigned threads) {
+  return inputs.weighing().cells(inputs.all_report(), threads);
 }
 
 CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
@@ -18,6 +22,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
   CellsOutput output;
   output.has_rainfall = readings != nullptr;
   output.area_column = inputs.area_unit().column();
+  if (readings != nullptr) output.rainfall_is = readings->label;
   output.attributes = options.attributes ? &inputs.study().attributes : nullptr;
   output.study_crs = inputs.study().crs;
   output.file_crs = inputs.study().output_crs();

@@ -13,6 +13,9 @@ namespace thiessen::cli {
 std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
                                                unsigned threads);
 
+/// The cells of the whole network, for each basin.
+std::vector<std::vector<StationCell>> cells_of_network(const Inputs& inputs, unsigned threads);
+
 /// Prepares the cells to be written, with their weights, the rainfall of `readings` if there are
 /// any, and the stations' attributes if the options ask for them. `unit` is that of the readings.
 CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,

@@ -28,6 +28,7 @@ struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
   std::string area_column = "area_km2";  ///< see AreaUnit::column
+  std::string rainfall_is;  ///< what the values of rainfall are: a time, or which means
   /// The stations' attributes, where every field of a station is written with its cell; else null.
   const Attributes* attributes = nullptr;
   std::optional<Provenance> made_by;  ///< what the file says of how it was made

@@ -105,6 +105,11 @@ std::string cells_geojson(const CellFeatures& features, std::span<const MultiPol
   const std::vector<FieldName> attributes = attribute_fields(features);
   std::string out = R"({"type":"FeatureCollection",)";
   if (features.made_by) append_provenance(out, *features.made_by);
+  if (features.has_rainfall && !features.rainfall_is.empty()) {
+    out += R"("rainfall":)";
+    append_json_string(out, features.rainfall_is);
+    out += ',';
+  }
   out += R"("features":[)";
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     out += i == 0 ? "\n" : ",\n";

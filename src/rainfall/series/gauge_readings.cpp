@@ -1,33 +1,76 @@
 #include "rainfall/series/gauge_readings.h"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/interrupt.h"
+#include "rainfall/network/mean_reading.h"
 
 namespace thiessen {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// The readings of a step, each gauge's replaced by the mean of those at its place.
+std::vector<double> values_of(const Network& network, std::span<const double> readings) {
+  const std::vector<double> at_place = readings_by_place(network, readings);
+  std::vector<double> values(readings.size(), none);
+  for (std::uint32_t s = 0; s < values.size(); ++s) {
+    if (!std::isnan(readings[s])) values[s] = at_place[index(network.place_of(StationIndex{s}))];
+  }
+  return values;
+}
+
+}  // namespace
+
+MeanReadings::MeanReadings(const Network& network)
+    : network_(network),
+      sum_(network.places().size()),
+      count_(network.places().size(), 0),
+      heard_(network.stations().size(), false) {}
 
 void MeanReadings::add(std::span<const double> readings) {
   ++steps_;
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (std::isnan(readings[i])) continue;
-    sum_[i].add(readings[i]);
-    ++count_[i];
+  for (std::uint32_t s = 0; s < readings.size(); ++s) {
+    if (!std::isnan(readings[s])) heard_.set(StationIndex{s}, true);
+  }
+  for (std::uint32_t p = 0; p < sum_.size(); ++p) {
+    const double value = mean_reading(network_.stations_at(PlaceIndex{p}), readings);
+    if (std::isnan(value)) continue;
+    sum_[p].add(value);
+    ++count_[p];
   }
 }
 
-GaugeReadings MeanReadings::result() const {
-  GaugeReadings result;
-  result.label = "mean of " + std::to_string(steps_) + (steps_ == 1 ? " time step" : " time steps");
-  for (std::size_t i = 0; i < sum_.size(); ++i) {
-    result.readings.push_back(count_[i] == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                             : sum_[i].value() / static_cast<double>(count_[i]));
+double MeanReadings::mean_at(PlaceIndex place) const {
+  const std::size_t count = count_[index(place)];
+  return count == 0 ? none : sum_[index(place)].value() / static_cast<double>(count);
+}
+
+std::string MeanReadings::label() const {
+  return "each gauge's mean over the steps it reports, of " + std::to_string(steps_) +
+         (steps_ == 1 ? " time step" : " time steps");
+}
+
+GaugeReadings MeanReadings::of_reporting() const {
+  GaugeReadings result = of_all();
+  for (std::uint32_t s = 0; s < result.readings.size(); ++s) {
+    if (!heard_[StationIndex{s}]) result.readings[s] = none;
   }
   return result;
 }
 
-GaugeReadings read_gauges(Readings& readings, std::size_t stations, const std::string& time) {
-  MeanReadings means(stations);
+GaugeReadings MeanReadings::of_all() const {
+  GaugeReadings result;
+  result.label = label();
+  for (std::uint32_t s = 0; s < heard_.size(); ++s)
+    result.readings.push_back(mean_at(network_.place_of(StationIndex{s})));
+  return result;
+}
+
+GaugeReadings read_gauges(Readings& readings, const Network& network, const std::string& time) {
+  MeanReadings means(network);
   GaugeReadings at_time;
   TimeStep step;
   while (readings.next(step)) {
@@ -35,10 +78,10 @@ GaugeReadings read_gauges(Readings& readings, std::size_t stations, const std::s
     if (time.empty()) {
       means.add(step.readings);
     } else if (step.time == time) {
-      at_time = {{step.readings.begin(), step.readings.end()}, step.time};
+      at_time = {values_of(network, step.readings), step.time};
     }
   }
-  return time.empty() ? means.result() : at_time;
+  return time.empty() ? means.of_reporting() : at_time;
 }
 
 }  // namespace thiessen

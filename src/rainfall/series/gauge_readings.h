@@ -6,35 +6,50 @@
 #include <vector>
 
 #include "geometry/long_sum.h"
+#include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
 #include "rainfall/series/readings.h"
 
 namespace thiessen {
 
-/// One reading for each gauge: at one time, or the mean over the times at which the gauge reports.
+/// One value for each gauge: at one time, or the mean over the times at which it reports. Gauges at
+/// one place have one value, that of the place: at a time the mean of those of its gauges that
+/// report then; over several times the mean of the place's own values. So a place counts the same
+/// in cells, pictures, rasters and areal rainfall.
 struct GaugeReadings {
-  std::vector<double> readings;  ///< by station; NaN where it has none
-  std::string label;             ///< the time, or "mean of 120 time steps"
+  std::vector<double> readings;  ///< by station; NaN where there is none
+  std::string label;             ///< what the values are: the time, or which means
 
   ReportingStations reports() const { return reporting_stations(readings); }
 };
 
-/// Gathers each gauge's mean reading, one step after the other. Cost of a step: its gauges.
+/// Gathers the mean value at each place of a network, one step after the other. Cost of a step: its
+/// gauges.
 class MeanReadings {
  public:
-  explicit MeanReadings(std::size_t stations) : sum_(stations), count_(stations, 0) {}
+  /// The network must outlive this object.
+  explicit MeanReadings(const Network& network);
 
   void add(std::span<const double> readings);
-  GaugeReadings result() const;
+  /// The means of the gauges that have a reading in some step; the others have none.
+  GaugeReadings of_reporting() const;
+  /// The means of all gauges of the network: one without a reading in any step has that of its
+  /// place, if there is one.
+  GaugeReadings of_all() const;
 
  private:
-  std::vector<LongSum> sum_;  // so that the order of the steps does not matter
+  double mean_at(PlaceIndex place) const;
+  std::string label() const;
+
+  const Network& network_;
+  std::vector<LongSum> sum_;  // by place, so that the order of the steps does not matter
   std::vector<std::size_t> count_;
+  ReportingStations heard_;
   std::size_t steps_ = 0;
 };
 
-/// Reads the whole table and gives the step at `time`, or the means where `time` is empty. If the
-/// table lacks that time there is no label and no readings.
-GaugeReadings read_gauges(Readings& readings, std::size_t stations, const std::string& time);
+/// Reads the whole table and gives the step at `time`, or the means of the gauges that report where
+/// `time` is empty. If the table lacks that time there is no label and no readings.
+GaugeReadings read_gauges(Readings& readings, const Network& network, const std::string& time);
 
 }  // namespace thiessen
