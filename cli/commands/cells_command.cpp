@@ -53,6 +53,7 @@ class CellsCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     const std::unique_ptr<GeoPackageCopy> older = older_layers();
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "base/interrupt.h"
 #include "base/iso_time.h"
@@ -39,7 +41,7 @@ class CheckCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    Inputs inputs(study_, 10, common_.threads, warnings);
+    Inputs inputs(study_, 10, rainfall_, common_.threads, warnings);
     std::string report = describe(inputs) + odd_gauges_text(inputs);
     if (inputs.has_basins()) report += describe_basins(inputs, warnings);
     if (rainfall_.given()) report += describe_readings(inputs, warnings);
@@ -55,11 +57,24 @@ class CheckCommand : public Command {
     return std::to_string(n) + " " + (n == 1 ? one : many);
   }
 
+  static std::string at_places(const Network& network) {
+    return count(network.stations().size(), "station", "stations") + " at " +
+           count(network.places().size(), "place", "places") + "\n";
+  }
+
+  /// The network that there would be if all stations of the file reported.
+  static Network of_all_stations(const Inputs& inputs) {
+    std::vector<Station> stations = inputs.network().stations();
+    stations.insert(stations.end(), inputs.never_reporting().begin(),
+                    inputs.never_reporting().end());
+    return {std::move(stations), inputs.study().metric};
+  }
+
   static std::string describe(const Inputs& inputs) {
     const StudyFiles& study = inputs.study();
     const Network& network = inputs.network();
-    std::string text = "stations: " + count(network.stations().size(), "station", "stations") +
-                       " at " + count(network.places().size(), "place", "places") + "\n";
+    std::string text = "stations: " + at_places(of_all_stations(inputs));
+    if (!inputs.never_reporting().empty()) text += "full network: " + at_places(network);
     const auto name = [](const std::optional<Crs>& crs) {
       return crs ? printable(crs->name()) : "unknown";
     };
@@ -100,8 +115,10 @@ class CheckCommand : public Command {
       intervals.note(parse_iso_time(trimmed(step.time)));
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
     }
+    missing += steps * inputs.never_reporting().size();
     const double all =
-        static_cast<double>(steps) * static_cast<double>(inputs.network().stations().size());
+        static_cast<double>(steps) *
+        static_cast<double>(inputs.network().stations().size() + inputs.never_reporting().size());
     const std::string share =
         all > 0 ? fixed_text(100 * static_cast<double>(missing) / all, 1) : "0.0";
     return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n" +

@@ -76,6 +76,7 @@ class MapCommand : public Command {
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const unsigned threads = static_cast<unsigned>(common_.threads);

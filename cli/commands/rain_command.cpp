@@ -1,4 +1,3 @@
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,6 +19,7 @@
 #include "cli/options/study_options.h"
 #include "cli/outputs/rain_table.h"
 #include "cli/terminal/progress.h"
+#include "files/rainfall_file.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
 #include "results/weights_log.h"
@@ -70,7 +70,7 @@ class RainCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
-    Inputs inputs(study_, 0, common_.threads, warnings);
+    Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     RainFormat format = format_.format();
     format.patterns = log_file != nullptr;
     format.errors = errors_;
@@ -148,17 +148,13 @@ class RainCommand : public Command {
 
   /// Refuses a pipe, as it can be read only once.
   void require_two_readings() const {
-    std::error_code none;
-    const auto kind = std::filesystem::status(rainfall_.rainfall, none).type();
-    using Kind = std::filesystem::file_type;
-    if (kind == Kind::fifo || kind == Kind::character || kind == Kind::socket) {
-      throw UsageError{
-          "--error reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
-          ""};
-    }
+    if (can_be_read_again(rainfall_.rainfall)) return;
+    throw UsageError{
+        "--error reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
+        ""};
   }
 
-  /// Reads RAINFALL for the first time. Its warnings are dropped here, as they are given when it is
+  /// Reads RAINFALL for its variogram. Its warnings are dropped here, as they are given when it is
   /// read again.
   std::unique_ptr<const RainfallError> fit_errors(Inputs& inputs, const ArealRainfall& values,
                                                   Warnings& warnings) const {

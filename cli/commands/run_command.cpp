@@ -63,7 +63,7 @@ class RunCommand : public Command {
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
 
-    Inputs inputs(study_, 0, common_.threads, warnings);
+    Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();

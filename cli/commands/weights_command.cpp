@@ -67,7 +67,7 @@ class WeightsCommand : public Command {
     Outputs outputs(output_.rules(input_files()));
     OutputFile& file = outputs.add(output_.output);
     study_.opened = changes_.opened();
-    Inputs inputs(study_, 0, common_.threads, warnings);
+    Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     if (rainfall_.given()) {
       write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
     } else if (changes_.given()) {

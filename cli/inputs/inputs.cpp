@@ -2,14 +2,80 @@
 
 #include <utility>
 
+#include "files/full_network.h"
 #include "files/rainfall_file.h"
 #include "rainfall/series/watched_readings.h"
 
 namespace thiessen::cli {
+namespace {
+
+Wording without_rainfall() {
+  return "there is no " + input("rainfall");
+}
+
+void note_whole_network(const std::string& file, std::size_t stations, const Wording& reason,
+                        Warnings& warnings) {
+  warnings.add_notice({file, 0,
+                       "all " + std::to_string(stations) +
+                           " stations make the network, whether they report or not: " + reason,
+                       ""});
+}
+
+std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, Warnings& warnings) {
+  return std::make_shared<StudyFiles>(read_study(options.request(), warnings));
+}
+
+ReadingsOptions readings_options(const StudyOptions& study, const RainfallOptions& rainfall) {
+  ReadingsOptions options = rainfall.readings(study.decimal_comma());
+  options.column_of = [request = study.request().stations](const std::string& id) {
+    return field_that_holds(request, id);
+  };
+  return options;
+}
+
+/// The stations and basins, with the stations of the full network alone.
+std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const RainfallOptions& rainfall,
+                                       Warnings& warnings) {
+  std::shared_ptr<StudyFiles> files = read_files(options, warnings);
+  const std::size_t count = files->stations.size();
+  if (!rainfall.given()) {
+    note_whole_network(files->stations_file, count, without_rainfall(), warnings);
+  } else if (!can_be_read_again(rainfall.rainfall)) {
+    note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
+  } else {
+    const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
+    const ReportingStations report =
+        stations_that_report(rainfall.rainfall, options.separator(), files->stations, filtered,
+                             readings_options(options, rainfall));
+    keep_full_network(*files, report, rainfall.name(), warnings);
+  }
+  return files;
+}
+
+std::vector<std::string> passed_over(const StudyFiles& files) {
+  std::vector<std::string> ids(files.filtered_ids.begin(), files.filtered_ids.end());
+  for (const Station& station : files.never_reporting) ids.push_back(station.id);
+  return ids;
+}
+
+}  // namespace
+
+void note_whole_network(const Inputs& inputs, Warnings& warnings) {
+  note_whole_network(inputs.study().stations_file, inputs.network().stations().size(),
+                     without_rainfall(), warnings);
+}
 
 Inputs::Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings)
-    : files_(std::make_shared<StudyFiles>(read_study(options.request(), warnings))),
-      filtered_ids_(files_->filtered_ids.begin(), files_->filtered_ids.end()),
+    : Inputs(read_files(options, warnings), options, margin, threads, warnings) {}
+
+Inputs::Inputs(const StudyOptions& options, double margin, const RainfallOptions& rainfall,
+               std::size_t threads, Warnings& warnings)
+    : Inputs(read_files(options, rainfall, warnings), options, margin, threads, warnings) {}
+
+Inputs::Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, double margin,
+               std::size_t threads, Warnings& warnings)
+    : files_(std::move(files)),
+      passed_over_(passed_over(*files_)),
       study_(files_, {margin, options.tolerance(), options.allow_far()}, warnings),
       plane_error_(judge_plane(*files_, study_, options.tolerance(), static_cast<unsigned>(threads),
                                warnings)) {}
@@ -18,12 +84,8 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
                                                        const RainfallOptions& rainfall,
                                                        Warnings& warnings,
                                                        const std::optional<StepTimes>& wanted) {
-  ReadingsOptions options = rainfall.readings(study.decimal_comma());
-  options.column_of = [request = study.request().stations](const std::string& id) {
-    return field_that_holds(request, id);
-  };
   auto readings = open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
-                                filtered_ids_, options, warnings);
+                                passed_over_, readings_options(study, rainfall), warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

@@ -22,12 +22,19 @@ namespace thiessen::cli {
 class Inputs {
  public:
   /// Reads stations and basins. Without basins the extent of the stations, grown by `margin`
-  /// percent, is the study area. Warns of a plane that moves weights. Throws Error.
+  /// percent, is the study area. All stations are of the network. Warns of a plane that moves
+  /// weights. Throws Error.
   Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings);
+  /// The same, with the full network: the stations with at least one reading in RAINFALL. Where
+  /// RAINFALL is not given, or can be read only once, all stations are, and a notice says so.
+  Inputs(const StudyOptions& options, double margin, const RainfallOptions& rainfall,
+         std::size_t threads, Warnings& warnings);
 
   const StudyFiles& study() const { return *files_; }
   const Study& whole() const { return study_; }
   const Network& network() const { return study_.network(); }
+  /// The stations of the file that have no reading, and are not of the network.
+  const std::vector<Station>& never_reporting() const { return files_->never_reporting; }
   const Weighing& weighing() const { return study_.weighing(); }
   const std::vector<Basin>& basins() const { return study_.basins(); }
   bool has_basins() const { return files_->has_basins; }
@@ -43,10 +50,16 @@ class Inputs {
       const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
-  std::shared_ptr<StudyFiles> files_;  // their stations have moved into the study's network
-  std::vector<std::string> filtered_ids_;
+  Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, double margin,
+         std::size_t threads, Warnings& warnings);
+
+  std::shared_ptr<StudyFiles> files_;     // their stations have moved into the study's network
+  std::vector<std::string> passed_over_;  // ids whose readings are passed over in silence
   Study study_;
   std::optional<PlaneError> plane_error_;
 };
+
+/// Gives the notice that all stations are taken for the network, for there is no RAINFALL.
+void note_whole_network(const Inputs& inputs, Warnings& warnings);
 
 }  // namespace thiessen::cli

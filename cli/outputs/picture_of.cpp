@@ -32,6 +32,8 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
     picture.gauges.push_back({stations[i].position, stations[i].id, reports});
   }
+  for (const Station& station : inputs.never_reporting())
+    picture.gauges.push_back({station.position, station.id, false});
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()

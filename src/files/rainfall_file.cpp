@@ -1,7 +1,11 @@
 #include "files/rainfall_file.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "files/table_file.h"
 #include "readings/dly_files.h"
+#include "readings/heard_stations.h"
 #include "readings/readings_dly.h"
 
 namespace thiessen {
@@ -18,6 +22,32 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
   }
   return open_readings(open_table(rainfall, separator, warnings), stations, passed_over, options,
                        warnings);
+}
+
+bool can_be_read_again(const std::string& rainfall) {
+  if (rainfall == "-") return false;
+  using Kind = std::filesystem::file_type;
+  std::error_code none;
+  const Kind kind = std::filesystem::status(rainfall, none).type();
+  return kind != Kind::fifo && kind != Kind::character && kind != Kind::socket;
+}
+
+ReportingStations stations_that_report(const std::string& rainfall, char separator,
+                                       std::span<const Station> stations,
+                                       std::span<const std::string> passed_over,
+                                       const ReadingsOptions& options) {
+  const ReadingsStations known(stations, passed_over);
+  HeardStations heard(known);
+  try {
+    if (is_dly(rainfall)) {
+      heard.look_through_dly(dly_files(rainfall), options.keep_flagged);
+    } else {
+      heard.look_through(*open_table(rainfall, separator), options);
+    }
+  } catch (const Error&) {
+    return ReportingStations(stations.size(), true);
+  }
+  return heard.heard();
 }
 
 }  // namespace thiessen

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "rainfall/network/reporting.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen {
@@ -15,5 +16,16 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings);
+
+/// Whether RAINFALL can be read more than once: the standard input, a pipe and a device cannot.
+bool can_be_read_again(const std::string& rainfall);
+
+/// The stations that have at least one reading in RAINFALL: see HeardStations. All of them where
+/// there is a fault in it, which is met again, and told, when the readings are read; for that
+/// RAINFALL has to be one that can be read again. Throws Interrupted.
+ReportingStations stations_that_report(const std::string& rainfall, char separator,
+                                       std::span<const Station> stations,
+                                       std::span<const std::string> passed_over,
+                                       const ReadingsOptions& options);
 
 }  // namespace thiessen

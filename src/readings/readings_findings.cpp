@@ -4,20 +4,12 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "readings/named_stations.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::size_t names_listed = 10;
 constexpr std::size_t longest_field_shown = 80;
-
-/// Lists the names, as in "'A', 'B' and 3 more" where there are more than are shown.
-std::string list(const std::vector<std::string>& first, std::size_t count) {
-  std::string all;
-  for (const std::string& name : first) all += (all.empty() ? "" : ", ") + quoted(name);
-  if (count > first.size()) all += " and " + std::to_string(count - first.size()) + " more";
-  return all;
-}
 
 }  // namespace
 
@@ -86,7 +78,7 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
     told_meant_ = told_meant_ || !meant.empty();
     if (meant.empty() && unknown_.size() == 1) meant = hint;
     complaints_.add({file_, line, text, std::move(meant)});
-  } else if (first_unknown_.size() < names_listed) {
+  } else if (first_unknown_.size() < stations_named) {
     first_unknown_.emplace_back(id);
   }
 }
@@ -117,20 +109,18 @@ void ReadingsFindings::warn_of_unknown() {
   const bool one = unknown_.size() == 1;
   const std::string subject =
       one ? "an unknown station is" : std::to_string(unknown_.size()) + " unknown stations are";
-  warnings_.add({file_, 0, subject + " passed over: " + list(first_unknown_, unknown_.size()), ""});
+  warnings_.add(
+      {file_, 0, subject + " passed over: " + named(first_unknown_, unknown_.size()), ""});
 }
 
 void ReadingsFindings::warn_of_silent() {
-  std::vector<std::string> first;
   const auto count = static_cast<std::size_t>(std::count(heard_.begin(), heard_.end(), Heard::no));
-  for (std::size_t i = 0; i < heard_.size() && first.size() < names_listed; ++i) {
+  if (count == 0) return;
+  std::vector<std::string> first;
+  for (std::size_t i = 0; i < heard_.size() && first.size() < stations_named; ++i) {
     if (heard_[i] == Heard::no) first.push_back(stations_.all()[i].id);
   }
-  if (count == 0) return;
-  const std::string text =
-      count == 1 ? "station " + quoted(first[0]) + " has no readings"
-                 : std::to_string(count) + " stations have no readings: " + list(first, count);
-  warnings_.add({file_, 0, text, ""});
+  warnings_.add({file_, 0, without_readings(first, count, ""), ""});
 }
 
 void ReadingsFindings::warn_of_absurd() {

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "readings/readings_grammar.h"
 #include "text/table.h"
 
 namespace thiessen {
@@ -28,6 +29,9 @@ struct ReadingsOptions {
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;
 };
+
+/// The grammar of the fields of readings that the options ask for.
+ReadingGrammar grammar_of(const ReadingsOptions& options);
 
 /// More rain than any gauge has caught in a year (26,470 mm). A reading above it gets a warning.
 constexpr double more_than_a_year = 30'000;

@@ -20,6 +20,9 @@ struct StudyParts {
   std::vector<Station> stations;  ///< in the order of their source
   std::size_t opened = 0;  ///< how many gauges at the end of `stations` were opened for a what-if:
                            ///< the source lacks them
+  /// The stations of the source that have no reading at all: they are not of the network, but they
+  /// are there, and pictures show where.
+  std::vector<Station> never_reporting;
   std::vector<Basin> basins;  ///< valid: see Polygon
   bool has_basins = true;     ///< false: the extent of the stations is the study area
   /// The length of the plane's unit in metres; nothing where it is unknown (no CRS, or degrees):

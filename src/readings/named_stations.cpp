@@ -1,0 +1,21 @@
+#include "readings/named_stations.h"
+
+#include "base/utf8.h"
+
+namespace thiessen {
+
+std::string named(const std::vector<std::string>& first, std::size_t count) {
+  std::string all;
+  for (const std::string& name : first) all += (all.empty() ? "" : ", ") + quoted(name);
+  if (count > first.size()) all += " and " + std::to_string(count - first.size()) + " more";
+  return all;
+}
+
+std::string without_readings(const std::vector<std::string>& first, std::size_t count,
+                             const std::string& what_comes_of_it) {
+  if (count == 1) return "station " + quoted(first.front()) + " has no readings" + what_comes_of_it;
+  return std::to_string(count) + " stations have no readings" + what_comes_of_it + ": " +
+         named(first, count);
+}
+
+}  // namespace thiessen
