@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "earth/nearest/one_place.h"
+
 namespace thiessen {
 namespace {
 
@@ -17,16 +19,31 @@ Point canonical(Point p, Metric metric) {
   return {p.x + 0.0, p.y + 0.0};
 }
 
+// For each position the number of the station whose position is that of its place.
+std::vector<std::uint32_t> stations_of_places(const std::vector<Point>& positions, Metric metric) {
+  if (metric == Metric::geodesic) return joined_positions(positions);
+  std::vector<std::uint32_t> first(positions.size());
+  std::map<Point, std::uint32_t> known;
+  for (std::uint32_t i = 0; i < first.size(); ++i)
+    first[i] = known.emplace(positions[i], i).first->second;
+  return first;
+}
+
 }  // namespace
 
 Network::Network(std::vector<Station> stations, Metric metric) : stations_(std::move(stations)) {
-  std::map<Point, PlaceIndex> known;
-  for (const Station& station : stations_) {
-    const Point position = canonical(station.position, metric);
-    const PlaceIndex next{static_cast<std::uint32_t>(places_.size())};
-    const auto [entry, is_new] = known.emplace(position, next);
-    if (is_new) places_.push_back(position);
-    place_of_.push_back(entry->second);
+  std::vector<Point> positions;
+  positions.reserve(stations_.size());
+  for (const Station& station : stations_) positions.push_back(canonical(station.position, metric));
+  const std::vector<std::uint32_t> place_at = stations_of_places(positions, metric);
+  constexpr PlaceIndex none{0xFFFFFFFFu};
+  std::vector<PlaceIndex> known(stations_.size(), none);
+  for (const std::uint32_t at : place_at) {
+    if (known[at] == none) {
+      known[at] = PlaceIndex{static_cast<std::uint32_t>(places_.size())};
+      places_.push_back(positions[at]);
+    }
+    place_of_.push_back(known[at]);
   }
   first_at_.assign(places_.size() + 1, 0);
   for (const PlaceIndex place : place_of_) ++first_at_[index(place) + 1];

@@ -27,8 +27,10 @@ struct Station {
 };
 
 /// The gauges of a study and the places they stand at. Stations of equal coordinates share a place.
-/// Equal are also 0 and -0, longitudes of 180 and -180 degrees, and all longitudes at a pole.
-/// Places are numbered in the order of their first stations. Cost: n log n.
+/// Equal are also 0 and -0, longitudes of 180 and -180 degrees, and all longitudes at a pole. On
+/// the Earth stations within a micrometre of each other share one too, and all that a chain of such
+/// pairs joins; the place is then where the least of them by longitude and latitude stands. Places
+/// are numbered in the order of their first stations. Cost: n log n.
 class Network {
  public:
   /// Requires coordinates in the exact range of predicates.h.

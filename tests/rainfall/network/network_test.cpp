@@ -56,6 +56,13 @@ TEST(Network, keeps_places_an_ulp_apart) {
             (Numbers{0, 1}));
 }
 
+TEST(Network, joins_what_is_within_a_micrometre_on_the_earth_alone) {
+  const std::vector<Point> near{{10.5, 47.9}, {10.100000000001, 47.1}, {10.1, 47.1}};
+  EXPECT_EQ(place_numbers(near, Metric::geodesic), (Numbers{0, 1, 1}));
+  EXPECT_EQ(Network(stations_at(near), Metric::geodesic).places()[1], (Point{10.1, 47.1}));
+  EXPECT_EQ(place_numbers(near, Metric::planar), (Numbers{0, 1, 2}));
+}
+
 TEST(Network, of_no_stations_has_no_places) {
   EXPECT_TRUE(Network({}, Metric::planar).places().empty());
 }

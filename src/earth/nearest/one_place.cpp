@@ -1,0 +1,174 @@
+#include "earth/nearest/one_place.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <numeric>
+
+#include "earth/nearest/in_space.h"
+
+namespace thiessen {
+namespace {
+
+/// A cube of space in a grid.
+struct Cube {
+  std::int64_t x;
+  std::int64_t y;
+  std::int64_t z;
+  friend auto operator<=>(const Cube&, const Cube&) = default;
+};
+
+/// A position in a cube, or near enough to it.
+struct Entry {
+  Cube cube;
+  std::uint32_t position;
+  friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+constexpr double coarse_side = 1e-3;  // metres
+// No two positions in a cube of this side are farther apart than one_place.
+constexpr double fine_side = one_place / 2;
+// So many positions in a cube are compared each with each.
+constexpr std::size_t few = 16;
+
+/// The cubes next to each other along one axis in which a position is, or from which it is no
+/// farther than one_place.
+struct Reach {
+  std::int64_t first;
+  std::int64_t last;
+};
+Reach reach_of(double at) {
+  return {static_cast<std::int64_t>(std::floor((at - one_place) / coarse_side)),
+          static_cast<std::int64_t>(std::floor((at + one_place) / coarse_side))};
+}
+
+Cube fine_cube(Direction p) {
+  const auto number = [](double at) {
+    return static_cast<std::int64_t>(std::floor(at / fine_side));
+  };
+  return {number(p.x), number(p.y), number(p.z)};
+}
+
+/// Joins positions to places.
+class Joining {
+ public:
+  explicit Joining(std::span<const Point> positions)
+      : positions_(positions), parent_(positions.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+    in_space_.reserve(positions.size());
+    for (const Point p : positions) in_space_.push_back(in_space(p, Metric::geodesic));
+  }
+
+  std::vector<std::uint32_t> result() && {
+    const std::vector<Entry> entries = coarse_entries();
+    for_each_cube(entries, [this](std::span<const Entry> cube) { join_within(cube); });
+    std::vector<std::uint32_t> least(parent_.size());
+    std::iota(least.begin(), least.end(), 0u);
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
+      std::uint32_t& of_place = least[root(i)];
+      if (positions_[i] < positions_[of_place] ||
+          (positions_[i] == positions_[of_place] && i < of_place))
+        of_place = i;
+    }
+    std::vector<std::uint32_t> joined(parent_.size());
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) joined[i] = least[root(i)];
+    return joined;
+  }
+
+ private:
+  // Positions within one_place of each other have at least one coarse cube in common.
+  std::vector<Entry> coarse_entries() const {
+    std::vector<Entry> entries;
+    entries.reserve(in_space_.size());
+    for (std::uint32_t i = 0; i < in_space_.size(); ++i) {
+      const Reach x = reach_of(in_space_[i].x);
+      const Reach y = reach_of(in_space_[i].y);
+      const Reach z = reach_of(in_space_[i].z);
+      for (std::int64_t a = x.first; a <= x.last; ++a) {
+        for (std::int64_t b = y.first; b <= y.last; ++b) {
+          for (std::int64_t c = z.first; c <= z.last; ++c) entries.push_back({{a, b, c}, i});
+        }
+      }
+    }
+    std::sort(entries.begin(), entries.end());
+    return entries;
+  }
+
+  template <typename Visit>
+  static void for_each_cube(std::span<const Entry> entries, const Visit& visit) {
+    for (std::size_t first = 0; first < entries.size();) {
+      std::size_t end = first + 1;
+      while (end < entries.size() && entries[end].cube == entries[first].cube) ++end;
+      visit(entries.subspan(first, end - first));
+      first = end;
+    }
+  }
+
+  void join_within(std::span<const Entry> coarse) {
+    if (coarse.size() < 2) return;
+    if (coarse.size() <= few) {
+      for (std::size_t i = 1; i < coarse.size(); ++i)
+        join_if_near(coarse.subspan(i, 1), coarse.first(i), false);
+      return;
+    }
+    std::vector<Entry> fine;
+    fine.reserve(coarse.size());
+    for (const Entry& entry : coarse)
+      fine.push_back({fine_cube(in_space_[entry.position]), entry.position});
+    std::sort(fine.begin(), fine.end());
+    for_each_cube(fine, [&](std::span<const Entry> cube) {
+      for (const Entry& entry : cube) join(cube.front().position, entry.position);
+    });
+    for_each_cube(fine, [&](std::span<const Entry> cube) { join_with_later(cube, fine); });
+  }
+
+  // Joins a fine cube with those after it that are near: two cubes away at most.
+  void join_with_later(std::span<const Entry> cube, std::span<const Entry> fine) {
+    const Cube at = cube.front().cube;
+    constexpr std::int64_t far = 2;
+    for (std::int64_t x = 0; x <= far; ++x) {
+      for (std::int64_t y = -far; y <= far; ++y) {
+        const Cube from{at.x + x, at.y + y, at.z - far};
+        auto entry = std::lower_bound(fine.begin(), fine.end(), std::max(from, at),
+                                      [](const Entry& e, const Cube& c) { return e.cube < c; });
+        while (entry != fine.end() && entry->cube <= Cube{from.x, from.y, at.z + far}) {
+          auto end = entry;
+          while (end != fine.end() && end->cube == entry->cube) ++end;
+          if (entry->cube != at) join_if_near(cube, {entry, end}, true);
+          entry = end;
+        }
+      }
+    }
+  }
+
+  // Joins positions of two groups that are near. Where each group is one place already, the first
+  // such pair is enough.
+  void join_if_near(std::span<const Entry> some, std::span<const Entry> others, bool are_places) {
+    if (are_places && root(some.front().position) == root(others.front().position)) return;
+    for (const Entry& a : some) {
+      for (const Entry& b : others) {
+        if (length(in_space_[a.position] - in_space_[b.position]) > one_place) continue;
+        join(a.position, b.position);
+        if (are_places) return;
+      }
+    }
+  }
+
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
+
+  std::span<const Point> positions_;
+  std::vector<Direction> in_space_;
+  std::vector<std::uint32_t> parent_;  // towards the position that stands for the place
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> joined_positions(std::span<const Point> positions) {
+  return Joining(positions).result();
+}
+
+}  // namespace thiessen
