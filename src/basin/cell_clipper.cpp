@@ -148,6 +148,8 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
   std::stable_sort(
       cut.pieces.begin(), cut.pieces.end(),
       [](const BoundaryPiece& a, const BoundaryPiece& b) { return a.place < b.place; });
+  const bool has_bulges = std::any_of(cut.pieces.begin(), cut.pieces.end(),
+                                      [](const BoundaryPiece& piece) { return piece.bulge != 0; });
   std::vector<ClippedCell> cells;
   for (std::size_t first = 0; first < cut.pieces.size();) {
     const PlaceIndex place = cut.pieces[first].place;
@@ -161,7 +163,7 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
     const double area = area_[index(place)].value();
     if (area <= smallest) continue;
     cells.push_back({place, area, link_rings(std::move(edges)), {}});
-    if (!basin.bulges.empty()) cells.back().bulges = bulges_of(cells.back().shape, pieces);
+    if (has_bulges) cells.back().bulges = bulges_of(cells.back().shape, pieces);
   }
   return cells;
 }

@@ -19,7 +19,8 @@ struct ClippedCell {
   PlaceIndex place;
   double area;
   MultiPolygon shape;
-  std::vector<std::vector<double>> bulges;  ///< of the basin's edges in it: see Basin::bulges
+  std::vector<std::vector<double>>
+      bulges;  ///< of its edges: see Basin::bulges; empty where all are straight
 };
 
 /// The basin's area on a surface. Requires a basin whose rings run as Polygon says.

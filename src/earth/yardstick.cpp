@@ -1,7 +1,5 @@
 #include "earth/yardstick.h"
 
-#include <algorithm>
-
 #include "diagram/plane_diagram.h"
 #include "earth/area/ellipsoid_surface.h"
 #include "earth/cells/geodesic_diagram.h"
@@ -9,10 +7,9 @@
 namespace thiessen {
 namespace {
 
-// These are shares of the tolerance. The rest of it is for rounding to decimals when the cells are
-// written.
+// The share of a tolerance that is for chords. The rest of it is for rounding to decimals when the
+// cells are written.
 constexpr double share_for_chords = 0.5;
-constexpr double share_for_points = 1e-2;
 constexpr double finest_accuracy = 1e-6;  // metres
 
 }  // namespace
@@ -20,16 +17,20 @@ constexpr double finest_accuracy = 1e-6;  // metres
 Diagram Yardstick::diagram(std::span<const Point> places, const Box& frame,
                            unsigned threads) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
+  return geodesic_diagram(places, frame, share_for_chords * measuring_tolerance, finest_accuracy,
+                          threads);
+}
+
+Diagram Yardstick::drawn_diagram(std::span<const Point> places, const Box& frame,
+                                 unsigned threads) const {
+  if (metric == Metric::planar) return plane_diagram(places, frame);
   return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads);
 }
 
-Diagram Yardstick::diagram_for_areas(std::span<const Point> places, const Box& frame) const {
+Diagram Yardstick::diagram_of_heirs(std::span<const Point> places, const Box& frame) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
-  return geodesic_diagram(places, frame, share_for_chords * tolerance, accuracy_for_areas(), 1);
-}
-
-double Yardstick::accuracy_for_areas() const {
-  return std::max(finest_accuracy, share_for_points * tolerance);
+  return geodesic_diagram(places, frame, share_for_chords * measuring_tolerance, accuracy_of_heirs,
+                          1);
 }
 
 std::unique_ptr<Surface> Yardstick::surface() const {

@@ -274,11 +274,20 @@ class StudyMaker {
 
   /// Subdivides every edge so that it follows its true course over the ellipsoid.
   void trace(std::size_t i, Basin& basin, Complaints& complaints) {
-    if (!tracing_) tracing_.emplace(*basins_->crs, *study_.crs, request_.tolerance);
+    if (!tracing_) tracing_.emplace(*basins_->crs, *study_.crs, Yardstick::measuring_tolerance);
     auto traced = tracing_->trace(study_.native_basins[i]);
-    if (traced) return take(*std::move(traced), basin);
-    if (tracing_->fault().empty()) return complain_of_area(i, tracing_->outside(), complaints);
-    complain_of_crossing(i, "longitude and latitude", tracing_->fault(), complaints);
+    if (!traced) return complain(i, *tracing_, complaints);
+    take(*std::move(traced), basin);
+    if (request_.tolerance == Yardstick::measuring_tolerance || basin.shape.empty()) return;
+    if (!drawing_) drawing_.emplace(*basins_->crs, *study_.crs, request_.tolerance);
+    auto drawn = drawing_->trace(study_.native_basins[i]);
+    if (!drawn) return complain(i, *drawing_, complaints);
+    study_.drawn_basins.push_back({basin.id, std::move(drawn->shape), {}});
+  }
+
+  void complain(std::size_t i, const BasinTracing& tracing, Complaints& complaints) const {
+    if (tracing.fault().empty()) return complain_of_area(i, tracing.outside(), complaints);
+    complain_of_crossing(i, "longitude and latitude", tracing.fault(), complaints);
   }
 
   /// Takes the vertices into the plane and subdivides no edge: edges are straight in the plane.
@@ -311,7 +320,10 @@ class StudyMaker {
 
   // Basins on both sides of the antimeridian would otherwise lie far apart.
   void bring_basins_together() {
-    if (study_.metric == Metric::geodesic) thiessen::bring_basins_together(study_.basins);
+    if (study_.metric == Metric::geodesic) {
+      thiessen::bring_basins_together(study_.basins);
+      thiessen::bring_basins_together(study_.drawn_basins);
+    }
     if (basins_ && basins_->crs && basins_->crs->degrees_per_unit() == 1)
       thiessen::bring_basins_together(study_.native_basins);
   }
@@ -345,6 +357,7 @@ class StudyMaker {
   std::vector<std::set<double>> on_antimeridian_;
   std::optional<ShapeTracer> tracer_;
   std::optional<BasinTracing> tracing_;
+  std::optional<BasinTracing> drawing_;  // where edges are drawn more or less finely
   std::optional<Crs> degrees_;  // WGS 84 over the study's area, on the way to a plane made for it
 };
 

@@ -55,8 +55,10 @@ struct StudyFiles : StudyParts {
 /// coordinates.
 ///
 /// Geodesic: WGS 84 longitude and latitude in degrees. Edges of basins that are straight in a
-/// projection are subdivided until the chord in longitude and latitude lies within a quarter of the
-/// tolerance of the true edge, and the slivers that the chords cut off are kept as `bulges`.
+/// projection are subdivided until the chord in longitude and latitude lies within a quarter of
+/// Yardstick::measuring_tolerance of the true edge, and the slivers that the chords cut off are
+/// kept as `bulges`; where another tolerance is asked for they are subdivided once more for
+/// `drawn_basins`.
 /// Longitudes of a basin run on over the antimeridian (to 190); stations lie in [-180, 180].
 ///
 /// Planar: coordinates stay as they are, or every vertex is taken to `plane`. A plane made for the

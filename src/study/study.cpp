@@ -60,13 +60,17 @@ const std::vector<Basin>& basins_or_extent(StudyParts& parts, const Network& net
   return parts.basins;
 }
 
+const std::vector<Basin>& drawn_basins(const StudyParts& parts) {
+  return parts.drawn_basins.empty() ? parts.basins : parts.drawn_basins;
+}
+
 }  // namespace
 
 Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, Warnings& warnings)
     : parts_(std::move(parts)),
       network_(in_exact_range(*parts_), parts_->metric),
       weighing_(network_, basins_or_extent(*parts_, network_, settings.margin),
-                yardstick_of(*parts_, settings.tolerance)) {
+                drawn_basins(*parts_), yardstick_of(*parts_, settings.tolerance)) {
   warn_of_shared_places(warnings);
   warn_of_line(warnings);
   if (parts_->has_basins)

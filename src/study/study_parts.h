@@ -24,7 +24,10 @@ struct StudyParts {
   /// are there, and pictures show where.
   std::vector<Station> never_reporting;
   std::vector<Basin> basins;  ///< valid: see Polygon
-  bool has_basins = true;     ///< false: the extent of the stations is the study area
+  /// The basins once more, where their edges are curves that are drawn more finely, or less, than
+  /// areas are measured with (Yardstick::measuring_tolerance); else none.
+  std::vector<Basin> drawn_basins;
+  bool has_basins = true;  ///< false: the extent of the stations is the study area
   /// The length of the plane's unit in metres; nothing where it is unknown (no CRS, or degrees):
   /// areas are then in the square of the coordinates' unit.
   std::optional<double> metres_per_unit;

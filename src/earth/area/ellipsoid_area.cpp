@@ -93,6 +93,19 @@ double area_under(Point a, Point b, double reference_latitude) {
   return width * sum / pieces;
 }
 
+double area_beside_chord(Point start, Point middle, Point end) {
+  const Wgs84& e = wgs84();
+  const auto east = [&](Point p) { return std::remainder(p.x - start.x, 360) * degree; };
+  const auto north = [&](Point p) { return (p.y - start.y) * degree; };
+  const double sagitta =
+      east(end) * (north(middle) - north(end) / 2) - north(end) * (east(middle) - east(end) / 2);
+  const double sine = std::sin(middle.y * degree);
+  const double narrowing = 1 - e.square_eccentricity * sine * sine;
+  const double square_radian =
+      e.polar_radius * e.polar_radius * std::cos(middle.y * degree) / (narrowing * narrowing);
+  return -2.0 / 3 * sagitta * square_radian;
+}
+
 double earth_area() {
   constexpr double quarter = std::numbers::pi / 2;
   return 2 * std::numbers::pi * Strip(-quarter).up_to(quarter);

@@ -18,6 +18,13 @@ namespace thiessen {
 /// cancellation.
 double area_under(Point a, Point b, double reference_latitude);
 
+/// The area in square metres between a curve and its chord, which is straight in longitude and
+/// latitude (degrees): positive where the curve lies to the right of the way from `start` to `end`.
+/// `middle` is the curve's point halfway along it; longitudes may be a turn apart. The curve is
+/// taken for a parabola and the Earth's curvature for that at its middle. Accuracy: 1e-4 of the
+/// area for a curve of constant curvature and 30 km. Cost: 50 nanoseconds.
+double area_beside_chord(Point start, Point middle, Point end);
+
 /// The ellipsoid's whole area in square metres.
 double earth_area();
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/interrupt.h"
+#include "earth/area/ellipsoid_area.h"
 #include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/units.h"
 
@@ -146,7 +147,9 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
   const double allowed = std::max(tolerance_, 4 * found.uncertainty * mean_radius);
   const bool fine =
       2 * half <= longest_chord && bulge(start.position, middle.position, end.position) <= allowed;
-  if (fine || half < shortest_chord) return draw_chord(start, end);
+  if (fine || half < shortest_chord) {
+    return draw_chord(start, end, area_beside_chord(start.position, middle.position, end.position));
+  }
   draw_piece(edge, start, middle);
   draw_piece(edge, middle, end);
 }
@@ -186,30 +189,59 @@ void EdgeDrawing::draw_chords(const BisectorOffset& offset, EdgePoint& start, Ed
   EdgePoint before = start;
   for (int i = 1; i <= chords; ++i) {
     EdgePoint& from = i == 1 ? start : before;
-    if (i == chords) return draw_chord(from, end);
+    if (i == chords) return draw_chord(from, end, bulge_of(offset, from, end));
     EdgePoint next = point_at(offset, start.angle + (end.angle - start.angle) * i / chords);
-    draw_chord(from, next);
+    draw_chord(from, next, bulge_of(offset, from, next));
     before = next;
   }
 }
 
-void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end) {
+// The area between the edge and its chord. Where the Earth's curvature changes along a long chord,
+// or the edge bends both ways, it is that of shorter chords and of what lies between these and the
+// long one.
+double EdgeDrawing::bulge_of(const BisectorOffset& offset, const EdgePoint& start,
+                             const EdgePoint& end) const {
+  constexpr double longest_parabola = 0.005;  // radians
+  const double angle = end.angle - start.angle;
+  const int parts = std::max(1, static_cast<int>(std::ceil(angle / longest_parabola)));
+  const auto at = [&](double share) { return offset.at(start.angle + angle * share); };
+  if (parts == 1) return area_beside_chord(start.position, at(0.5), end.position);
+  const double reference = start.position.y;
+  const auto on_turn = [&](Point p) {
+    return Point{start.position.x + short_way(std::remainder(p.x - start.position.x, 360)), p.y};
+  };
+  Point before = start.position;
+  double bulge = area_under(before, on_turn(end.position), reference);
+  for (int i = 1; i <= parts; ++i) {
+    const Point next = on_turn(i == parts ? end.position : at(static_cast<double>(i) / parts));
+    bulge -= area_under(before, next, reference);
+    bulge += area_beside_chord(before, at((i - 0.5) / parts), next);
+    before = next;
+  }
+  return bulge;
+}
+
+void EdgeDrawing::add_chord(std::uint32_t from, std::uint32_t to, double bulge) {
+  chords_.push_back({from, to, left_, right_});
+  bulges_.push_back(bulge);
+}
+
+void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end, double bulge) {
   if (start.node == no_node) start.node = new_node(start.position);
   if (end.node == no_node) end.node = new_node(end.position);
   const double step = end.position.x - start.position.x;
   if (std::abs(step) <= 180) {
     if (start.node == end.node) return;
-    chords_.push_back({start.node, end.node, left_, right_});
-    if (start.position.x == longitudes_.west() || end.position.x == longitudes_.west()) {
-      chords_.push_back({turned(start.position, 360), turned(end.position, 360), left_, right_});
-    }
+    add_chord(start.node, end.node, bulge);
+    if (start.position.x == longitudes_.west() || end.position.x == longitudes_.west())
+      add_chord(turned(start.position, 360), turned(end.position, 360), bulge);
     return;
   }
   // A chord over the meridian opposite the frame's centre is drawn twice: once beyond the eastern
   // side of the map and once beyond the western one.
   const double turn = step > 0 ? -360 : 360;
-  chords_.push_back({start.node, turned(end.position, turn), left_, right_});
-  chords_.push_back({turned(start.position, -turn), end.node, left_, right_});
+  add_chord(start.node, turned(end.position, turn), bulge);
+  add_chord(turned(start.position, -turn), end.node, bulge);
 }
 
 void EdgeDrawing::add_to(Diagram& diagram) const {
@@ -219,6 +251,7 @@ void EdgeDrawing::add_to(Diagram& diagram) const {
   for (const Chord& chord : chords_) {
     diagram.chords.push_back({shifted(chord.from), shifted(chord.to), chord.left, chord.right});
   }
+  diagram.bulges.insert(diagram.bulges.end(), bulges_.begin(), bulges_.end());
 }
 
 std::uint32_t EdgeDrawing::new_node(Point position) {

@@ -35,8 +35,9 @@ class LongitudeTurn {
 };
 
 /// Draws edges between cells as chords that are straight in longitude and latitude and within a
-/// tolerance in metres of the edge. Parts of edges that are far from the frame are left out. A
-/// chord over the meridian opposite the frame is drawn on both sides of the map.
+/// tolerance in metres of the edge, each with the area between the edge and itself. Parts of edges
+/// that are far from the frame are left out. A chord over the meridian opposite the frame is drawn
+/// on both sides of the map.
 class EdgeDrawing {
  public:
   /// `tolerance` is in metres. New nodes get numbers from `first_node` on.
@@ -60,7 +61,9 @@ class EdgeDrawing {
   void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);
   void draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end);
   void draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end, int chords);
-  void draw_chord(EdgePoint& start, EdgePoint& end);
+  void draw_chord(EdgePoint& start, EdgePoint& end, double bulge);
+  void add_chord(std::uint32_t from, std::uint32_t to, double bulge);
+  double bulge_of(const BisectorOffset& offset, const EdgePoint& start, const EdgePoint& end) const;
   std::uint32_t new_node(Point position);
   std::uint32_t turned(Point position, double degrees);
 
@@ -73,6 +76,7 @@ class EdgeDrawing {
   PlaceIndex right_{};
   std::vector<Point> nodes_;
   std::vector<Chord> chords_;
+  std::vector<double> bulges_;  // by chord
 };
 
 /// Whether the disc round `centre`, with a radius of `radius` degrees on the sphere, may meet the

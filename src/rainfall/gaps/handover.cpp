@@ -72,7 +72,7 @@ void Handovers::add_regions(std::vector<std::vector<ClippedCell>> clipped) {
     for (ClippedCell& cell : clipped[b]) {
       full_.push_back({b, cell.place, cell.area / weighing_.basin_area(b)});
       Region region{b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}};
-      if (on_earth) region.shape.emplace(region.ground, bends, weighing_.yardstick().tolerance);
+      if (on_earth) region.shape.emplace(region.ground, bends, Yardstick::measuring_tolerance);
       regions_[index(cell.place)].push_back(std::move(region));
     }
   }
@@ -148,7 +148,7 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   if (reach > SphereShape::farthest_reach) return false;
   const auto diagram =
       chart_diagram(heirs, {chart, 1.1 * reach, frame},
-                    {weighing_.yardstick().accuracy_for_areas(), weighing_.yardstick().tolerance});
+                    {Yardstick::accuracy_of_heirs, Yardstick::measuring_tolerance});
   if (!diagram) return false;
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);
@@ -176,7 +176,7 @@ void Handovers::share(std::span<const PlaceIndex> component, std::span<const Poi
       for (const Point p : part.outer) frame.take_in(p);
     }
   });
-  const Diagram diagram = weighing_.yardstick().diagram_for_areas(heirs, frame);
+  const Diagram diagram = weighing_.yardstick().diagram_of_heirs(heirs, frame);
   CellClipper clipper(diagram, weighing_.surface());
   for_each_region(component, [&](const Region& region) {
     throw_if_interrupted();

@@ -6,7 +6,8 @@
 namespace thiessen {
 
 NetworkCells::NetworkCells(const Network& network, const ReportingStations& reports,
-                           const Yardstick& yardstick, const Box& frame, unsigned threads) {
+                           const Yardstick& yardstick, const Box& frame, unsigned threads,
+                           Edges edges) {
   std::vector<Point> positions;
   std::vector<StationIndex> stations;  // that report, by place
   std::vector<PlaceIndex> place_of_station;
@@ -21,7 +22,8 @@ NetworkCells::NetworkCells(const Network& network, const ReportingStations& repo
     positions.push_back(network.places()[p]);
   }
   if (positions.empty()) return;
-  diagram_ = yardstick.diagram(positions, frame, threads);
+  diagram_ = edges == Edges::drawn ? yardstick.drawn_diagram(positions, frame, threads)
+                                   : yardstick.diagram(positions, frame, threads);
   share_cells(place_of_station, stations);
 }
 

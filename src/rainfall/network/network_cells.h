@@ -10,6 +10,9 @@
 
 namespace thiessen {
 
+/// What the edges of cells are for: see Yardstick.
+enum class Edges { measured, drawn };
+
 /// The cells of a network's gauges, or of those that report. A cell belongs to one place at which a
 /// gauge reports, or to several such places that rounding cannot tell apart.
 class NetworkCells {
@@ -17,7 +20,7 @@ class NetworkCells {
   /// `reports` has one entry for each station. The network must outlive this object. Cost: that of
   /// Yardstick::diagram.
   NetworkCells(const Network& network, const ReportingStations& reports, const Yardstick& yardstick,
-               const Box& frame, unsigned threads);
+               const Box& frame, unsigned threads, Edges edges = Edges::measured);
 
   bool any() const { return !first_.empty(); }
   /// The diagram of the cells. Its places are those of the network at which a gauge reports, in the

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <memory>
-#include <utility>
+#include <optional>
 
 #include "base/parallel.h"
 #include "rainfall/network/network_cells.h"
@@ -20,6 +20,16 @@ Box box_of_all(const std::vector<Basin>& basins) {
   return box;
 }
 
+/// Gives the cells their measured areas; false where there are cells without area, or the reverse.
+bool take_areas(std::vector<ClippedCell>& cells, const std::vector<CellShare>& shares) {
+  const auto is_same = [](const ClippedCell& cell, const CellShare& share) {
+    return cell.place == share.place;
+  };
+  if (!std::equal(cells.begin(), cells.end(), shares.begin(), shares.end(), is_same)) return false;
+  for (std::size_t i = 0; i < cells.size(); ++i) cells[i].area = shares[i].area;
+  return true;
+}
+
 }  // namespace
 
 void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area) {
@@ -29,9 +39,10 @@ void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, dou
 }
 
 Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
-                   const Yardstick& yardstick)
+                   const std::vector<Basin>& drawn, const Yardstick& yardstick)
     : network_(network),
       basins_(basins),
+      drawn_(drawn),
       yardstick_(yardstick),
       surface_(yardstick.surface()),
       frame_(box_of_all(basins)) {
@@ -39,47 +50,77 @@ Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
   for (const Basin& basin : basins) areas_.push_back(area_of(basin, *surface_));
 }
 
-// Calls take(b, clipper, reporting) for every basin. Each worker has a clipper of its own, for a
-// clipper is not safe for several threads.
-template <typename Take>
-void Weighing::for_each_basin(const ReportingStations& reports, unsigned threads,
-                              const Take& take) const {
-  const NetworkCells reporting(network_, reports, yardstick_, frame_, threads);
-  if (!reporting.any()) return;
-  std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
-  in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
-    auto& clipper = clippers[worker];
-    if (!clipper) clipper = std::make_unique<CellClipper>(reporting.diagram(), *surface_);
-    take(b, *clipper, reporting);
-  });
-}
+/// The cells of the reporting gauges with edges of one kind, and the clippers of the threads: each
+/// has its own, for a clipper is not safe for several.
+class Weighing::Clipping {
+ public:
+  Clipping(const Weighing& weighing, const ReportingStations& reports, unsigned threads,
+           Edges edges)
+      : surface_(*weighing.surface_),
+        basins_(edges == Edges::drawn ? weighing.drawn_ : weighing.basins_),
+        cells_(weighing.network_, reports, weighing.yardstick_,
+               edges == Edges::drawn ? box_of_all(weighing.drawn_) : weighing.frame_, threads,
+               edges),
+        clippers_(std::max(1u, threads)) {}
+
+  bool any() const { return cells_.any(); }
+  std::span<const StationIndex> stations_of(PlaceIndex place) const {
+    return cells_.stations_of(place);
+  }
+  std::vector<CellShare> shares(std::size_t worker, std::size_t basin) {
+    return clipper(worker).shares(basins_[basin]);
+  }
+  std::vector<ClippedCell> cells(std::size_t worker, std::size_t basin) {
+    return clipper(worker).cells(basins_[basin]);
+  }
+
+ private:
+  CellClipper& clipper(std::size_t worker) {
+    auto& clipper = clippers_[worker];
+    if (!clipper) clipper = std::make_unique<CellClipper>(cells_.diagram(), surface_);
+    return *clipper;
+  }
+
+  const Surface& surface_;
+  const std::vector<Basin>& basins_;
+  NetworkCells cells_;
+  std::vector<std::unique_ptr<CellClipper>> clippers_;
+};
 
 std::vector<BasinWeights> Weighing::weights(const ReportingStations& reports,
                                             unsigned threads) const {
   std::vector<BasinWeights> all(basins_.size());
   for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
-  for_each_basin(reports, threads,
-                 [&](std::size_t b, CellClipper& clipper, const NetworkCells& reporting) {
-                   for (const CellShare& share : clipper.shares(basins_[b]))
-                     add_shares(all[b], reporting.stations_of(share.place), share.area);
-                   sort_by_station(all[b].stations);
-                 });
+  Clipping measured(*this, reports, threads, Edges::measured);
+  if (!measured.any()) return all;
+  in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
+    for (const CellShare& share : measured.shares(worker, b))
+      add_shares(all[b], measured.stations_of(share.place), share.area);
+    sort_by_station(all[b].stations);
+  });
   return all;
 }
 
 std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& reports,
                                                       unsigned threads) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
-  for_each_basin(reports, threads,
-                 [&](std::size_t b, CellClipper& clipper, const NetworkCells& reporting) {
-                   for (const ClippedCell& cell : clipper.cells(basins_[b])) {
-                     const auto& stations = reporting.stations_of(cell.place);
-                     const double area = cell.area / static_cast<double>(stations.size());
-                     for (const StationIndex s : stations)
-                       all[b].push_back({s, area, std::min(area / areas_[b], 1.0), cell.shape});
-                   }
-                   sort_by_station(all[b]);
-                 });
+  Clipping measured(*this, reports, threads, Edges::measured);
+  if (!measured.any()) return all;
+  std::optional<Clipping> drawn;
+  if (!yardstick_.draws_as_measured()) drawn.emplace(*this, reports, threads, Edges::drawn);
+  in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
+    std::vector<ClippedCell> clipped;
+    if (drawn) clipped = drawn->cells(worker, b);
+    if (!drawn || !take_areas(clipped, measured.shares(worker, b)))
+      clipped = measured.cells(worker, b);
+    for (const ClippedCell& cell : clipped) {
+      const auto stations = measured.stations_of(cell.place);
+      const double area = cell.area / static_cast<double>(stations.size());
+      for (const StationIndex s : stations)
+        all[b].push_back({s, area, std::min(area / areas_[b], 1.0), cell.shape});
+    }
+    sort_by_station(all[b]);
+  });
   return all;
 }
 

@@ -44,10 +44,16 @@ struct StationCell {
 };
 
 /// Tessellates a network, or those of its gauges that report, and weighs the gauges in the basins.
-/// The network and the basins must outlive this object. Safe for several threads at once.
+/// Areas and weights do not depend on the yardstick's tolerance, only shapes do. The network and
+/// the basins must outlive this object. Safe for several threads at once.
 class Weighing {
  public:
-  Weighing(const Network& network, const std::vector<Basin>& basins, const Yardstick& yardstick);
+  Weighing(const Network& network, const std::vector<Basin>& basins, const Yardstick& yardstick)
+      : Weighing(network, basins, basins, yardstick) {}
+  /// `drawn` are the basins once more, with curved edges as they are to be drawn; see
+  /// StudyParts::drawn_basins.
+  Weighing(const Network& network, const std::vector<Basin>& basins,
+           const std::vector<Basin>& drawn, const Yardstick& yardstick);
 
   const Network& network() const { return network_; }
   const std::vector<Basin>& basins() const { return basins_; }
@@ -62,16 +68,19 @@ class Weighing {
   std::vector<BasinWeights> weights(const ReportingStations& reports, unsigned threads) const;
 
   /// The cells of the reporting gauges with their shapes, by basin, in the order of the stations.
-  /// Stations at one place each have the whole shape and their share of its area.
+  /// Stations at one place each have the whole shape and their share of its area. Areas and weights
+  /// are those of weights(). Where a cell with area has no shape at the tolerance, as a sliver that
+  /// is narrower, or the other way round, the basin's cells have the edges that they are measured
+  /// with.
   std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
                                               unsigned threads) const;
 
  private:
-  template <typename Take>
-  void for_each_basin(const ReportingStations& reports, unsigned threads, const Take& take) const;
+  class Clipping;
 
   const Network& network_;
   const std::vector<Basin>& basins_;
+  const std::vector<Basin>& drawn_;
   Yardstick yardstick_;
   std::unique_ptr<Surface> surface_;
   Box frame_;

@@ -72,5 +72,31 @@ TEST(AreaUnder, of_a_parallel_is_the_closed_formula) {
   }
 }
 
+// The curve is a parabola in longitude and latitude, up to 30 km long and bent by up to a
+// kilometre; its area is that of very many chords.
+TEST(AreaBesideChord, is_that_of_many_short_chords) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(300); ++round) {
+    const Point start{seeded.uniform(-180, 180), seeded.uniform(-75, 75)};
+    const double length = std::pow(10, seeded.uniform(-3, -0.6));
+    const double angle = seeded.uniform(0, 6.28);
+    const double bend = 0.03 * length * seeded.uniform(-1, 1);
+    const Point way{length * std::cos(angle), length * std::sin(angle)};
+    const auto at = [&](double t) {
+      const double off = 4 * bend * t * (1 - t) / length;
+      return Point{start.x + t * way.x - off * way.y, start.y + t * way.y + off * way.x};
+    };
+    double area = area_under(start, at(1), start.y);
+    constexpr int chords = 1000;
+    for (int i = 0; i < chords; ++i)
+      area -= area_under(at(static_cast<double>(i) / chords), at((i + 1.0) / chords), start.y);
+    const double found = area_beside_chord(start, at(0.5), at(1));
+    ASSERT_NEAR(found, area, 1e-4 * std::abs(area)) << length;
+    const Point turned{at(1).x - 360, at(1).y};
+    ASSERT_NEAR(area_beside_chord(start, at(0.5), turned), found, 1e-7 * std::abs(found));
+    ASSERT_NEAR(area_beside_chord(at(1), at(0.5), start), -found, 1e-7 * std::abs(found));
+  }
+}
+
 }  // namespace
 }  // namespace thiessen

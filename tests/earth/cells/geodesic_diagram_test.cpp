@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "earth/area/ellipsoid_area.h"
 #include "earth/sphere/geodesic.h"
 #include "geometry/seeded.h"
 
@@ -74,6 +77,61 @@ TEST_P(GeodesicDiagram, has_edges_at_equal_distance_of_their_places_and_farther_
     if (frame.contains(from)) expect_between(places, chord, from, 1e-4);
     expect_between(places, chord, middle, tolerance);
   }
+}
+
+/// An edge between two cells as its chords tell it.
+struct EdgeSum {
+  std::map<std::uint32_t, int> nodes;  // by node: how many more chords begin than end there
+  double area = 0;                     // between the true edge and a parallel
+  double length = 0;
+
+  /// The nodes at which the edge begins and ends; false where it is not one line.
+  bool ends(const Diagram& diagram, Point& from, Point& to) const {
+    int count = 0;
+    for (const auto& [node, balance] : nodes) {
+      if (balance == 0) continue;
+      ++count;
+      (balance > 0 ? from : to) = diagram.nodes[node];
+    }
+    return count == 2;
+  }
+};
+
+std::map<std::pair<PlaceIndex, PlaceIndex>, EdgeSum> edge_sums(const Diagram& diagram) {
+  std::map<std::pair<PlaceIndex, PlaceIndex>, EdgeSum> sums;
+  for (std::size_t i = 0; i < diagram.chords.size(); ++i) {
+    const Chord& chord = diagram.chords[i];
+    const Point from = diagram.nodes[chord.from];
+    const Point to = diagram.nodes[chord.to];
+    EdgeSum& sum = sums[{chord.left, chord.right}];
+    ++sum.nodes[chord.from];
+    --sum.nodes[chord.to];
+    sum.area += area_under(from, to, diagram.frame.centre().y) - diagram.bulges[i];
+    sum.length += geodesic_distance(from, to);
+  }
+  return sums;
+}
+
+// Law: chords with their bulges enclose the true edge's area, however few there are. The ends of
+// chords are right to 1e-5 metres.
+TEST_P(GeodesicDiagram, law_the_area_beside_an_edge_does_not_depend_on_its_chords) {
+  Seeded seeded;
+  const Network network = GetParam();
+  const std::vector<Point> places = places_of(network, seeded);
+  const Diagram fine = geodesic_diagram(places, frame_of(network), 0.005, 1e-6, 2);
+  const Diagram usual = geodesic_diagram(places, frame_of(network), 0.05, 1e-6, 2);
+  const auto of_fine = edge_sums(fine);
+  std::size_t compared = 0;
+  for (const auto& [cells, edge] : edge_sums(usual)) {
+    Point from, to, fine_from, fine_to;
+    const auto other = of_fine.find(cells);
+    if (other == of_fine.end() || !edge.ends(usual, from, to)) continue;
+    if (!other->second.ends(fine, fine_from, fine_to) || from != fine_from || to != fine_to)
+      continue;
+    ++compared;
+    EXPECT_NEAR(edge.area, other->second.area, 2e-5 * edge.length + 1e-4) << edge.length;
+  }
+  EXPECT_GT(compared, places.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(Everywhere, GeodesicDiagram,

@@ -192,5 +192,33 @@ TEST(Weights, of_adjoining_basins_add_up) {
   }
 }
 
+// Only shapes follow the tolerance: at a kilometre many of these basins lose cells, or gain them.
+TEST(Weights, do_not_depend_on_the_tolerance_by_a_bit) {
+  Seeded seeded;
+  Study study = random_study(seeded);
+  for (int i = 0; i < 20; ++i) {
+    const Point centre{seeded.uniform(-105, -103), seeded.uniform(38, 40)};
+    study.basins.push_back(shapes::basin({{shapes::star(seeded, centre, 0.01, 9), {}}}));
+  }
+  const Network network(study.stations, Metric::geodesic);
+  const Weighing usual(network, study.basins, ellipsoid);
+  const auto expected = usual.weights(all_of(network), 1);
+  for (const double tolerance : {0.001, 10.0, 1000.0, 1e5}) {
+    const Weighing weighing(network, study.basins, Yardstick{Metric::geodesic, 1, tolerance});
+    const auto weights = weighing.weights(all_of(network), 1);
+    const auto cells = weighing.cells(all_of(network), 2);
+    for (std::size_t b = 0; b < expected.size(); ++b) {
+      ASSERT_EQ(weights_by_id(network, weights[b]), weights_by_id(network, expected[b]));
+      ASSERT_EQ(cells[b].size(), expected[b].stations.size());
+      for (std::size_t i = 0; i < cells[b].size(); ++i) {
+        ASSERT_EQ(cells[b][i].station, expected[b].stations[i].station);
+        ASSERT_EQ(cells[b][i].area, expected[b].stations[i].area);
+        ASSERT_EQ(cells[b][i].weight, expected[b].stations[i].weight);
+        ASSERT_FALSE(cells[b][i].shape.empty());
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thiessen
