@@ -5,15 +5,16 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "cli/outputs/text_table.h"
+#include "rainfall/influence/search_budget.h"
 
 namespace thiessen::cli {
 namespace {
 
-// The sample of steps in which the most influential gauge is looked for is bounded, for the search
-// grows with it and the summary must not take longer than the series.
+// The sample of steps in which the most influential gauge is looked for is bounded, and so is the
+// share that the search adds to the work of the run.
 constexpr std::size_t sample_bytes = std::size_t{32} << 20;
 constexpr std::size_t sampled_steps = 4096;
-constexpr std::size_t sampled_handovers = 40'000;
+constexpr double share_of_search = 0.1;
 
 }  // namespace
 
@@ -31,8 +32,9 @@ void Summary::add(const RainStep& step) {
 }
 
 void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned threads) {
-  influence_ =
-      thiessen::most_influential(rainfall.handovers(), sample_, sampled_handovers, threads);
+  const SearchWork work = search_work(rainfall.handovers(), sample_, statistics_.steps());
+  influence_ = thiessen::most_influential(rainfall.handovers(), sample_,
+                                          spacing_within(work, share_of_search), threads);
 }
 
 std::string Summary::most_influential(std::size_t basin, const std::string& unit) const {
@@ -69,7 +71,8 @@ std::string Summary::text(const std::string& units) const {
         "The most influential gauges are told with --gaps retessellate and without --min-gauges.\n";
   } else if (influence_.steps < statistics_.steps()) {
     text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
-            " of the " + std::to_string(statistics_.steps()) + " steps, evenly spaced.\n";
+            " of the " + std::to_string(statistics_.steps()) +
+            " steps, evenly spaced: looking for them may take a tenth of a run.\n";
   }
   return text;
 }

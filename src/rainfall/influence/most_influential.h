@@ -19,13 +19,9 @@ struct SampledInfluence {
   std::size_t steps;                    ///< number that were looked at
 };
 
-/// Finds the most influential gauge of each basin in a sample of steps; of equal ones it takes the
-/// first.
-///
-/// It looks at all steps of the sample or, where they have too many gaps, at every second, third
-/// and so on, so that about `most_handovers` handovers of several cells are computed, beside one
-/// for each cell that has ground.
+/// Finds the most influential gauge of each basin in every `spaced`th step of a sample, at least 1
+/// (see spacing_within); of equal ones it takes the first.
 SampledInfluence most_influential(const Handovers& handovers, const StepSample& sample,
-                                  std::size_t most_handovers, unsigned threads);
+                                  std::size_t spaced, unsigned threads);
 
 }  // namespace thiessen
