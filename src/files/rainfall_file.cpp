@@ -36,13 +36,14 @@ ReportingStations stations_that_report(const std::string& rainfall, char separat
                                        std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options) {
-  const ReadingsStations known(stations, passed_over);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   HeardStations heard(known);
+  Warnings told_later;  // the file is opened once more
   try {
     if (is_dly(rainfall)) {
       heard.look_through_dly(dly_files(rainfall), options.keep_flagged);
     } else {
-      heard.look_through(*open_table(rainfall, separator), options);
+      heard.look_through(*open_table(rainfall, separator, told_later), options);
     }
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);

@@ -231,7 +231,8 @@ std::string field_that_holds(const StationsRequest& request, const std::string& 
   std::error_code error;
   if (!std::filesystem::is_regular_file(request.source.file, error)) return {};
   try {
-    Features features(request.source, longest_field);
+    Warnings told_before;
+    Features features(request.source, longest_field, told_before);
     Complaints complaints;
     while (features.next(complaints)) {
       const auto& fields = features.row().fields;

@@ -46,7 +46,8 @@ std::vector<Basin> basins_on_earth(const StudyFiles& study, const Crs& degrees,
     const std::string name = "basin " + quoted(basin.id, 80);
     if (from.kind().in_degrees()) {
       // In a plane of degrees longitudes did not run on over the antimeridian.
-      const std::string fault = unwrap_longitudes(basin.shape);
+      WideEdges wide;  // told where the basins were put right
+      const std::string fault = unwrap_longitudes(basin.shape, wide);
       if (!fault.empty()) throw Error(Message{{}, 0, name + ": " + fault, {}});
     }
     if (!from.same_as(degrees)) {
