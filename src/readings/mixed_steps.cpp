@@ -124,7 +124,7 @@ std::optional<Message> MixedSteps::fault(const std::string& file,
         gauge.apart % length != 0)
       return false;
     const std::int64_t places = std::abs(gauge.last - gauge.first) / gauge.apart + 1;
-    if (places > 2 * std::int64_t{gauge.readings}) return false;
+    if (places >= 2 * std::int64_t{gauge.readings}) return false;
     apart = std::max(apart, gauge.apart);
     return true;
   });

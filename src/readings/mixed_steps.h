@@ -20,7 +20,7 @@ namespace thiessen {
 ///
 /// A gauge is one of these if its times are written without a clock and others' with one, or if it
 /// has at least three readings, all of them multiples of k of the file's steps apart, k at least 2,
-/// and fills at least half of the steps of that length between its first and its last. (A gauge
+/// and fills more than half of the steps of that length between its first and its last. (A gauge
 /// that is silent at random hardly ever does: three readings two days apart each, in a file of
 /// days.) Cost: a few operations a reading. Memory: 40 bytes a station.
 class MixedSteps {

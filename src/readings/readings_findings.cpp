@@ -44,7 +44,8 @@ Wording ReadingsFindings::hint_for(const Reading& reading, std::string_view fiel
                                    const ReadingGrammar& grammar) {
   constexpr std::size_t longest_code = 20;
   if (reading.kind == ReadingKind::out_of_range) return {};
-  if (grammar.wants_decimal_comma(field)) return setting("decimal_comma") + " reads 1,5 as 1.5";
+  if (reading.kind == ReadingKind::not_a_number && grammar.wants_decimal_comma(field))
+    return setting("decimal_comma") + " reads 1,5 as 1.5";
   bool& told = reading.kind == ReadingKind::negative ? told_negative_ : told_code_;
   if (field.size() > longest_code || std::exchange(told, true)) return {};
   return setting("missing", field) + " takes it for a gap, " + setting("trace", field) + " for 0";

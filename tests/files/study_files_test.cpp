@@ -143,7 +143,7 @@ TEST(Study, a_finer_tolerance_changes_the_vertices_and_not_the_area) {
     given.request.tolerance = fine == 1 ? 0.001 : 10;
     const StudyFiles study = given.study();
     const Ring& ring = study.basins.at(0).shape.at(0).outer;
-    vertices[fine] = ring.size();
+    vertices[fine] = study.drawn_basins.at(0).shape.at(0).outer.size();
     for (std::size_t i = 0; i < ring.size(); ++i) {
       areas[fine] -= area_under(ring[i], ring[(i + 1) % ring.size()], 50);
       areas[fine] += study.basins.at(0).bulges.at(0)[i];
@@ -185,7 +185,7 @@ TEST(Study, the_plane_option_joins_what_the_antimeridian_cuts) {
 TEST(Study, a_plane_without_the_pole_that_a_basin_holds_is_told) {
   Given given;
   given.request.plane = "EPSG:3857";
-  given.basins = geojson("[[-135,80],[-45,80],[45,80],[135,80],[-135,80]]");
+  given.basins = geojson("[[-135,80],[-45,80],[45,80],[135,80],[180,80],[-135,80]]");
   EXPECT_TRUE(contains(complaint_of([&] { given.study(); }),
                        "the point 0 90 lies outside the projection's area (EPSG:3857)"));
 }

@@ -49,7 +49,8 @@ double judged_area(const Ring& ring) {
 /// antimeridian and on again.
 Ring random_ring(Seeded& seeded, double low, double high) {
   Ring ring;
-  const auto vertices = static_cast<std::size_t>(seeded.whole(4, 30));
+  // Fewer vertices would leave edges whose way round the Earth nobody knows.
+  const auto vertices = static_cast<std::size_t>(seeded.whole(8, 30));
   for (std::size_t i = 0; i < vertices; ++i) {
     const double share =
         (static_cast<double>(i) + seeded.uniform(0, 0.9)) / static_cast<double>(vertices);

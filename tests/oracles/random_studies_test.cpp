@@ -323,7 +323,8 @@ void expect_right(const Study& study, double tolerance, bool geopackage) {
   const TemporaryFolder folder;
   expect_tiles(folder.write("cells.geojson", cells_geojson(output)));
   if (!geopackage) return;
-  for (const EncodedFile& file : cells_files(output, folder.path("cells.gpkg")))
+  Warnings warnings;
+  for (const EncodedFile& file : cells_files(output, folder.path("cells.gpkg"), warnings))
     expect_tiles(folder.write("cells.gpkg", file.bytes));
 }
 

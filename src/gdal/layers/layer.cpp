@@ -24,6 +24,11 @@
 namespace thiessen {
 namespace {
 
+/// A warning without what it says of GDAL's own options, which nobody can set here.
+std::string without_advice(const std::string& warning) {
+  return warning.substr(0, warning.find(". To avoid accepting it, set the "));
+}
+
 using CrsMember = GeoJsonFindings::CrsMember;
 
 FieldType type_of(OGRFieldType type) {
@@ -295,7 +300,7 @@ void Layer::finish() {
   hear(errors);
   if (it.told == nullptr) return;
   for (const std::string& warning : it.warnings)
-    it.told->add({it.file, 0, "GDAL warns: " + warning, {}});
+    it.told->add({it.file, 0, "GDAL warns: " + without_advice(warning), {}});
 }
 
 std::optional<Crs> Layer::crs() const {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string_view>
 
+#include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
 #include "outlines/polygon_validity.h"
@@ -20,7 +21,9 @@ constexpr std::array<std::string_view, 5> keep_doubles = {"GPKG", "ESRI Shapefil
                                                           "SQLite", "PGDUMP"};
 
 std::unique_ptr<GDALDataset> open(const std::string& file, const std::string& driver) {
+  start_gdal();
   const GdalErrors errors;
+  GDALAllRegister();  // what is written may be of any driver
   CPLStringList drivers;
   drivers.AddString(driver.c_str());
   CPLStringList options;

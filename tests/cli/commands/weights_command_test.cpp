@@ -23,7 +23,7 @@ TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
     line.insert(line.end(), {"--influence", "r"});
     EXPECT_EQ(refusal(line), "");
   }
-  EXPECT_EQ(refused, 10u);
+  EXPECT_EQ(refused, 11u);
 }
 
 TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {

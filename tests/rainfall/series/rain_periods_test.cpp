@@ -56,7 +56,7 @@ const Totalling years{TimePrecision::year, 0};
 
 TEST(RainPeriods, are_days_months_or_years) {
   const Steps steps = {{"2013-08-30T12:00", {1}},
-                       {"2013-08-31T00:00", {2}},
+                       {"2013-08-31T00:00:07", {2}},
                        {"2013-08-31T23:59", {4}},
                        {"2013-09-01", {8}},
                        {"2014-09-01", {16}}};
