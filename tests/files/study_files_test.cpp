@@ -172,7 +172,7 @@ TEST(Study, the_plane_option_joins_what_the_antimeridian_cuts) {
   given.stations = "id,lon,lat\na,10,-70\nb,20,-75\n";
   given.request.plane = "EPSG:3031";
   // Round the pole, and over the antimeridian beside it; the latter with a vertex of its own there.
-  for (const char* ring : {"[[-135,-80],[-45,-80],[45,-80],[135,-80],[-135,-80]]",
+  for (const char* ring : {"[[-135,-80],[-45,-80],[45,-80],[135,-80],[225,-80],[-135,-80]]",
                            "[[170,-80],[170,-70],[180,-70],[-170,-80],[170,-80]]"}) {
     given.basins = geojson(ring);
     const StudyFiles study = given.study();
