@@ -24,7 +24,8 @@ void PeriodOptions::declare(OptionList& options) {
                                                            {"month", TimePrecision::month},
                                                            {"year", TimePrecision::year}}),
              "totals over calendar periods instead of a row a step, and beside them, in "
-             "BASIN_missing, how many of the period's steps have no value or lack in the file; with --long rows "
+             "BASIN_missing, how many of the period's steps have no value or lack in the file; "
+             "with --long rows "
              "time,basin,rainfall,missing");
   allowed_missing_option_ =
       &output.add("--allow-missing", whole_number(allowed_missing_, 0, 1'000'000'000),

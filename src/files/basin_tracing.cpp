@@ -38,8 +38,8 @@ double units_per_metre(const Crs& crs) {
 
 /// The basin without what is narrower than the grid; as it is where nothing were left.
 MultiPolygon without_needles(const MultiPolygon& basin, double grid) {
-  auto result = collapsed(std::span(&basin, 1), grid);
-  return result && !result->front().empty() ? std::move(result->front()) : basin;
+  const auto result = collapsed(std::span(&basin, 1), grid);
+  return result && !result->front().empty() ? result->front() : basin;
 }
 
 }  // namespace

@@ -31,9 +31,9 @@ std::string cells_geojson(const CellsOutput& output);
 /// `file_crs`. Every cell is checked to be valid, slivers being collapsed in basins where one is
 /// not, and in formats that round coordinates it is read back and checked again. `older` holds the
 /// bytes of a GeoPackage whose other layers are kept; it is empty where there is none. A field that
-/// the format calls otherwise is told in `warnings`, and so is what GDAL warns of. Throws Error, with
-/// the list of known extensions, where there is no such format, and where the format cannot hold
-/// the cells.
+/// the format calls otherwise is told in `warnings`, and so is what GDAL warns of. Throws Error,
+/// with the list of known extensions, where there is no such format, and where the format cannot
+/// hold the cells.
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,
                                      Warnings& warnings, const std::string& older = {});
 

@@ -1,8 +1,9 @@
 #include "files/far_files.h"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -61,9 +62,12 @@ FarCause::Correction read_as(const Crs& study, const Crs& in, Change change, con
 /// The EPSG codes of WGS 84's UTM zones that are taken for another's: its neighbours', and those of
 /// the other hemisphere. None for a CRS that is no such zone.
 std::vector<std::string> zones_beside(const Crs& crs) {
-  int code = 0;
-  char rest = '\0';
-  if (std::sscanf(crs.name().c_str(), "EPSG:%d%c", &code, &rest) != 1) return {};
+  constexpr std::string_view authority = "EPSG:";
+  const std::string name = crs.name();
+  if (!name.starts_with(authority)) return {};
+  const Parsed<std::size_t> number = parse_size(std::string_view(name).substr(authority.size()));
+  if (!number || number.value > 99'999) return {};
+  const int code = static_cast<int>(number.value);
   const int zone = code % 100;
   const bool north = code / 100 == 326;
   if ((!north && code / 100 != 327) || zone < 1 || zone > 60) return {};

@@ -82,7 +82,7 @@ VertexRounding round_cells(CellShapes& cells, int decimals) {
 }
 
 std::vector<std::size_t> make_valid(CellShapes& cells, double grid) {
-  const std::vector<std::size_t> bad = invalid(cells.shapes);
+  std::vector<std::size_t> bad = invalid(cells.shapes);
   if (bad.empty()) return bad;
   collapse(cells, bad, grid);
   return invalid(cells.shapes);

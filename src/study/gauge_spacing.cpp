@@ -24,6 +24,7 @@ std::vector<Point> in_chart(std::span<const Point> places, const Ruler& ruler) {
   const bool has_middle = length(middle) > 1e-6 * static_cast<double>(places.size());
   const StereographicChart chart(has_middle ? -1 * unit(middle) : Direction{0, 0, -1});
   std::vector<Point> charted;
+  charted.reserve(directions.size());
   for (const Direction d : directions)
     charted.push_back(chart.is_pole(d) ? Point{1e9, 0} : chart.project(d));
   return charted;

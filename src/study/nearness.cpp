@@ -104,7 +104,7 @@ class NearnessJudge {
 
   /// The mistake without which gauges and basins lie nearest to each other, if they would meet.
   Wording likely_cause() const {
-    if (const Wording units = other_units(); !units.empty()) return units;
+    if (Wording units = other_units(); !units.empty()) return units;
     Wording likely;
     double least = std::numeric_limits<double>::infinity();
     const auto causes =

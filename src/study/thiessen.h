@@ -60,9 +60,9 @@ class Thiessen {
   /// Error with every fault: no station, a station without an id, an id given twice, a coordinate
   /// that is not a number, is no degree where it has to be one, or lies outside the exact range of
   /// predicates.h; a basin that has no area, crosses itself, or has an edge of more than 180 to 270
-  /// degrees of longitude; stations without extent and no basin; gauges and basins nowhere near each
-  /// other. Warns of basins far from every gauge. Cost: n log n in the stations and in the vertices
-  /// of the basins.
+  /// degrees of longitude; stations without extent and no basin; gauges and basins nowhere near
+  /// each other. Warns of basins far from every gauge. Cost: n log n in the stations and in the
+  /// vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);
   ~Thiessen();
   Thiessen(Thiessen&&) noexcept;

@@ -12,9 +12,9 @@ namespace thiessen {
 /// not timed, so that what is looked at, and so every byte that is written, is the same on every
 /// machine and in every run. Right to a factor of two.
 struct SearchWork {
-  double run = 0;     ///< tessellation, weights, readings, values and pictures of the whole series
-  double once = 0;    ///< of the search: however few steps it looks at
-  double all = 0;     ///< of the search: what all steps of the sample add to that
+  double run = 0;   ///< tessellation, weights, readings, values and pictures of the whole series
+  double once = 0;  ///< of the search: however few steps it looks at
+  double all = 0;   ///< of the search: what all steps of the sample add to that
   std::size_t steps = 0;  ///< number of steps in the sample
 };
 
