@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is missing, builds thiessen with its tests in <clone>/build-tests, and runs them all:
-# layout, lint, the core under sanitizers, every test in a strange locale, every test.
+# layout, includes, lint, the core under sanitizers, every test, in a strange locale.
 # It may be run again at once, and from any folder. Exit status 0 only where everything passed.
 #   tests/run.sh [PART...]     only these parts, in the order below; tests/run.sh --help lists them
 set -euo pipefail
@@ -21,7 +21,7 @@ check() {
   log=$(mktemp)
   say "$sentence ..."
   if "$@" >"$log" 2>&1; then
-    grep -E 'tests passed|sources looked at' "$log" || true
+    grep -E 'tests passed|(sources|files) looked at' "$log" || true
   else
     cat "$log"
     failures+=("$sentence")
@@ -56,6 +56,8 @@ layout() {
   return 1
 }
 
+includes() { "$clone/tests/includes.py"; }
+
 scripts() {
   cd "$clone"
   files '*.sh' .ci/run | xargs -0 -r shellcheck
@@ -71,26 +73,26 @@ run_ctest() {
 sanitized() {
   # Reports need the lines' numbers and no more of what a debugger wants.
   TARGETS=core_tests "$clone/samples/build.sh" "$core" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
-    -DTHIESSEN_QUICK_TESTS=ON -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug \
+    -DTHIESSEN_QUICK_TESTS=ON -DTHIESSEN_JOINED=ON -DTHIESSEN_SANITIZE=address,undefined -DCMAKE_BUILD_TYPE=Debug \
     -DCMAKE_CXX_FLAGS_DEBUG='-O1 -gline-tables-only' -DCMAKE_CXX_COMPILER=clang++ || return
   run_ctest "$core" -L core
 }
 
-# Turkish has a decimal comma and a letter i of its own; the Chatham Islands are 12:45 from Greenwich.
-strange_locale() {
+# Turkish has a decimal comma and a letter i of its own; the Chatham Islands are 12:45 from Greenwich: what holds
+# there holds in a plain locale, so no test runs twice.
+tests() {
   local locales=$build/locales
   if [ ! -d "$locales/tr_TR.UTF-8" ]; then
     mkdir -p "$locales"
     localedef -i tr_TR -f UTF-8 "$locales/tr_TR.UTF-8" || return
   fi
-  LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham \
-    run_ctest "$build" -LE oracles
+  LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham run_ctest "$build"
 }
 
 build() {
   say "Building thiessen and its tests in $build ..."
   "$clone/samples/build.sh" "$build" -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON \
-    -DTHIESSEN_QUICK_TESTS=ON -DCMAKE_BUILD_TYPE=Release
+    -DTHIESSEN_QUICK_TESTS=ON -DTHIESSEN_JOINED=ON -DCMAKE_BUILD_TYPE=Release
 }
 
 # What a part took is kept in the build folder: the first time, when all has to be built, and the last.
@@ -105,11 +107,10 @@ seconds_of() { # PART: what it took or, where that is not known, what it takes o
     esac
   else
     case $1 in
-      layout | scripts) echo 10 ;;
+      layout | scripts | includes) echo 5 ;;
       build) echo $((1200 / $(nproc))) ;;
       lint | sanitized) echo $((600 / $(nproc))) ;;
-      locale) echo $((300 / $(nproc))) ;;
-      *) echo $((120 / $(nproc))) ;;
+      *) echo $((800 / $(nproc))) ;;
     esac
   fi
 }
@@ -141,18 +142,16 @@ help() {
 tests/run.sh [PART...]: all parts, or those that are named:
   layout      the layout of the C++ files (clang-format)
   scripts     the shell scripts (shellcheck)
+  includes    whether every file includes what it names
   build       the program and its tests
   lint        clang-tidy over src/ and cli/
   sanitized   the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer
-  locale      every test but the oracles, in a Turkish locale
-  oracles     comparisons with CGAL, GEOS and GeographicLib
-  golden      whole runs of the program against golden files
-  program     whole runs of the program against exact arithmetic
+  tests       every test, in a Turkish locale; ctest runs them in yours
 What needs the build brings it up to date first.
 END
 }
 
-parts=(layout scripts build lint sanitized locale oracles golden program)
+parts=(layout scripts includes build lint sanitized tests)
 for part; do
   case $part in
     -h | --help) help && exit ;;
@@ -171,21 +170,17 @@ wants() {
 
 "$clone/samples/packages.sh" build tests
 
-if wants lint locale oracles golden program; then chosen=" build$chosen"; fi
+if wants lint tests; then chosen=" build$chosen"; fi
 estimate
 if wants layout; then part layout check 'Checking the layout of the C++ files (clang-format)' layout; fi
 if wants scripts; then part scripts check 'Checking the scripts (shellcheck)' scripts; fi
+if wants includes; then part includes check 'Checking what files include' includes; fi
 if wants build; then part build build; fi
 if wants lint; then part lint check 'Linting (clang-tidy)' "$clone/tests/lint.py" "$build"; fi
 if wants sanitized; then
   part sanitized check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
 fi
-# The strange locale sees every test but the oracles; the plain one only those that run the whole program
-# (their text is what a locale may change) and the oracles: no test of a room runs twice.
-if wants locale; then part locale check 'Testing in a Turkish locale' strange_locale; fi
-for name in oracles golden program; do
-  if wants "$name"; then part "$name" check "Testing: $name" run_ctest "$build" -L "^$name\$"; fi
-done
+if wants tests; then part tests check 'Testing in a Turkish locale' tests; fi
 
 say
 if [ ${#failures[@]} -gt 0 ]; then

@@ -1,6 +1,7 @@
 #include "basin/crossing.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include <cmath>
 

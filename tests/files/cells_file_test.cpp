@@ -1,6 +1,7 @@
 #include "files/cells_file.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include <set>
 

@@ -1,6 +1,7 @@
 #include "files/datums.h"
 
 #include <gtest/gtest.h>
+#include <cmath>
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"

@@ -1,6 +1,7 @@
 #include "geometry/insertion_order.h"
 
 #include <gtest/gtest.h>
+#include <utility>
 
 #include <algorithm>
 #include <cfloat>

@@ -1,6 +1,7 @@
 #include "geometry/wide_integer.h"
 
 #include <gtest/gtest.h>
+#include <type_traits>
 
 #include <limits>
 

@@ -3,6 +3,7 @@
 // THIESSEN_ROUNDS=100, 100,000 points in each network. At 1 mm the edges of networks that span
 // continents take millions of chords: those are run with --gtest_also_run_disabled_tests only.
 #include <gtest/gtest.h>
+#include <tuple>
 
 #include <map>
 #include <numeric>

@@ -1,6 +1,7 @@
 #include "outlines/winding_polygon.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "base/complaints.h"
 #include "outlines/ellipsoid_strip.h"

@@ -3,6 +3,7 @@
 #include <GeographicLib/Constants.hpp>
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/Math.hpp>
+#include <algorithm>
 #include <limits>
 
 namespace thiessen {

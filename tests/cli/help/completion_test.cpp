@@ -1,4 +1,5 @@
 #include "cli/help/completion.h"
+#include "cli/commands/commands.h"
 
 #include <gtest/gtest.h>
 

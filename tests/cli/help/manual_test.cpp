@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/commands/commands.h"
 #include "cli/help/roff.h"
 
 namespace thiessen::cli {

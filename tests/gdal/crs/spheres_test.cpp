@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gdal/crs/crs.h"
 #include "gdal/crs/crs_definition.h"
 #include "gdal/crs/transformation.h"

@@ -1,6 +1,7 @@
 #include "map/plot/camera.h"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <vector>
 
