@@ -63,7 +63,7 @@ FarCause::Correction read_as(const Crs& study, const Crs& in, Change change, con
 /// the other hemisphere. None for a CRS that is no such zone.
 std::vector<std::string> zones_beside(const Crs& crs) {
   constexpr std::string_view authority = "EPSG:";
-  const std::string name = crs.name();
+  const std::string& name = crs.name();
   if (!name.starts_with(authority)) return {};
   const Parsed<std::size_t> number = parse_size(std::string_view(name).substr(authority.size()));
   if (!number || number.value > 99'999) return {};
