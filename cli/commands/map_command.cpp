@@ -81,7 +81,7 @@ class MapCommand : public Command {
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const unsigned threads = static_cast<unsigned>(common_.threads);
     if (kind == Kind::tiff) {
-      const Provenance made_by = provenance_of(inputs, study_, shown ? view_.units : "");
+      const Provenance made_by = provenance_of(inputs, study_, shown, view_.units);
       append_files(outputs, file,
                    raster_of(inputs, shown, resolution_, made_by, output_.output, threads));
     } else {

@@ -27,7 +27,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
   output.study_crs = inputs.study().crs;
   output.file_crs = inputs.study().output_crs();
   output.tolerance = options.tolerance();
-  output.made_by = provenance_of(inputs, options, readings == nullptr ? "" : unit);
+  output.made_by = provenance_of(inputs, options, readings, unit);
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       CellFeature& feature = output.cells.emplace_back();

@@ -24,7 +24,7 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
                                         : "Thiessen cells";
   picture.subtitle = readings != nullptr ? readings->label : "";
   picture.units = view.units;
-  picture.tags = items_of(provenance_of(inputs, options, readings == nullptr ? "" : view.units));
+  picture.tags = items_of(provenance_of(inputs, options, readings, view.units));
   picture.width = static_cast<int>(view.size.width);
   picture.height = static_cast<int>(view.size.height);
   const std::vector<Station>& stations = inputs.network().stations();

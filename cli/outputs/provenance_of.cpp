@@ -5,15 +5,21 @@
 namespace thiessen::cli {
 
 Provenance provenance_of(const Inputs& inputs, const StudyOptions& options,
-                         const std::string& unit) {
+                         const GaugeReadings* readings, const std::string& unit) {
   const StudyFiles& study = inputs.study();
   Provenance made_by;
   made_by.software = std::string("thiessen ") + version();
   made_by.metric = study.metric == Metric::geodesic ? "geodesic" : "planar";
-  if (study.metric == Metric::planar && study.crs) made_by.plane = study.crs->name();
+  if (study.plane) {
+    made_by.plane = study.plane->plane.proj_text();
+  } else if (study.metric == Metric::planar && study.crs) {
+    made_by.plane = study.crs->name();
+  }
   made_by.tolerance = options.tolerance();
   made_by.method = "thiessen";
+  if (readings == nullptr) return made_by;
   made_by.unit = unit;
+  made_by.rainfall = readings->label;
   return made_by;
 }
 

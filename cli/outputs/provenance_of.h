@@ -3,13 +3,14 @@
 #include <string>
 
 #include "cli/inputs/inputs.h"
+#include "rainfall/series/gauge_readings.h"
 #include "results/provenance.h"
 
 namespace thiessen::cli {
 
-/// What an output of these inputs says of how it was made. `unit` is that of the rainfall, empty
-/// where there is none.
+/// What an output of these inputs says of how it was made. `readings` are what it shows, in
+/// `unit`; null where it shows no rainfall.
 Provenance provenance_of(const Inputs& inputs, const StudyOptions& options,
-                         const std::string& unit);
+                         const GaugeReadings* readings, const std::string& unit);
 
 }  // namespace thiessen::cli

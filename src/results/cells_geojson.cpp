@@ -88,6 +88,7 @@ void append_geometry(std::string& out, const MultiPolygon& shape, const VertexRo
 void append_provenance(std::string& out, const Provenance& made_by) {
   out += R"("made_by":{)";
   for (const auto& [name, value] : items_of(made_by)) {
+    if (name == "rainfall") continue;  // is said by a member of its own
     append_name(out, name);
     if (parse_number(value)) {
       out += value;

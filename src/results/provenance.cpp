@@ -15,6 +15,7 @@ std::vector<std::pair<std::string, std::string>> items_of(const Provenance& prov
   add("tolerance", shortest_text(provenance.tolerance));
   add("method", provenance.method);
   add("unit", provenance.unit);
+  add("rainfall", provenance.rainfall);
   return items;
 }
 
