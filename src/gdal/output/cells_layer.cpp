@@ -143,11 +143,35 @@ class LayerWriter {
     return name;
   }
 
+  /// SQLite's reader takes a column of this name for the number of the feature.
+  void require_no_number_of_sqlite() const {
+    for (const FieldName& field : fields_) {
+      if (lower_case(field.name) != "ogc_fid") continue;
+      throw Error(Message{path_, 0,
+                          "the field " + quoted(field.name, 80) +
+                              " cannot be written: the format keeps that name for itself",
+                          "a .gpkg holds fields of any name"});
+    }
+  }
+
+  bool is_ascii() const {
+    for (const CellFeature& cell : features_.cells) {
+      for (std::size_t i = 0; i < fields_.size(); ++i) {
+        const std::string& bytes = text(cell, i);
+        if (std::any_of(bytes.begin(), bytes.end(),
+                        [](char c) { return static_cast<unsigned char>(c) > 127; }))
+          return false;
+      }
+    }
+    return true;
+  }
+
   CPLStringList layer_options(std::string_view driver) const {
     CPLStringList options;
     if (driver == "CSV") options.SetNameValue("GEOMETRY", "AS_WKT");
     if (driver == "ESRI Shapefile") options.SetNameValue("DBF_DATE_LAST_UPDATE", "1970-01-01");
-    if (driver == "ESRI Shapefile" || driver == "MapInfo File")
+    // MapInfo's own name for UTF-8 is not known to GDAL, which warns of that.
+    if (driver == "ESRI Shapefile" || (driver == "MapInfo File" && !is_ascii()))
       options.SetNameValue("ENCODING", "UTF-8");
     if (driver == "GPKG") {
       options.SetNameValue("FID", free_name("fid").c_str());
@@ -157,7 +181,10 @@ class LayerWriter {
       options.SetNameValue("LAUNDER", "NO");
       options.SetNameValue("FID", free_name("ogc_fid").c_str());
     }
-    if (driver == "SQLite") options.SetNameValue("GEOMETRY_NAME", free_name("geometry").c_str());
+    if (driver == "SQLite") {
+      require_no_number_of_sqlite();
+      options.SetNameValue("GEOMETRY_NAME", free_name("geometry").c_str());
+    }
     if (driver == "PGDUMP") {
       options.SetNameValue("GEOMETRY_NAME", free_name("wkb_geometry").c_str());
       // Whoever runs the script decides about a table that is there: its CREATE fails.
