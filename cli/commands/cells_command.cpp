@@ -59,7 +59,7 @@ class CellsCommand : public Command {
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
     const CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
     if (to_stream) {
-      file.append(cells_geojson(output));
+      file.append(cells_geojson(output, "standard output", warnings));
     } else {
       append_files(outputs, file,
                    cells_files(output, output_.output, warnings, older ? older->bytes() : ""));

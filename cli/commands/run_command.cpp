@@ -98,7 +98,7 @@ class RunCommand : public Command {
     }
     const auto cells = cells_of_network(inputs, threads);
     const CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
-    cells_file.append(cells_geojson(output));
+    cells_file.append(cells_geojson(output, cells_file.name(), warnings));
     warn_of_new_names(output, cells_file.name(), warnings);
     warn_of_own_coordinates(inputs, cells_file.name(), warnings);
     map_file.append(encode_picture(picture_of(inputs, cells, &mean, study_, view_),

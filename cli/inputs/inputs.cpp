@@ -15,10 +15,11 @@ Wording without_rainfall() {
 
 void note_whole_network(const std::string& file, std::size_t stations, const Wording& reason,
                         Warnings& warnings) {
-  warnings.add_notice({file, 0,
-                       "all " + std::to_string(stations) +
-                           " stations make the network, whether they report or not: " + reason,
-                       ""});
+  const std::string who = stations == 1
+                              ? "its one station makes the network, whether it reports or not: "
+                              : "all " + std::to_string(stations) +
+                                    " stations make the network, whether they report or not: ";
+  warnings.add_notice({file, 0, who + reason, ""});
 }
 
 std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, Warnings& warnings) {

@@ -36,10 +36,17 @@ double units_per_metre(const Crs& crs) {
                           : 1 / crs.metres_per_unit();
 }
 
-/// The basin without what is narrower than the grid; as it is where nothing were left.
-MultiPolygon without_needles(const MultiPolygon& basin, double grid) {
-  const auto result = collapsed(std::span(&basin, 1), grid);
-  return result && !result->front().empty() ? result->front() : basin;
+bool are_same(const Polygon& one, const Polygon& other) {
+  return one.outer == other.outer && one.holes == other.holes;
+}
+
+/// The basin without what is narrower than the grid; nothing where that is the basin as it is, or
+/// where nothing were left.
+std::optional<MultiPolygon> without_needles(const MultiPolygon& basin, double grid) {
+  auto result = collapsed(std::span(&basin, 1), grid);
+  if (!result || result->front().empty()) return std::nullopt;
+  if (std::ranges::equal(result->front(), basin, are_same)) return std::nullopt;
+  return std::move(result->front());
 }
 
 }  // namespace
@@ -59,27 +66,32 @@ std::optional<CurvedShape> BasinTracing::trace_with(ShapeTracer& tracer,
 }
 
 std::optional<CurvedShape> BasinTracing::trace(MultiPolygon& basin) {
+  collapsed_ = 0;
   auto traced = trace_with(tracer_, basin);
   if (!traced || fault_.empty()) return traced;
   const MultiPolygon whole = basin;
   for (const Attempt& attempt : attempts) {
-    basin = without_needles(whole, attempt.needles * units_per_metre(*from_));
+    auto rest = without_needles(whole, attempt.needles * units_per_metre(*from_));
+    basin = rest ? *std::move(rest) : whole;
     const double chord_error = std::min(attempt.chord_error, chords * tolerance_);
     ShapeTracer tracer = tracer_between(*from_, *to_, chord_error, Course::chords_and_bulges);
     traced = trace_with(tracer, basin);
-    if (!traced || fault_.empty()) return traced;
+    if (traced && !fault_.empty()) continue;
+    if (rest) collapsed_ = attempt.needles;
+    return traced;
   }
   return std::nullopt;
 }
 
-std::string make_valid_in_plane(MultiPolygon& shape) {
+PlaneMending make_valid_in_plane(MultiPolygon& shape) {
   std::string fault = validity_fault(shape);
   if (fault.empty()) return {};
   constexpr double nearly_same_area = 1e-5;
   Ground ground = ground_of(shape);
-  if (!(ground.area > 0) || ground.disputed_area > nearly_same_area * ground.area) return fault;
+  if (!(ground.area > 0) || ground.disputed_area > nearly_same_area * ground.area)
+    return {false, std::move(fault)};
   shape = std::move(ground.shape);
-  return {};
+  return {true, {}};
 }
 
 }  // namespace thiessen

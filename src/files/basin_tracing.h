@@ -24,6 +24,8 @@ class BasinTracing {
   /// ShapeTracer, and a check of validity.
   std::optional<CurvedShape> trace(MultiPolygon& basin);
 
+  /// The width in metres of the needles that the last basin lost; 0 where it lost none.
+  double collapsed() const { return collapsed_; }
   Point outside() const { return outside_; }
   const std::string& fault() const { return fault_; }
 
@@ -36,11 +38,17 @@ class BasinTracing {
   ShapeTracer tracer_;
   Point outside_;
   std::string fault_;
+  double collapsed_ = 0;
+};
+
+/// What became of a shape whose vertices were taken to a plane.
+struct PlaneMending {
+  bool redrawn = false;
+  std::string fault;  ///< why the shape is not valid; empty where it is
 };
 
 /// Draws the rings of a basin anew that crosses itself once its vertices are taken to a plane,
-/// where no more than 1e-5 of its area is in dispute (see ground_of). Returns an empty text, or why
-/// the shape is not valid. Cost: a check of validity.
-std::string make_valid_in_plane(MultiPolygon& shape);
+/// where no more than 1e-5 of its area is in dispute (see ground_of). Cost: a check of validity.
+PlaneMending make_valid_in_plane(MultiPolygon& shape);
 
 }  // namespace thiessen

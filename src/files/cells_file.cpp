@@ -25,7 +25,7 @@ bool is_geojson(const std::string& extension) {
 
 /// The shapes of the cells in `target`, and which of them are of one basin.
 CellShapes shapes_in(const CellsOutput& output, const std::optional<Crs>& target) {
-  CellShapes cells{cells_shapes(output, target), {}};
+  CellShapes cells{cells_shapes(output, target), {}, 0};
   std::size_t basin = 0;
   for (std::size_t i = 0; i < output.cells.size(); ++i) {
     if (i > 0 && output.cells[i].basin != output.cells[i - 1].basin) ++basin;
@@ -61,20 +61,47 @@ double sliver_width(const CellsOutput& output, const std::optional<Crs>& crs,
   return output.tolerance / 100 / crs->metres_per_unit();
 }
 
-CellShapes valid_shapes_in(const CellsOutput& output, const std::optional<Crs>& crs) {
+/// Tells what the outlines lack: slivers, and whole cells that are no wider.
+void tell_collapsed(const CellShapes& cells, const CellsOutput& output, const std::string& file,
+                    Warnings& warnings) {
+  if (cells.collapsed == 0) return;
+  warnings.add_notice({file,
+                       0,
+                       "the cells' outlines are without needles and slivers, in " +
+                           std::to_string(cells.collapsed) +
+                           (cells.collapsed == 1 ? " basin" : " basins") +
+                           ": what is narrower than a hundredth of the tolerance is in areas and "
+                           "weights only",
+                       {}});
+  const auto is_lost = [](const MultiPolygon& shape) { return shape.empty(); };
+  const auto lost = std::count_if(cells.shapes.begin(), cells.shapes.end(), is_lost);
+  if (lost == 0) return;
+  const auto first = std::find_if(cells.shapes.begin(), cells.shapes.end(), is_lost);
+  std::string text =
+      cell_words(output.cells[static_cast<std::size_t>(first - cells.shapes.begin())]);
+  if (lost > 1) text += ", and " + std::to_string(lost - 1) + " more,";
+  warnings.add(
+      {file, 0, text + " has no geometry: it is narrower than the coordinates can tell", {}});
+}
+
+CellShapes valid_shapes_in(const CellsOutput& output, const std::optional<Crs>& crs,
+                           const std::string& file, Warnings& warnings) {
   CellShapes cells = shapes_in(output, crs);
   refuse_any(make_valid(cells, sliver_width(output, crs, cells)), output, cells);
+  tell_collapsed(cells, output, file, warnings);
   return cells;
 }
 
 }  // namespace
 
-std::string cells_geojson(const CellsOutput& output) {
+std::string cells_geojson(const CellsOutput& output, const std::string& file, Warnings& warnings) {
   if (!output.study_crs)
-    return cells_geojson(output, valid_shapes_in(output, {}).shapes, VertexRounding());
+    return cells_geojson(output, valid_shapes_in(output, {}, file, warnings).shapes,
+                         VertexRounding());
   CellShapes cells = shapes_in(output, Crs::wgs84());
   const VertexRounding rounding = round_cells(cells, decimals_for(output.tolerance));
   refuse_any(rounding.faulty(), output, cells);
+  tell_collapsed(cells, output, file, warnings);
   return cells_geojson(output, cells.shapes, rounding);
 }
 
@@ -98,7 +125,7 @@ void require_cells_format(const std::string& path) {
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,
                                      Warnings& warnings, const std::string& older) {
   const std::string extension = extension_of(path);
-  if (is_geojson(extension)) return {{path, cells_geojson(output)}};
+  if (is_geojson(extension)) return {{path, cells_geojson(output, path, warnings)}};
   require_cells_driver(path);
   std::optional<Crs> crs = output.file_crs ? output.file_crs : output.study_crs;
   if (std::find(degrees_only.begin(), degrees_only.end(), extension) != degrees_only.end()) {
@@ -109,7 +136,8 @@ std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::strin
     }
     crs = Crs::wgs84();
   }
-  return write_cells_layer(output, valid_shapes_in(output, crs).shapes, crs, path, older, warnings);
+  return write_cells_layer(output, valid_shapes_in(output, crs, path, warnings).shapes, crs, path,
+                           older, warnings);
 }
 
 }  // namespace thiessen

@@ -22,16 +22,19 @@ struct CellsOutput : CellFeatures {
 /// antimeridian. Coordinates have 7 decimals at a tolerance of 0.1 m, and vertex by vertex as many
 /// more as it takes for no cell to collapse or cross itself; cells that share a vertex write it
 /// alike. Needles and slivers narrower than a hundredth of the tolerance are collapsed (see
-/// round_cells). A plane without a CRS writes its own coordinates with all digits. Throws Error
-/// with the cells that are no valid shape even so. Cost: one check of validity a cell, n log n.
-std::string cells_geojson(const CellsOutput& output);
+/// round_cells), which a notice tells; a cell that is narrower than that as a whole has no
+/// geometry, which a warning tells. `file` is the name of the output in messages. A plane without a
+/// CRS writes its own coordinates with all digits. Throws Error with the cells that are no valid
+/// shape even so. Cost: one check of validity a cell, n log n.
+std::string cells_geojson(const CellsOutput& output, const std::string& file, Warnings& warnings);
 
 /// The cells in the format that the extension of `path` names: the first file is `path` itself,
 /// others lie beside it. GeoJSON is written as cells_geojson says, all other formats by GDAL in
 /// `file_crs`. Every cell is checked to be valid, slivers being collapsed in basins where one is
 /// not, and in formats that round coordinates it is read back and checked again. `older` holds the
 /// bytes of a GeoPackage whose other layers are kept; it is empty where there is none. A field that
-/// the format calls otherwise is told in `warnings`, and so is what GDAL warns of. Throws Error,
+/// the format calls otherwise is told in `warnings`, and so is what GDAL warns of, and what is
+/// collapsed. Throws Error,
 /// with the list of known extensions, where there is no such format, and where the format cannot
 /// hold the cells.
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,

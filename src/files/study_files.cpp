@@ -277,12 +277,22 @@ class StudyMaker {
     if (!tracing_) tracing_.emplace(*basins_->crs, *study_.crs, Yardstick::measuring_tolerance);
     auto traced = tracing_->trace(study_.native_basins[i]);
     if (!traced) return complain(i, *tracing_, complaints);
+    if (tracing_->collapsed() > 0) {
+      tell_of_basin(i, "is without needles and slivers narrower than " +
+                           shortest_text(1000 * tracing_->collapsed()) +
+                           " mm: rounding would make it cross itself there");
+    }
     take(*std::move(traced), basin);
     if (request_.tolerance == Yardstick::measuring_tolerance || basin.shape.empty()) return;
     if (!drawing_) drawing_.emplace(*basins_->crs, *study_.crs, request_.tolerance);
     auto drawn = drawing_->trace(study_.native_basins[i]);
     if (!drawn) return complain(i, *drawing_, complaints);
     study_.drawn_basins.push_back({basin.id, std::move(drawn->shape), {}});
+  }
+
+  void tell_of_basin(std::size_t i, const std::string& text) {
+    const RawBasin& basin = basins_->basins[i];
+    warnings_.add({basins_->file, basin.line, basin.place + " " + text, {}});
   }
 
   void complain(std::size_t i, const BasinTracing& tracing, Complaints& complaints) const {
@@ -300,8 +310,12 @@ class StudyMaker {
     }
     auto seen = tracer_->trace_without_cuts(study_.native_basins[i], on_antimeridian_[i]);
     if (!seen) return complain_of_area(i, tracer_->outside(), complaints);
-    const std::string fault = make_valid_in_plane(seen->shape);
-    if (!fault.empty()) return complain_of_crossing(i, "the plane", fault, complaints);
+    const PlaneMending mending = make_valid_in_plane(seen->shape);
+    if (!mending.fault.empty())
+      return complain_of_crossing(i, "the plane", mending.fault, complaints);
+    if (mending.redrawn)
+      tell_of_basin(
+          i, "is mended where its edges cross in the plane: each piece of ground counts once");
     take(*std::move(seen), basin);
   }
 

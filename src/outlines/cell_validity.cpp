@@ -35,8 +35,8 @@ bool keeps_all(std::span<const MultiPolygon> before, std::span<const MultiPolygo
 
 /// Collapses what is narrow in the cells of one basin, on the coarsest grid that loses no cell.
 /// Where each loses one, the cells stay as they are if they are valid so, and else lose what is
-/// narrower than the finest grid.
-void collapse(std::span<MultiPolygon> cells, double grid) {
+/// narrower than the finest grid. Returns whether anything was collapsed.
+bool collapse(std::span<MultiPolygon> cells, double grid) {
   std::optional<std::vector<MultiPolygon>> result;
   bool lossless = false;
   const double finest = finest_share * largest_coordinate_of(cells);
@@ -48,8 +48,9 @@ void collapse(std::span<MultiPolygon> cells, double grid) {
     lossless = all;
     if (all) break;
   }
-  if (!lossless && std::all_of(cells.begin(), cells.end(), is_writable)) return;
-  if (result) std::move(result->begin(), result->end(), cells.begin());
+  if (!result || (!lossless && std::all_of(cells.begin(), cells.end(), is_writable))) return false;
+  std::move(result->begin(), result->end(), cells.begin());
+  return true;
 }
 
 /// Collapses what is narrow in the basins of some cells, given in rising order.
@@ -59,7 +60,7 @@ void collapse(CellShapes& cells, std::span<const std::size_t> narrow, double gri
         std::equal_range(cells.basins.begin(), cells.basins.end(), cells.basins[narrow[k]]);
     const auto begin = static_cast<std::size_t>(first - cells.basins.begin());
     const auto end = static_cast<std::size_t>(last - cells.basins.begin());
-    collapse(std::span(cells.shapes).subspan(begin, end - begin), grid);
+    if (collapse(std::span(cells.shapes).subspan(begin, end - begin), grid)) ++cells.collapsed;
     while (k < narrow.size() && narrow[k] < end) ++k;
   }
 }

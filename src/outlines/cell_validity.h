@@ -14,6 +14,7 @@ struct CellShapes {
   std::vector<MultiPolygon> shapes;
   /// For each cell the number of its basin; the cells of a basin stand together.
   std::vector<std::size_t> basins;
+  std::size_t collapsed = 0;  ///< basins in whose cells something was collapsed
 };
 
 /// Finds the decimals of the cells' vertices (see VertexRounding). In basins with a cell that is

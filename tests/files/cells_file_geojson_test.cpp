@@ -32,6 +32,11 @@ CellsOutput output(std::vector<CellFeature> cells) {
   return wanted;
 }
 
+std::string geojson_of(const CellsOutput& wanted) {
+  Warnings warnings;
+  return cells_geojson(wanted, "cells.geojson", warnings);
+}
+
 /// One cell as another reader has it.
 struct ReadBack {
   std::vector<std::string> fields;
@@ -40,7 +45,7 @@ struct ReadBack {
 
 std::vector<ReadBack> read_back(const CellsOutput& wanted) {
   const TemporaryFolder folder;
-  const std::string text = cells_geojson(wanted);
+  const std::string text = geojson_of(wanted);
   const std::string file = folder.write("cells.geojson", text);
   TextBytes bytes(text);
   audit_geojson(file, bytes);
@@ -56,7 +61,7 @@ const Polygon square = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}};
 
 TEST(CellsGeoJson, is_what_it_was_yesterday) {
   EXPECT_EQ(
-      cells_geojson(output({cell("A", {square})})),
+      geojson_of(output({cell("A", {square})})),
       "{\"type\":\"FeatureCollection\",\"features\":[\n"
       "{\"type\":\"Feature\",\"properties\":{\"station\":\"A\",\"basin\":\"B\",\"area_km2\":0.1,"
       "\"weight\":0.3333333333333333},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":"
@@ -65,10 +70,9 @@ TEST(CellsGeoJson, is_what_it_was_yesterday) {
 
 TEST(CellsGeoJson, has_seven_decimals_at_a_decimetre) {
   CellsOutput wanted = output({cell("A", {{{{0.123456789, 0}, {1, 0}, {1, 1.00000004}}, {}}})});
-  EXPECT_TRUE(contains(cells_geojson(wanted), "[[0.1234568,0],[1,0],[1,1],[0.1234568,0]]"));
+  EXPECT_TRUE(contains(geojson_of(wanted), "[[0.1234568,0],[1,0],[1,1],[0.1234568,0]]"));
   wanted.tolerance = 0.01;
-  EXPECT_TRUE(
-      contains(cells_geojson(wanted), "[[0.12345679,0],[1,0],[1,1.00000004],[0.12345679,0]]"));
+  EXPECT_TRUE(contains(geojson_of(wanted), "[[0.12345679,0],[1,0],[1,1.00000004],[0.12345679,0]]"));
 }
 
 TEST(CellsGeoJson, numbers_read_back_to_the_same_double) {
@@ -89,13 +93,13 @@ TEST(CellsGeoJson, a_value_that_cannot_be_had_is_null) {
   dry.rainfall = std::numeric_limits<double>::quiet_NaN();
   CellsOutput wanted = output({dry});
   wanted.has_rainfall = true;
-  EXPECT_TRUE(contains(cells_geojson(wanted), "\"rainfall\":null"));
+  EXPECT_TRUE(contains(geojson_of(wanted), "\"rainfall\":null"));
 }
 
 TEST(CellsGeoJson, texts_are_safe_and_come_back) {
   const std::string hostile = "a\"b\\c</script>\xE2\x80\xA8\n\x1b[2J\x7f\xF0\x9F\x98\x80";
   const CellsOutput wanted = output({cell(hostile, {square})});
-  const std::string text = cells_geojson(wanted);
+  const std::string text = geojson_of(wanted);
   EXPECT_TRUE(contains(text, R"(a\"b\\c\u003c/script>\u2028\u000a\u001b[2J\u007f)"));
   EXPECT_EQ(read_back(wanted).at(0).fields.at(0), hostile);
 }
@@ -109,7 +113,7 @@ TEST(CellsGeoJson, attributes_keep_their_types_and_give_way_to_the_cells_own_nam
   second.attribute_row = 1;
   CellsOutput wanted = output({cell("A", {square}), second});
   wanted.attributes = &attributes;
-  const std::string text = cells_geojson(wanted);
+  const std::string text = geojson_of(wanted);
   EXPECT_TRUE(contains(text, R"("Station_":"007","elev":12,"h":1.5})")) << text;
   EXPECT_TRUE(contains(text, R"("Station_":null,"elev":null,"h":null})")) << text;
 }
@@ -138,14 +142,14 @@ TEST(CellsGeoJson, writes_all_digits_where_it_must) {
 TEST(CellsGeoJson, vertices_that_fall_together_stand_once) {
   const CellsOutput wanted = output(
       {cell("A", {{{{0, 0}, {1, 0}, {1, 1}, {1 + 1e-9, 1 + 1e-9}, {0, 1}, {1e-9, 1e-9}}, {}}})});
-  EXPECT_TRUE(contains(cells_geojson(wanted), "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]"));
+  EXPECT_TRUE(contains(geojson_of(wanted), "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]"));
 }
 
 TEST(CellsGeoJson, a_plane_without_crs_writes_its_own_coordinates) {
   CellsOutput wanted =
       output({cell("A", {{{{500000.123456789, 1e7}, {500001, 1e7}, {500001, 10000001}}, {}}})});
   wanted.study_crs.reset();
-  const std::string text = cells_geojson(wanted);
+  const std::string text = geojson_of(wanted);
   EXPECT_TRUE(contains(text, "[[[500000.123456789,10000000],[500001,10000000],"));
   EXPECT_FALSE(contains(text, "crs"));
 }
@@ -183,7 +187,7 @@ TEST(CellsGeoJson, is_cut_at_the_antimeridian) {
 }
 
 TEST(CellsGeoJson, of_no_cells_is_an_empty_collection) {
-  EXPECT_EQ(cells_geojson(output({})), "{\"type\":\"FeatureCollection\",\"features\":[\n]}\n");
+  EXPECT_EQ(geojson_of(output({})), "{\"type\":\"FeatureCollection\",\"features\":[\n]}\n");
 }
 
 }  // namespace

@@ -321,9 +321,9 @@ void expect_right(const Study& study, double tolerance, bool geopackage) {
   EXPECT_NEAR(weighing.basin_area(0), expected, 3e-8 * expected + 0.1 + needles);
   const CellsOutput output = cells_of(files, weighing, tolerance);
   const TemporaryFolder folder;
-  expect_tiles(folder.write("cells.geojson", cells_geojson(output)));
-  if (!geopackage) return;
   Warnings warnings;
+  expect_tiles(folder.write("cells.geojson", cells_geojson(output, "cells.geojson", warnings)));
+  if (!geopackage) return;
   for (const EncodedFile& file : cells_files(output, folder.path("cells.gpkg"), warnings))
     expect_tiles(folder.write("cells.gpkg", file.bytes));
 }
