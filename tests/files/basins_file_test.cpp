@@ -97,6 +97,13 @@ TEST(BasinsFile, the_number_of_a_feature_counts_those_filtered_out) {
   EXPECT_EQ(ids(read(collection({R"({"kind":1})", R"({"kind":2})"}), wanted)), (Ids{"2"}));
 }
 
+TEST(BasinsFile, T066_is_never_read_that_ends_anywhere_in_the_middle) {
+  const std::string whole = collection({R"({"id":"a"})", R"({"id":"b"})"});
+  EXPECT_EQ(ids(read(whole)), (Ids{"a", "b"}));
+  for (std::size_t cut = 0; cut < whole.size(); ++cut)
+    EXPECT_THROW(read(whole.substr(0, cut)), Error) << cut << " bytes";
+}
+
 TEST(BasinsFile, reads_wkt_from_a_csv) {
   const BasinsFile file = read("id,WKT\na,\"POLYGON ((0 0,1 0,1 1,0 0))\"\n", {}, "b.csv");
   EXPECT_EQ(ids(file), (Ids{"a"}));
