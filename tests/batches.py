@@ -17,7 +17,7 @@ CLONE = pathlib.Path(__file__).resolve().parents[1]
 INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 DECLARED = re.compile(r"^(?:\[\[\w+\]\] )?[A-Za-z].*?(\w+)(?:\(|\{| =|;| \{| :|\[)", re.MULTILINE)
-INSTANTIATED = re.compile(r"^ *template [^<]", re.MULTILINE)
+INSTANTIATED = re.compile(r"^ *template [^<].*", re.MULTILINE)
 MACRO = re.compile(r"^#define (\w+)", re.MULTILINE)
 
 contents = {}  # by file: its bytes, the files of ours that it includes, the names that it declares
@@ -58,8 +58,7 @@ class Source:
         self.names = {name for block in UNNAMED.findall(own) for name in DECLARED.findall(block)}
         self.names.update(MACRO.findall(own))
         # What is instantiated by name may not be instantiated by name again.
-        if INSTANTIATED.search(own):
-            self.names.add("template")
+        self.names.update(INSTANTIATED.findall(own))
         self.seen = set().union(*(read(reached_path)[2] for reached_path in self.texts))
 
     def goes_with(self, other):
@@ -67,12 +66,12 @@ class Source:
         return self.draws == other.draws and self.names.isdisjoint(other.names | other.seen) and other.names.isdisjoint(self.seen)
 
 
-def batches(sources, size, alike=lambda one, other: True):
+def batches(sources, size):
     """Lists of sources that go together, the longest first."""
     found = []
     for source in sorted(sources, key=lambda source: source.last):
         for batch in found:
-            if len(batch) < size and alike(batch[0], source) and all(map(source.goes_with, batch)):
+            if len(batch) < size and all(map(source.goes_with, batch)):
                 batch.append(source)
                 break
         else:

@@ -19,7 +19,7 @@ import sys
 
 from batches import CLONE, Source, batches
 
-MOST_AT_ONCE = 16
+MOST_AT_ONCE = 32
 # What judges: its checks, its version and this script. A change of one of them makes all stamps old.
 JUDGE = ((CLONE / ".clang-tidy").read_bytes() + pathlib.Path(__file__).read_bytes()
          + (CLONE / "tests/batches.py").read_bytes()
@@ -33,8 +33,10 @@ class CompiledSource(Source):
         self.directory = command["directory"]
         named = {index + skip for index, word in enumerate(words) if word in ("-o", "-c", "-MF", "-MT") for skip in (0, 1)}
         first = next(index for index, word in enumerate(words) if word.startswith("-"))
-        self.options = [word.replace("-Wno-shadow", "-Wshadow") for index, word in enumerate(words)
-                        if index >= first and index not in named and word != "-MD"]
+        kept = [word.replace("-Wno-shadow", "-Wshadow") for index, word in enumerate(words)
+                if index >= first and index not in named and word != "-MD"]
+        # What follows -isystem is one option with it.
+        self.options = "\0".join(kept).replace("-isystem\0", "-isystem").split("\0")
         digest = hashlib.sha256(JUDGE + command["command"].encode())
         for name, content in sorted(self.texts.items()):
             digest.update(f"{name} {len(content)} ".encode() + content)
@@ -63,20 +65,21 @@ def sources(build, stamps):
     return [CompiledSource(path, command(path), stamps) for path in paths]
 
 
-def look(path, source):
-    ran = subprocess.run(["clang-tidy", "--quiet", f"--config-file={CLONE}/.clang-tidy", path, "--", *source.options],
-                         cwd=source.directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+def look(path, batch):
+    options = list(dict.fromkeys(option for source in batch for option in source.options))
+    ran = subprocess.run(["clang-tidy", "--quiet", f"--config-file={CLONE}/.clang-tidy", path, "--", *options],
+                         cwd=batch[0].directory, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return ran.returncode == 0, re.sub(r"^\d+ warnings?( and \d+ errors?)? generated\.\n", "", ran.stdout, flags=re.MULTILINE)
 
 
 def lint(batch, stamps):
     """What is wrong with these sources; stamps those with which nothing is."""
     if len(batch) == 1:
-        good, told = look(batch[0].path, batch[0])
+        good, told = look(batch[0].path, batch)
     else:
         joined = stamps / f"{batch[0].stamp.name}.cpp"
         joined.write_text("".join(source.path.read_text() for source in batch))
-        good, told = look(joined, batch[0])
+        good, told = look(joined, batch)
         joined.unlink()
     if good:
         for source in batch:
@@ -93,7 +96,7 @@ def main():
     stamps = build / "lint"
     stamps.mkdir(parents=True, exist_ok=True)
     changed = [source for source in sources(build, stamps) if not source.stamp.exists()]
-    together = batches(changed, MOST_AT_ONCE, lambda one, other: one.options == other.options)
+    together = batches(changed, MOST_AT_ONCE)
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         told = list(pool.map(lambda batch: lint(batch, stamps), together))
     print("".join(told), end="")
