@@ -2,11 +2,11 @@
 """Runs clang-tidy on the sources of src/ and cli/: tests/lint.py BUILD-FOLDER
 
 A source is looked at again when it, a header of ours that it reaches, its compiler's options, .clang-tidy,
-clang-tidy or this script changed. Most of the work is what all sources share, the standard library's headers: so a room's sources are
-joined and looked at together. Where something is found, or they do not go together, halves are, down to a
-source alone: what is printed is about one source.
+clang-tidy or this script changed. Most of the work is what all sources share, the standard library's headers: so
+sources are joined and looked at together. Where they do not go together, or a header is at fault, halves are.
 """
 
+import bisect
 import concurrent.futures
 import hashlib
 import json
@@ -72,23 +72,45 @@ def look(path, batch):
     return ran.returncode == 0, re.sub(r"^\d+ warnings?( and \d+ errors?)? generated\.\n", "", ran.stdout, flags=re.MULTILINE)
 
 
+def joined_text(batch):
+    """The sources as one text, and the first line of each in it."""
+    text, firsts = "", []
+    for source in batch:
+        firsts.append(text.count("\n") + 1)
+        text += source.path.read_text()
+    return text, firsts
+
+
+def at_fault(batch, told):
+    """The sources that hold all of what is wrong; none where a header does, or where the batch is no C++:
+    then its sources do not go together."""
+    errors = [line for line in told.splitlines() if ": error: " in line]
+    named = [source for source in batch if any(line.startswith(f"{source.path}:") for line in errors)]
+    known = all(any(line.startswith(f"{source.path}:") for source in named) for line in errors)
+    return named if known and "clang-diagnostic-error" not in told else []
+
+
 def lint(batch, stamps):
     """What is wrong with these sources; stamps those with which nothing is."""
-    if len(batch) == 1:
-        good, told = look(batch[0].path, batch)
-    else:
-        joined = stamps / f"{batch[0].stamp.name}.cpp"
-        joined.write_text("".join(source.path.read_text() for source in batch))
-        good, told = look(joined, batch)
-        joined.unlink()
-    if good:
-        for source in batch:
+    joined = stamps / f"{batch[0].stamp.name}.cpp"
+    text, firsts = joined_text(batch)
+    joined.write_text(text)
+    good, told = look(joined, batch)
+    joined.unlink()
+
+    def place(found):
+        index = bisect.bisect(firsts, int(found[1])) - 1
+        return f"{batch[index].path}:{int(found[1]) - firsts[index] + 1}:"
+
+    told = re.sub(rf"{re.escape(str(joined))}:(\d+):", place, told)
+    faulty = [] if good else at_fault(batch, told) or batch
+    if len(faulty) == len(batch) > 1:
+        half = len(batch) // 2
+        return lint(batch[:half], stamps) + lint(batch[half:], stamps)
+    for source in batch:
+        if source not in faulty:
             source.stamp.touch()
-        return ""
-    if len(batch) == 1:
-        return told or f"{batch[0].path}: clang-tidy failed\n"
-    half = len(batch) // 2
-    return lint(batch[:half], stamps) + lint(batch[half:], stamps)
+    return "" if good else told or f"{batch[0].path}: clang-tidy failed\n"
 
 
 def main():

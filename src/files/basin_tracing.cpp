@@ -72,12 +72,13 @@ std::optional<CurvedShape> BasinTracing::trace(MultiPolygon& basin) {
   const MultiPolygon whole = basin;
   for (const Attempt& attempt : attempts) {
     auto rest = without_needles(whole, attempt.needles * units_per_metre(*from_));
-    basin = rest ? *std::move(rest) : whole;
+    const bool loses = rest.has_value();
+    basin = loses ? *std::move(rest) : whole;
     const double chord_error = std::min(attempt.chord_error, chords * tolerance_);
     ShapeTracer tracer = tracer_between(*from_, *to_, chord_error, Course::chords_and_bulges);
     traced = trace_with(tracer, basin);
     if (traced && !fault_.empty()) continue;
-    if (rest) collapsed_ = attempt.needles;
+    if (loses) collapsed_ = attempt.needles;
     return traced;
   }
   return std::nullopt;
