@@ -52,9 +52,11 @@ void SphereTessellation::tessellate() {
   place_of_.assign(tessellation_.topology().point_limit(), pole_);
   for (std::size_t i = 0; i < points.size(); ++i) {
     PlaceIndex& place = place_of_[index(points[i])];
-    if (place == pole_) place = places[i];
-    cell_of_[index(places[i])] = place;
+    if (place == pole_ || positions_[index(places[i])] < positions_[index(place)])
+      place = places[i];
   }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    cell_of_[index(places[i])] = place_of_[index(points[i])];
 }
 
 // Each place's nearest one is a Delaunay neighbour, so places that are too near each other are
