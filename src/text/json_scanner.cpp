@@ -68,7 +68,7 @@ JsonScanner::JsonScanner(std::string file, ByteSource& source)
     : file_(std::move(file)), bytes_(std::make_unique<Bytes>(source)) {
   if (look() == 0xEF) {
     take();
-    if (take() != 0xBB || take() != 0xBF) fail("not UTF-8 at byte 1");
+    if (take() != 0xBB || take() != 0xBF) fail("not UTF-8 at byte 0");
   }
 }
 
@@ -227,7 +227,7 @@ void JsonScanner::escape() {
 /// Reads the bytes of a UTF-8 character after its first. Refuses overlong forms, surrogates and
 /// anything past U+10FFFF.
 void JsonScanner::continuation(int lead) {
-  const std::string at = "not UTF-8 at byte " + std::to_string(offset_);
+  const std::string at = "not UTF-8 at byte " + std::to_string(offset_ - 1);
   const int count = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : 1;
   if (lead < 0xC2 || lead > 0xF4) fail(at);
   keep(lead);
