@@ -106,8 +106,9 @@ void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double
   if (page.footer.height == 0) return;
   int left = draw_scale_bar(canvas, page, view, pixels_per_unit, type) + style.ems(1.5);
   constexpr double nearly_pole = 89;
-  const bool has_north = std::abs(view.projection.centre().y) < nearly_pole ||
-                         (north_is_up && view.projection.kind() == MapProjection::Kind::plane);
+  const bool is_plane = view.projection.kind() == MapProjection::Kind::plane;
+  const bool has_north =
+      is_plane ? north_is_up : std::abs(view.projection.centre().y) < nearly_pole;
   if (has_north) left = draw_north_arrow(canvas, page, left, type) + style.ems(1.5);
   const int right = page.footer.x + page.footer.width;
   int baseline = page.footer.y + style.ems(1.3);
