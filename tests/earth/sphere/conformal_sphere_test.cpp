@@ -65,6 +65,49 @@ TEST(ConformalSphere, is_conformal) {
   }
 }
 
+// However short: a chord from one side of a point to the other is in proportion to its length, but
+// for a share of the order of the length's square. The coordinates are such that no sum rounds.
+TEST(ChordOnSphere, is_right_to_its_own_length_however_short) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(500); ++round) {
+    const auto degrees = [&](std::int64_t most) {
+      return static_cast<double>(seeded.whole(-most * 256, most * 256)) / 256;
+    };
+    const Point p{degrees(180), degrees(85)};
+    const Point way{degrees(1), degrees(1)};
+    const auto chord = [&](double share) {
+      const Point half{share * way.x, share * way.y};
+      return (1 / share) *
+             chord_on_sphere({p.x - half.x, p.y - half.y}, {p.x + half.x, p.y + half.y});
+    };
+    const Direction expected = chord(0x1p-20);
+    for (const double share : {0x1p-22, 0x1p-26, 0x1p-30})
+      ASSERT_LE(length(chord(share) - expected), 1e-12 * length(expected));
+    // Where the plain difference is well known, they agree.
+    const Direction plain = on_sphere({p.x + way.x, p.y + way.y}) - on_sphere(p);
+    const Direction found = chord_on_sphere(p, {p.x + way.x + 720, p.y + way.y});
+    ASSERT_LE(length(found - plain), 1e-15);
+  }
+}
+
+TEST(Axes, are_tangents_to_the_east_and_to_the_north) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(500); ++round) {
+    const Point p{seeded.uniform(-180, 180), seeded.uniform(-89, 89)};
+    const Direction at = on_sphere(p);
+    const auto [east, north] = axes_at(at);
+    for (const Direction axis : {east, north}) {
+      ASSERT_NEAR(length(axis), 1, 1e-14);
+      ASSERT_NEAR(dot(axis, at), 0, 1e-15);
+    }
+    ASSERT_NEAR(dot(unit(chord_on_sphere(p, {p.x + 1e-6, p.y})), east), 1, 1e-12);
+    ASSERT_NEAR(dot(unit(chord_on_sphere(p, {p.x, p.y + 1e-6})), north), 1, 1e-12);
+    const Tangent tangent = tangent_at(at, 3 * east + -4 * north + 7 * at);
+    ASSERT_NEAR(tangent.east, 3, 1e-13);
+    ASSERT_NEAR(tangent.north, -4, 1e-13);
+  }
+}
+
 // The sphere's own predicate: d is on the side of the plane through a, b, c that holds the cap.
 TEST(StereographicChart, keeps_circles) {
   Seeded seeded;
