@@ -10,7 +10,6 @@
 
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
-#include "rainfall/series/rain_series.h"
 #include "rainfall/textbook.h"
 
 namespace thiessen {
@@ -212,55 +211,6 @@ TEST_F(RandomRainfall, is_the_sum_of_readings_with_the_weights_that_are_told) {
       }
     }
   }
-}
-
-void ignore(RainStep&) {}
-
-class Table : public Readings {
- public:
-  explicit Table(const std::vector<std::vector<double>>& steps) : steps_(steps) {}
-  bool next(TimeStep& step) override {
-    if (next_ == steps_.size()) return false;
-    step = {std::to_string(next_), steps_[next_]};
-    ++next_;
-    return true;
-  }
-
- private:
-  const std::vector<std::vector<double>>& steps_;
-  std::size_t next_ = 0;
-};
-
-TEST_F(RandomRainfall, series_comes_in_order_and_does_not_depend_on_the_number_of_threads) {
-  const Weighing weighing(*network_, basins_, plane);
-  const auto steps = gappy_steps(seeded_, 61, 700);
-  const ArealRainfall once(weighing, {}, 1);
-  for (const SeriesWork work : {SeriesWork{1, 256}, SeriesWork{2, 1}, SeriesWork{7, 100}}) {
-    const std::size_t cache = 100000 * work.threads - 100000;
-    const ArealRainfall rainfall(weighing, {Gaps::retessellate, 1, true, cache}, 1);
-    Table table(steps);
-    std::size_t next = 0;
-    const std::size_t count =
-        for_each_step(table, rainfall, work, ignore, [&](const RainStep& step) {
-          ASSERT_EQ(step.time, std::to_string(next));
-          expect_same(step.basins, once.at(steps[next]));
-          ++next;
-        });
-    EXPECT_EQ(count, 700u);
-    EXPECT_EQ(next, 700u);
-  }
-}
-
-TEST_F(RandomRainfall, series_hands_on_what_its_taker_throws) {
-  const Weighing weighing(*network_, basins_, plane);
-  const ArealRainfall rainfall(weighing, {}, 1);
-  const auto steps = gappy_steps(seeded_, 61, 10);
-  Table table(steps);
-  EXPECT_THROW(for_each_step(table, rainfall, {2, 3}, ignore, [](const RainStep&) { throw 7; }),
-               int);
-  const std::vector<std::vector<double>> none;
-  Table empty(none);
-  EXPECT_EQ(for_each_step(empty, rainfall, {2, 3}, ignore, [](const RainStep&) {}), 0u);
 }
 
 }  // namespace

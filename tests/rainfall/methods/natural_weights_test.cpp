@@ -236,16 +236,5 @@ TEST(NaturalWeights, without_some_gauges_they_are_the_others) {
   }
 }
 
-TEST(SphericalArea, of_an_octant_and_of_small_ones) {
-  EXPECT_NEAR(spherical_area({1, 0, 0}, {0, 1, 0}, {0, 0, 1}), M_PI / 2, 1e-15);
-  EXPECT_NEAR(spherical_area({0, 1, 0}, {1, 0, 0}, {0, 0, 1}), -M_PI / 2, 1e-15);
-  // Two right-angled triangles of sides a and b: tan(E / 2) = tan(a / 2) tan(b / 2).
-  for (const double a : {1.0, 0.1, 1e-3, 1e-6}) {
-    const double area = spherical_area({1, 0, 0}, {std::cos(a), std::sin(a), 0},
-                                       {std::cos(a / 2), 0, std::sin(a / 2)});
-    EXPECT_NEAR(area / (2 * std::atan(std::tan(a / 2) * std::tan(a / 4))), 1, 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace thiessen

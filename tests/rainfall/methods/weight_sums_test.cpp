@@ -1,0 +1,42 @@
+#include "rainfall/methods/weight_sums.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace thiessen {
+namespace {
+
+using Weights = std::vector<PlaceWeight>;
+
+TEST(WeightSums, law_1_are_scaled_to_add_up_to_one_in_the_order_of_the_places) {
+  WeightSums sums(5);
+  sums.add(PlaceIndex{4}, 3);
+  sums.add(PlaceIndex{1}, 1);
+  sums.add(PlaceIndex{4}, 1);
+  sums.add(PlaceIndex{0}, 3);
+  EXPECT_EQ(sums.take(),
+            (Weights{{PlaceIndex{0}, 0.375}, {PlaceIndex{1}, 0.125}, {PlaceIndex{4}, 0.5}}));
+}
+
+TEST(WeightSums, law_2_begin_anew_with_each_basin) {
+  WeightSums sums(3);
+  sums.add(PlaceIndex{2}, 5);
+  sums.take();
+  EXPECT_TRUE(sums.take().empty());
+  sums.add(PlaceIndex{1}, 2);
+  EXPECT_EQ(sums.take(), (Weights{{PlaceIndex{1}, 1}}));
+}
+
+TEST(WeightSums, law_3_leave_out_what_is_no_more_than_rounding) {
+  WeightSums sums(3);
+  sums.add(PlaceIndex{0}, 1);
+  sums.add(PlaceIndex{1}, 1e-15);
+  sums.add(PlaceIndex{2}, 1e-13);
+  const Weights weights = sums.take();
+  ASSERT_EQ(weights.size(), 2u);
+  EXPECT_EQ(weights[1].place, PlaceIndex{2});
+}
+
+}  // namespace
+}  // namespace thiessen
