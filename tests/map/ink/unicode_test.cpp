@@ -30,32 +30,5 @@ TEST(Unicode, long_texts_are_cut_before_a_letter) {
   EXPECT_EQ(shortened(U"ab cd", 3), U"ab…");
 }
 
-/// The runs side by side, right-to-left ones in brackets.
-std::u32string shown(std::u32string_view text) {
-  std::u32string line;
-  for (const DirectedRun& run : directed_runs(text)) {
-    line += run.right_to_left ? U"[" + run.text + U"]" : run.text;
-  }
-  return line;
-}
-
-// The examples of UAX 9, with Hebrew letters for its capitals.
-TEST(Unicode, right_to_left_words_stay_together_in_left_to_right_text) {
-  EXPECT_EQ(shown(U"car is אב גד in hebrew"), U"car is [אב גד] in hebrew");
-  EXPECT_EQ(shown(U"אב abc גד"), U"[ גד]abc[אב ]");
-}
-
-TEST(Unicode, numbers_run_left_to_right_in_right_to_left_text) {
-  EXPECT_EQ(shown(U"אב 12.5 גד"), U"[ גד]12.5[אב ]");
-  EXPECT_EQ(shown(U"station אב 12"), U"station 12[אב ]");
-  EXPECT_EQ(shown(U"אב ١٢"), U"١٢[אב ]");
-}
-
-TEST(Unicode, plain_text_is_one_run) {
-  EXPECT_EQ(directed_runs(U"Rainfall (mm), 12.5").size(), 1u);
-  EXPECT_EQ(directed_runs(U"12").size(), 1u);
-  EXPECT_TRUE(directed_runs(U"").empty());
-}
-
 }  // namespace
 }  // namespace thiessen
