@@ -1,0 +1,122 @@
+#include "readings/readings_layout.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/complaints.h"
+
+namespace thiessen {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+/// A table of which nobody reads more than the header.
+class HeaderTable : public Table {
+ public:
+  explicit HeaderTable(Texts header) : header_(std::move(header)) {}
+  const std::string& file() const override { return file_; }
+  const Texts& header() const override { return header_; }
+  std::size_t header_line() const override { return 4; }
+  bool next(Row&) override { return false; }
+
+ private:
+  std::string file_ = "r.csv";
+  Texts header_;
+};
+
+/// Finds the layout of a table with these stations.
+struct Finder {
+  Texts ids = {"A"};
+  Texts passed_over = {};
+  ReadingsOptions options = {};
+
+  ReadingsLayout layout(const Texts& header) const {
+    std::vector<Station> stations;
+    for (const std::string& id : ids) stations.push_back({id, {}, 0});
+    return find_layout(HeaderTable(header), ReadingsStations(stations, passed_over), options);
+  }
+  std::string complaint(const Texts& header) const {
+    return complaint_of([&] { layout(header); });
+  }
+};
+
+void expect_long(const ReadingsLayout& layout, std::size_t time, std::size_t station,
+                 std::size_t value) {
+  EXPECT_TRUE(layout.is_long);
+  EXPECT_EQ(layout.time, time);
+  EXPECT_EQ(layout.station, station);
+  EXPECT_EQ(layout.value, value);
+}
+
+TEST(Layout, is_long_where_a_station_and_a_value_column_are_found) {
+  for (const Texts& header : {Texts{"time", "station", "rain"},
+                              {"Date", "ID", "PRCP_MM"},
+                              {"datetime", "Gauge", "Rain (mm)"},
+                              {"date", "stnid", "p"},
+                              {"time", "name", "precip.in"},
+                              {"time", "code", "Value"},
+                              {"time", "num", "rainfall_mm/h"},
+                              {"date", "site_no", "prcp [cm]"},
+                              {" date ", "staid", "p (inches)"}})
+    expect_long(Finder().layout(header), 0, 1, 2);
+  expect_long(Finder().layout({"value", "x", "station", "when", "time"}), 4, 2, 0);
+}
+
+TEST(Layout, a_value_may_have_a_unit_behind_its_name_and_nothing_else) {
+  for (const char* value : {"rain_gauge", "rain_", "rainmm", "rain (mm) total", "rain(", "rains"})
+    EXPECT_FALSE(Finder().layout({"time", "station", value}).is_long) << value;
+}
+
+TEST(Layout, is_wide_where_a_header_is_a_stations_id) {
+  EXPECT_FALSE((Finder{{"station", "p"}}.layout({"time", "station", "p"}).is_long));
+  EXPECT_FALSE((Finder{{"station"}, {"p"}}.layout({"time", "station", "p"}).is_long))
+      << "an id that the filter leaves out is one, too";
+  EXPECT_FALSE((Finder{{"rain"}}.layout({"time", "station", "rain"}).is_long));
+  EXPECT_FALSE(Finder().layout({"time", "A", "B"}).is_long);
+}
+
+TEST(Layout, of_a_wide_table_has_the_time_first_or_where_the_user_says) {
+  Finder finder;
+  EXPECT_EQ(finder.layout({"B", "A", "time"}).time, 0U);
+  finder.options.time_field = "When";
+  EXPECT_EQ(finder.layout({"A", "when", "When"}).time, 2U) << "the very name first";
+  EXPECT_EQ(finder.layout({"A", "B", " when"}).time, 2U);
+  finder.options.time_field = "date";
+  EXPECT_EQ(finder.complaint({"A", "when"}),
+            "r.csv:4: there is no column 'date'; the columns are 'A', 'when' | see 'time_field'");
+}
+
+TEST(Layout, is_long_where_the_user_names_a_column_of_one) {
+  Finder finder{{"A"}, {}, {}};
+  finder.options.time_field = "Zeit";
+  finder.options.station_field = "สถานี";
+  finder.options.value_field = "雨";
+  expect_long(finder.layout({"雨", "id", "สถานี", "Zeit"}), 3, 2, 0);
+  Finder of_values{{"station", "x"}, {}, {}};
+  of_values.options.value_field = "x";
+  expect_long(of_values.layout({"time", "station", "x"}), 0, 1, 2);
+}
+
+TEST(Layout, names_what_was_looked_for_and_what_was_found) {
+  const std::string found = "; the columns are 'hour', 'station', 'rain'";
+  EXPECT_EQ(
+      Finder().complaint({"hour", "station", "rain"}),
+      "r.csv:4: no column is called time, date, datetime, date_time, timestamp, datum, zeit or "
+      "the like" +
+          found + " | 'time_field' names it");
+  Finder finder;
+  finder.options.value_field = "x";
+  EXPECT_TRUE(contains(finder.complaint({"hour", "station", "rain"}), "no column"));
+  EXPECT_EQ(finder.complaint({"time", "station", "rain"}),
+            "r.csv:4: there is no column 'x'; the columns are 'time', 'station', 'rain' | see "
+            "'value_field'");
+  finder.options.value_field = "station";
+  EXPECT_TRUE(finder.complaint({"time", "station", "rain"})
+                  .starts_with("r.csv:4: time, station and value are not three columns; "));
+  EXPECT_TRUE(contains(finder.complaint(Texts(30, "c")), " and 20 more"));
+}
+
+}  // namespace
+}  // namespace thiessen
