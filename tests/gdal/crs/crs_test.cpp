@@ -1,9 +1,6 @@
 #include "gdal/crs/crs.h"
-#include "gdal/crs/transformation.h"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 #include "base/complaints.h"
 
@@ -76,39 +73,6 @@ INSTANTIATE_TEST_SUITE_P(
                     std::string(1 << 20, 'x'), "GEOGCRS[" + std::string(60000, '['),
                     "EPSG:4978" /* geocentric */, "EPSG:5703" /* heights */,
                     "+proj=longlat +a=1737400 +b=1737400 +no_defs" /* Moon */));
-
-TEST(Transformation, takes_east_before_north_whatever_the_authority_says) {
-  // The false easting and the equator: the central meridian of zone 33 is 15 degrees east.
-  const Transformation to_plane(crs("EPSG:4326"), crs("EPSG:32633"));
-  const auto on_meridian = to_plane({15, 0});
-  ASSERT_TRUE(on_meridian);
-  EXPECT_NEAR(on_meridian->x, 500000, 1e-6);
-  EXPECT_NEAR(on_meridian->y, 0, 1e-6);
-  // Snyder, Map Projections (USGS 1395), p. 269: 40 30 N 73 30 W on Clarke 1866 is x = 627106.5 m,
-  // y = 4484124.4 m in zone 18.
-  const Transformation clarke(crs("+proj=longlat +ellps=clrk66 +no_defs"),
-                              crs("+proj=utm +zone=18 +ellps=clrk66 +units=m +no_defs"));
-  const auto snyder = clarke({-73.5, 40.5});
-  ASSERT_TRUE(snyder);
-  EXPECT_NEAR(snyder->x, 627106.5, 0.06);
-  EXPECT_NEAR(snyder->y, 4484124.4, 0.06);
-}
-
-TEST(Transformation, knows_where_a_projection_ends) {
-  const Transformation to_plane(crs("EPSG:4326"), crs("EPSG:32633"));
-  EXPECT_FALSE(to_plane({-120, 40}));
-  EXPECT_TRUE(to_plane({10, 50}));
-  EXPECT_FALSE(Transformation(crs("EPSG:32633"), crs("EPSG:4326"))({1e9, 1e9}));
-  std::vector<Point> points = {{10, 50}, {-120, 40}};
-  EXPECT_EQ(to_plane.apply(points), (std::vector<bool>{true, false}));
-  EXPECT_EQ(points[1], (Point{-120, 40}));
-}
-
-TEST(Transformation, of_a_crs_to_itself_changes_no_bit) {
-  const Transformation same(crs("EPSG:4326"), crs("OGC:CRS84"));
-  EXPECT_TRUE(same.identity());
-  EXPECT_EQ(same({0.1, -0.3}), (Point{0.1, -0.3}));
-}
 
 }  // namespace
 }  // namespace thiessen

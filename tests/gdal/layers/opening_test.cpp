@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
 #include <cstdlib>
 
 #include "base/complaints.h"
@@ -12,7 +13,7 @@
 namespace thiessen {
 namespace {
 
-TEST(Drivers, the_extension_tells_a_csv_from_what_gdal_reads) {
+TEST(Opening, the_extension_tells_a_csv_from_what_gdal_reads) {
   const TemporaryFolder folder;
   EXPECT_FALSE(read_by_gdal(folder.write("a.csv", "id,x,y\n")));
   EXPECT_FALSE(read_by_gdal(folder.write("a.TSV", "id\tx\ty\n")));
@@ -21,14 +22,14 @@ TEST(Drivers, the_extension_tells_a_csv_from_what_gdal_reads) {
   EXPECT_TRUE(read_by_gdal("PG:dbname=rain"));
 }
 
-TEST(Drivers, the_first_bytes_tell_where_the_extension_does_not) {
+TEST(Opening, the_first_bytes_tell_where_the_extension_does_not) {
   const TemporaryFolder folder;
   EXPECT_FALSE(read_by_gdal(folder.write("gauges", "id,x,y\n1,2,3\n")));
   EXPECT_TRUE(
       read_by_gdal(folder.write("basins", R"({"type":"FeatureCollection","features":[]})")));
 }
 
-TEST(Drivers, a_missing_file_a_folder_and_an_unreadable_one_are_named_as_the_system_names_them) {
+TEST(Opening, a_missing_file_a_folder_and_an_unreadable_one_are_named_as_the_system_names_them) {
   const TemporaryFolder folder;
   EXPECT_EQ(complaint_of([&] { read_by_gdal(folder.path("no.gpkg")); }),
             folder.path("no.gpkg") + ": No such file or directory");
@@ -51,7 +52,7 @@ TEST_P(Connection, is_refused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Drivers, Connection,
+    Opening, Connection,
     testing::Values("/vsicurl/http://127.0.0.1:9/a.geojson", "/vsis3/bucket/a.gpkg",
                     "/vsizip//vsicurl/http://127.0.0.1:9/a.zip",
                     "/vsizip/vsicurl/http://127.0.0.1:9/a.zip",
@@ -61,7 +62,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "WFS:http://127.0.0.1:9/", "MEM:::DATAPOINTER=1",
                     R"({"type":"Point","coordinates":[1,2]})", "GeoJSON:a"));
 
-TEST(Drivers, a_virtual_file_in_the_clothes_of_geojson_is_not_opened) {
+TEST(Opening, a_virtual_file_in_the_clothes_of_geojson_is_not_opened) {
   const TemporaryFolder folder;
   const std::string file = folder.write(
       "a.geojson",
@@ -70,7 +71,7 @@ TEST(Drivers, a_virtual_file_in_the_clothes_of_geojson_is_not_opened) {
   EXPECT_TRUE(contains(complaint_of([&] { Layer(file, "", ""); }), "not whole JSON"));
 }
 
-TEST(Drivers, an_archive_of_a_local_file_is_read) {
+TEST(Opening, an_archive_of_a_local_file_is_read) {
   const TemporaryFolder folder;
   folder.write("a.geojson", R"({"type":"Point","coordinates":[1,2]})");
   const std::string pack = "cd '" + folder.path() + "' && gzip -k a.geojson";
