@@ -5,32 +5,8 @@
 #include <numeric>
 #include <string>
 
-#include "map/opencv/fonts.h"
-
 namespace thiessen {
 namespace {
-
-TEST(Fonts, latin_text_is_set_in_the_preferred_font) {
-  const FontList fonts(false);
-  EXPECT_EQ(fonts.first_to_cover(U"Rainfall (mm) é"), 0u);
-}
-
-TEST(Fonts, the_first_font_that_has_all_characters_is_chosen) {
-  const FontList fonts(false);
-  for (const std::u32string text : {U"Київ", U"Ἀθῆναι", U"ปริมาณน้ำฝน", U"降雨量", U"محطة", U"a降"}) {
-    const auto chosen = fonts.first_to_cover(text);
-    for (std::size_t font = 0; font < fonts.size(); ++font) {
-      const bool covers = fonts.covers(font, text);
-      if (chosen && font > *chosen) break;
-      EXPECT_EQ(covers, chosen && font == *chosen);
-    }
-  }
-}
-
-TEST(Fonts, invisible_characters_need_no_glyph) {
-  const FontList fonts(false);
-  EXPECT_EQ(fonts.first_to_cover(U"a\u200Db\uFE0F"), 0u);
-}
 
 bool has_ink(const SetText& text) {
   return std::accumulate(text.ink.values.begin(), text.ink.values.end(), 0) > 0;

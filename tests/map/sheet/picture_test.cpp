@@ -7,35 +7,10 @@
 #include <cmath>
 #include <string>
 
-#include "map/sheet/footer.h"
-#include "map/sheet/legend.h"
-#include "map/sheet/page.h"
+#include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
 namespace {
-
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
-
-MultiPolygon square(double x, double y, double side) {
-  return {{{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}, {}}};
-}
-
-/// Square cells side by side, gauges in their middles, each with the rainfall given.
-Picture row_of_cells(const std::vector<double>& rainfall) {
-  Picture picture;
-  picture.by_rainfall = true;
-  picture.title = "Row";
-  picture.units = "mm";
-  picture.width = 480;
-  for (std::size_t i = 0; i < rainfall.size(); ++i) {
-    const double x = static_cast<double>(i);
-    picture.cells.push_back({square(x, 0, 1), i, rainfall[i]});
-    picture.gauges.push_back({{x + 0.5, 0.5}, "G" + std::to_string(i), std::isfinite(rainfall[i])});
-  }
-  const double length = static_cast<double>(rainfall.size());
-  picture.basins.push_back({"B", {{{{0, 0}, {length, 0}, {length, 1}, {0, 1}}, {}}}});
-  return picture;
-}
 
 std::string png(const Picture& picture) {
   Warnings warnings;
@@ -161,65 +136,6 @@ TEST(Picture, a_thousand_gauges_at_one_place_are_drawn) {
   Picture picture = row_of_cells({1});
   for (int i = 0; i < 1000; ++i) picture.gauges.push_back({{0.5, 0.5}, "same", false});
   EXPECT_GT(png(picture).size(), 1000u);
-}
-
-TEST(RainfallClasses, a_value_takes_the_class_that_begins_at_or_below_it) {
-  const RainfallClasses classes(row_of_cells({0, 0.1, 0.2, 1, none}));  // steps of 0.2
-  ASSERT_EQ(classes.count(), 5u);
-  EXPECT_EQ(classes.colour(0), classes.colour(0.1));
-  EXPECT_NE(classes.colour(0.1), classes.colour(0.2));
-  EXPECT_EQ(classes.colour(1), classes.colour(0.9)) << "the largest value is in the last class";
-}
-
-TEST(RainfallClasses, equal_values_make_one_class_and_none_make_none) {
-  EXPECT_EQ(RainfallClasses(row_of_cells({4, 4})).count(), 1u);
-  EXPECT_EQ(RainfallClasses(row_of_cells({none})).count(), 0u);
-}
-
-TEST(ScaleBar, is_the_longest_round_length_that_fits) {
-  const ScaleBar bar = scale_bar(0.5, 100, 180);  // 200 m to the pixel: 36 km fit
-  EXPECT_EQ(bar.length.text(), "20");
-  EXPECT_EQ(bar.unit, "km");
-  EXPECT_NEAR(bar.pixels, 100, 1e-9);
-  EXPECT_EQ(scale_bar(1, 0.3048, 100).unit, "m");
-  EXPECT_EQ(scale_bar(1, 0.3048, 100).length.text(), "20");
-  EXPECT_EQ(scale_bar(3, none, 100).unit, "units");
-  EXPECT_EQ(scale_bar(3, none, 100).length.text(), "20");
-}
-
-bool overlap(const PixelBox& a, const PixelBox& b) {
-  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
-}
-
-TEST(Page, its_parts_do_not_overlap_and_stay_on_it) {
-  Typesetter type;
-  Picture picture = row_of_cells({1, 2, none});
-  picture.title = std::string(300, 'W');
-  picture.subtitle = "mean over 120 months";
-  picture.units = "a very long unit that nobody would use for rainfall";
-  for (const auto& [width, height] : std::vector<std::pair<int, int>>{
-           {400, 0}, {400, 300}, {1600, 0}, {3000, 500}, {500, 3000}, {6000, 0}}) {
-    picture.width = width;
-    picture.height = height;
-    const RainfallClasses classes(picture);
-    const Legend legend(picture, classes, page_style(width, height), type);
-    const Page page = lay_out(picture, {0, 0, 3, 1}, legend, type);
-    ASSERT_FALSE(page.style.bare);
-    EXPECT_EQ(page.width, width);
-    EXPECT_TRUE(height == 0 || page.height == height);
-    for (const PixelBox& box : {page.panel, page.legend, page.footer}) {
-      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= page.width &&
-                  box.bottom() <= page.height);
-      EXPECT_GT(box.width, 0);
-      EXPECT_GT(box.height, 0);
-    }
-    EXPECT_FALSE(overlap(page.panel, page.legend));
-    EXPECT_FALSE(overlap(page.panel, page.footer));
-    EXPECT_FALSE(overlap(page.legend, page.footer));
-    EXPECT_LE(page.style.em + page.title.width(), page.width - page.style.em);
-    EXPECT_LE(page.subtitle_baseline, page.panel.y);
-    EXPECT_LE(page.title_baseline, page.subtitle_baseline - page.subtitle.baseline);
-  }
 }
 
 }  // namespace

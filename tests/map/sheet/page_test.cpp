@@ -1,0 +1,104 @@
+// Linked with OpenCV: a page has room for its texts.
+#include "map/sheet/page.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "map/sheet/row_of_cells.h"
+
+namespace thiessen {
+namespace {
+
+bool overlap(const PixelBox& a, const PixelBox& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+TEST(Page, its_parts_do_not_overlap_and_stay_on_it) {
+  Typesetter type;
+  Picture picture = row_of_cells({1, 2, none});
+  picture.title = std::string(300, 'W');
+  picture.subtitle = "mean over 120 months";
+  picture.units = "a very long unit that nobody would use for rainfall";
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{
+           {400, 0}, {400, 300}, {1600, 0}, {3000, 500}, {500, 3000}, {6000, 0}}) {
+    picture.width = width;
+    picture.height = height;
+    const RainfallClasses classes(picture);
+    const Legend legend(picture, classes, page_style(width, height), type);
+    const Page page = lay_out(picture, {0, 0, 3, 1}, legend, type);
+    ASSERT_FALSE(page.style.bare);
+    EXPECT_EQ(page.width, width);
+    EXPECT_TRUE(height == 0 || page.height == height);
+    for (const PixelBox& box : {page.panel, page.legend, page.footer}) {
+      EXPECT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= page.width &&
+                  box.bottom() <= page.height);
+      EXPECT_GT(box.width, 0);
+      EXPECT_GT(box.height, 0);
+    }
+    EXPECT_FALSE(overlap(page.panel, page.legend));
+    EXPECT_FALSE(overlap(page.panel, page.footer));
+    EXPECT_FALSE(overlap(page.legend, page.footer));
+    EXPECT_LE(page.style.em + page.title.width(), page.width - page.style.em);
+    EXPECT_LE(page.subtitle_baseline, page.panel.y);
+    EXPECT_LE(page.title_baseline, page.subtitle_baseline - page.subtitle.baseline);
+  }
+}
+
+TEST(Page, takes_the_shape_of_the_study_area_where_its_height_is_open) {
+  Typesetter type;
+  Picture picture;
+  picture.width = 1000;
+  const RainfallClasses classes(picture);
+  const Legend legend(picture, classes, page_style(1000, 0), type);
+  const auto panel = [&](double width, double height) {
+    return lay_out(picture, {0, 0, width, height}, legend, type).panel;
+  };
+  const PixelBox square = panel(1, 1);
+  EXPECT_NEAR(square.height, square.width, 1);
+  EXPECT_NEAR(panel(2, 1).height, square.width / 2.0, 1);
+  EXPECT_EQ(panel(1, 100).height, panel(1, 1000).height) << "a page has an end";
+  EXPECT_EQ(panel(100, 1).height, panel(1000, 1).height);
+  EXPECT_EQ(panel(5, 0).height, panel(1000, 1).height);
+}
+
+TEST(Page, that_is_too_small_for_texts_is_the_map_alone) {
+  Typesetter type;
+  Picture picture = row_of_cells({1, 2});
+  picture.width = 100;
+  picture.height = 90;
+  const RainfallClasses classes(picture);
+  const Legend legend(picture, classes, page_style(100, 90), type);
+  const Page page = lay_out(picture, {0, 0, 2, 1}, legend, type);
+  EXPECT_TRUE(page.style.bare);
+  EXPECT_EQ(page.panel.width, 100);
+  EXPECT_EQ(page.panel.height, 90);
+  EXPECT_EQ(page.legend.width, 0);
+  EXPECT_EQ(page.footer.height, 0);
+}
+
+TEST(PageStyle, law_1_letters_grow_with_the_picture_and_are_never_too_small_to_read) {
+  int before = 0;
+  for (int width = 64; width <= 20'000; width += 100) {
+    const int em = page_style(width, 0).em;
+    EXPECT_GE(em, before);
+    EXPECT_GE(em, 11);
+    EXPECT_EQ(page_style(width, width * 3 / 4).em, em) << "an open height counts as three quarters";
+    before = em;
+  }
+  EXPECT_FALSE(page_style(1600, 0).bare);
+  EXPECT_TRUE(page_style(200, 2000).bare);
+  EXPECT_TRUE(page_style(2000, 150).bare);
+}
+
+TEST(PanelTransform, puts_the_extents_middle_into_the_panels_and_y_upward) {
+  const PanelTransform transform({10, 20, 14, 22}, {5, 5, 400, 400});
+  EXPECT_EQ(transform({12, 21}), (Point{200, 200})) << "in pixels of the panel";
+  EXPECT_DOUBLE_EQ(transform.scale(), 400 * 0.92 / 4) << "a rim of 4 % on each side";
+  EXPECT_LT(transform({12, 22}).y, 200);
+  EXPECT_DOUBLE_EQ(transform({10, 21}).x, 400 * 0.04);
+  EXPECT_DOUBLE_EQ(transform({14, 21}).x, 400 * 0.96);
+}
+
+}  // namespace
+}  // namespace thiessen
