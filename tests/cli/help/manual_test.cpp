@@ -38,25 +38,5 @@ TEST(Manual, ListsTheNamesByWhichFieldsAreFoundAndWhatMeansNoReading) {
   EXPECT_TRUE(has(text, "N/A"));
 }
 
-TEST(Roff, EscapesWhatTheFormatterReads) {
-  EXPECT_EQ(roff_phrase("--a\\b"), "\\-\\-a\\eb");
-  EXPECT_EQ(roff_paragraph(".dly and 'with'"), "\\&.dly and 'with'\n");
-  EXPECT_EQ(roff_paragraph("'with 1'"), "\\&'with 1'\n");
-  EXPECT_EQ(roff_verbatim("a\n.b\n"), ".EX\na\n\\&.b\n.EE\n");
-}
-
-TEST(Roff, law_1_LinesHaveAtMost80CharactersAndEnd) {
-  std::string text;
-  for (int i = 0; i < 60; ++i) text += std::string(static_cast<std::size_t>(i % 11 + 1), '-') + " ";
-  const std::string lines = roff_paragraph(text);
-  for (std::size_t at = 0; at < lines.size();) {
-    const std::size_t end = lines.find('\n', at);
-    ASSERT_NE(end, std::string::npos);
-    EXPECT_LE(end - at, 80u);
-    EXPECT_NE(lines[end - 1], ' ');
-    at = end + 1;
-  }
-}
-
 }  // namespace
 }  // namespace thiessen::cli

@@ -1,0 +1,71 @@
+#include "cli/options/period_options.h"
+
+#include "cli/options/given_options.h"
+
+namespace thiessen::cli {
+namespace {
+
+struct Periods : Given<PeriodOptions> {
+  Periods() { block.declare(options); }
+};
+
+bool holds(const Periods& periods, const char* time) {
+  return periods.block.times().value().range.holds(parse_iso_time(time).time);
+}
+
+TEST(PeriodOptions, want_nothing_of_times_unless_told) {
+  Periods periods;
+  periods.read({});
+  EXPECT_FALSE(periods.block.times());
+  EXPECT_FALSE(periods.block.totalling());
+  EXPECT_EQ(periods.contradiction(), "");
+}
+
+TEST(PeriodOptions, take_the_steps_from_one_time_to_another_both_included) {
+  Periods periods;
+  periods.read({"--from", "2013-08", "--to", "2013-09-02"});
+  EXPECT_EQ(periods.contradiction(), "");
+  for (const char* time : {"2013-08-01", "2013-09-02T23:59"}) EXPECT_TRUE(holds(periods, time));
+  for (const char* time : {"2013-07-31", "2013-09-03"}) EXPECT_FALSE(holds(periods, time));
+  EXPECT_FALSE(periods.block.totalling());
+}
+
+TEST(PeriodOptions, refuse_a_range_that_holds_no_time) {
+  Periods periods;
+  periods.read({"--from", "2014", "--to", "2013-12"});
+  EXPECT_EQ(periods.contradiction(), "--from 2014 is after --to 2013-12");
+  Periods same;
+  same.read({"--from", "2013-12", "--to", "2013"});
+  EXPECT_EQ(same.contradiction(), "");
+}
+
+TEST(PeriodOptions, law_1_totals_want_times_as_precise_as_their_periods) {
+  const std::pair<const char*, TimePrecision> every[] = {
+      {"day", TimePrecision::day}, {"month", TimePrecision::month}, {"year", TimePrecision::year}};
+  for (const auto& [name, precision] : every) {
+    Periods periods;
+    periods.read({"--every", name, "--allow-missing", "2"});
+    EXPECT_EQ(periods.contradiction(), "");
+    EXPECT_EQ(periods.block.totalling().value().every, precision);
+    EXPECT_EQ(periods.block.totalling().value().allowed_missing, 2U);
+    EXPECT_EQ(periods.block.times().value().least, precision);
+  }
+  EXPECT_NE(Periods().refusal({"--every", "week"}), "");
+}
+
+TEST(PeriodOptions, allow_steps_to_be_missing_of_totals_alone) {
+  Periods periods;
+  periods.read({"--allow-missing", "0"});
+  EXPECT_EQ(periods.contradiction(), "--allow-missing is about totals, and there is no --every");
+}
+
+TEST(PeriodOptions, may_be_the_range_alone) {
+  Given<PeriodOptions> range;
+  range.block.declare_range(range.options);
+  EXPECT_EQ(range.refusal({"--every", "day"}), "unknown option '--every'");
+  EXPECT_EQ(range.refusal({"--from", "2013"}), "");
+  EXPECT_EQ(range.contradiction(), "");
+}
+
+}  // namespace
+}  // namespace thiessen::cli

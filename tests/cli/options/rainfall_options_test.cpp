@@ -1,0 +1,76 @@
+#include "cli/options/rainfall_options.h"
+
+#include "cli/options/given_options.h"
+
+namespace thiessen::cli {
+namespace {
+
+struct Rainfall : Given<RainfallOptions> {
+  explicit Rainfall(Need need = Need::optional) { block.declare(options, need); }
+};
+
+TEST(RainfallOptions, are_an_argument_that_may_be_required) {
+  EXPECT_EQ(Rainfall(Need::required).refusal({}), "RAINFALL is missing");
+  Rainfall given;
+  given.read({"r.csv"});
+  EXPECT_TRUE(given.block.given());
+  EXPECT_EQ(given.block.name(), "r.csv");
+  Rainfall none;
+  none.read({});
+  EXPECT_FALSE(none.block.given());
+}
+
+TEST(RainfallOptions, call_the_standard_input_by_its_name) {
+  Rainfall given;
+  given.read({"-"});
+  EXPECT_EQ(given.block.rainfall, "-");
+  EXPECT_EQ(given.block.name(), "standard input");
+}
+
+TEST(RainfallOptions, may_be_an_option_under_another_heading) {
+  Given<RainfallOptions> influence;
+  influence.block.declare_as_option(influence.options, "What if", "--influence", "help");
+  influence.read({"--influence", "r.csv", "--trace", "T"});
+  EXPECT_EQ(influence.block.rainfall, "r.csv");
+  EXPECT_EQ(influence.options.find("--influence")->group, "What if");
+  EXPECT_EQ(influence.options.find("--influence")->value.completion, Completion::file);
+  EXPECT_TRUE(influence.options.arguments().empty());
+}
+
+TEST(RainfallOptions, say_how_readings_are_read) {
+  Rainfall given;
+  given.read({"r.csv", "--missing", "M", "--missing", "-77", "--trace", "T", "--time-field", "When",
+              "--station-field", "Where", "--value-field", "What", "--ignore-unknown",
+              "--keep-flagged"});
+  const ReadingsOptions readings = given.block.readings(true);
+  EXPECT_EQ(readings.missing, (std::vector<std::string>{"M", "-77"}));
+  EXPECT_EQ(readings.trace, std::vector<std::string>{"T"});
+  EXPECT_EQ(readings.time_field, "When");
+  EXPECT_EQ(readings.station_field, "Where");
+  EXPECT_EQ(readings.value_field, "What");
+  EXPECT_TRUE(readings.ignore_unknown);
+  EXPECT_TRUE(readings.keep_flagged);
+  EXPECT_TRUE(readings.decimal_comma);
+}
+
+TEST(RainfallOptions, are_about_readings_that_are_given) {
+  Rainfall none;
+  none.read({"--trace", "T"});
+  EXPECT_EQ(none.contradiction(), "--trace is about readings, and there is no RAINFALL");
+  Rainfall given;
+  given.read({"r.csv", "--trace", "T"});
+  EXPECT_EQ(given.contradiction(), "");
+  EXPECT_EQ(Rainfall().contradiction(), "");
+}
+
+TEST(RainfallOptions, are_the_readers_own_unless_told) {
+  Rainfall given;
+  given.read({"r.csv"});
+  const ReadingsOptions readings = given.block.readings(false);
+  EXPECT_TRUE(readings.missing.empty() && readings.trace.empty());
+  EXPECT_TRUE(readings.time_field.empty() && readings.station_field.empty());
+  EXPECT_FALSE(readings.ignore_unknown || readings.keep_flagged || readings.decimal_comma);
+}
+
+}  // namespace
+}  // namespace thiessen::cli

@@ -1,0 +1,81 @@
+#include "cli/options/view_options.h"
+
+#include "cli/options/given_options.h"
+
+namespace thiessen::cli {
+namespace {
+
+struct View : Given<ViewOptions> {
+  View() {
+    block.declare_time(options);
+    block.declare_margin(options);
+    block.declare_look(options);
+  }
+};
+
+TEST(ViewOptions, show_the_mean_in_a_picture_1600_wide_unless_told) {
+  View view;
+  view.read({});
+  EXPECT_EQ(view.block.time, "");
+  EXPECT_EQ(view.block.margin, 10);
+  EXPECT_EQ(view.block.units, "mm");
+  EXPECT_EQ(view.block.title, "");
+  EXPECT_EQ(view.block.size.width, 1600U);
+  EXPECT_EQ(view.block.size.height, 0U);
+}
+
+TEST(ViewOptions, take_what_they_are_told) {
+  View view;
+  view.read({"--time", "2013-08-01", "--margin", "0", "--units", "", "--title", "T", "--size",
+             "800x600"});
+  EXPECT_EQ(view.block.time, "2013-08-01");
+  EXPECT_EQ(view.block.margin, 0);
+  EXPECT_EQ(view.block.units, "");
+  EXPECT_EQ(view.block.title, "T");
+  EXPECT_EQ(view.block.size.height, 600U);
+  EXPECT_EQ(View().refusal({"--margin", "1000.5"}),
+            "--margin wants percent from 0 to 1000, not '1000.5'");
+  EXPECT_EQ(View().refusal({"--time", ""}), "--time is empty");
+}
+
+TEST(ViewOptions, a_time_is_one_of_rainfall) {
+  View view;
+  view.read({"--time", "2013"});
+  EXPECT_EQ(view.contradiction(true, true), "");
+  EXPECT_EQ(view.contradiction(false, true), "--time needs RAINFALL");
+  EXPECT_EQ(View().contradiction(false, false), "");
+}
+
+TEST(ViewOptions, units_are_of_readings_and_a_margin_is_of_a_study_without_basins) {
+  View units;
+  units.read({"--units", "mm"});
+  EXPECT_EQ(units.contradiction(true, true), "");
+  EXPECT_EQ(units.contradiction(false, true),
+            "--units is about readings, and there is no RAINFALL");
+  View margin;
+  margin.read({"--margin", "10"});
+  EXPECT_EQ(margin.contradiction(true, false), "");
+  EXPECT_EQ(margin.contradiction(true, true),
+            "--margin is of a study area without BASINS, and they are given");
+}
+
+TEST(ViewOptions, a_raster_has_no_title_and_no_size) {
+  for (const char* option : {"--title", "--size"}) {
+    View view;
+    view.read({option, "800"});
+    EXPECT_THROW(view.block.check_raster(), UsageError) << option;
+  }
+  View view;
+  view.read({"--units", "mm"});
+  EXPECT_NO_THROW(view.block.check_raster());
+}
+
+TEST(ViewOptions, are_declared_one_by_one) {
+  Given<ViewOptions> look;
+  look.block.declare_look(look.options);
+  EXPECT_EQ(look.refusal({"--margin", "5"}), "unknown option '--margin'");
+  EXPECT_EQ(look.refusal({"--title", "T"}), "");
+}
+
+}  // namespace
+}  // namespace thiessen::cli

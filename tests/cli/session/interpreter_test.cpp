@@ -1,0 +1,170 @@
+#include "cli/session/interpreter.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "base/complaints.h"
+#include "base/temporary_folder.h"
+
+namespace thiessen::cli {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A session whose answers go to a file.
+class Session {
+ public:
+  explicit Session(std::size_t dimension = 2, bool is_terminal = false)
+      : output_("out", open_descriptor(folder.path("out"), O_WRONLY | O_CREAT, 0600),
+                OutputFile::Care::closed),
+        interpreter_(make_interpreter(dimension, {output_, warnings, is_terminal, false, {}})) {}
+
+  bool perform(const std::string& line) { return interpreter_->perform(line); }
+  void perform_all(const Lines& lines) {
+    for (const std::string& line : lines) EXPECT_TRUE(perform(line)) << line;
+  }
+  std::string complaint(const std::string& line) {
+    return complaint_of([&] { perform(line); });
+  }
+  /// What was answered since the last time.
+  std::string answer() {
+    output_.flush();
+    const std::string all = folder.read("out");
+    std::string fresh = all.substr(told_);
+    told_ = all.size();
+    return fresh;
+  }
+  /// The answer to one line.
+  std::string answer(const std::string& line) {
+    perform(line);
+    return answer();
+  }
+  std::size_t faults() const { return interpreter_->faults(); }
+
+  TemporaryFolder folder;
+  Warnings warnings;
+
+ private:
+  OutputFile output_;
+  std::unique_ptr<Interpreter> interpreter_;
+  std::size_t told_ = 0;
+};
+
+std::size_t lines_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+// A triangle of 3, 4 and 5: its circle has the middle of the longest side for its centre.
+TEST(Interpreter, prints_points_and_vertices) {
+  Session session;
+  session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
+  EXPECT_EQ(session.answer(), "") << "off a terminal only what is asked for is answered";
+  const std::string table = session.answer("print");
+  EXPECT_TRUE(table.starts_with("point 1 0 0\npoint 2 4 0\npoint 3 0 3\n")) << table;
+  EXPECT_TRUE(contains(table, "vertex 1 center 2 1.5 radius 2.5 forming ")) << table;
+  EXPECT_TRUE(table.ends_with(" neighbors 0 0 0\n")) << table;
+  session.perform("print '" + session.folder.path("a b") + "'");
+  EXPECT_EQ(session.folder.read("a b"), table);
+}
+
+// Nine points of a square lattice: the cell of the one in the middle is a square.
+TEST(Interpreter, tells_a_cell_and_the_nearest_point) {
+  Session session;
+  for (const char* y : {"0", "2", "4"}) {
+    for (const char* x : {"0", "2", "4"}) session.perform(std::string("add ") + x + " " + y);
+  }
+  const std::string cell = session.answer("cell 2 2");
+  EXPECT_TRUE(contains(cell, "area 4\n")) << cell;
+  EXPECT_TRUE(contains(cell, "neighbors ")) << cell;
+  std::istringstream numbers(cell.substr(cell.find("neighbors ") + 10));
+  std::vector<int> neighbours;
+  for (int number = 0; numbers >> number;) neighbours.push_back(number);
+  std::sort(neighbours.begin(), neighbours.end());
+  EXPECT_EQ(neighbours, (std::vector<int>{2, 4, 6, 8}));
+  EXPECT_TRUE(contains(session.answer("cell 0 0"), "area inf"));
+  EXPECT_EQ(session.answer("nearest 2.9 3.1"), "point 8 2 4\n");
+  EXPECT_EQ(session.answer("nearest 1 1"), "point 1 0 0\n") << "of equally near ones the first";
+}
+
+TEST(Interpreter, takes_back_and_makes_again) {
+  Session session;
+  session.perform_all({"add 1 2", "add 3 4", "undo"});
+  EXPECT_EQ(session.answer("print"), "point 1 1 2\n");
+  session.perform("redo");
+  EXPECT_EQ(lines_of(session.answer("print")), 2U);
+  session.perform_all({"delete 1 2", "undo", "undo", "add 5 6"});
+  EXPECT_EQ(session.answer("print"), "point 1 1 2\npoint 2 5 6\n") << "undo took the number back";
+  EXPECT_EQ(session.complaint("redo"), "there is nothing to redo");
+}
+
+TEST(Interpreter, loads_points_as_one_step_and_tells_of_equal_ones) {
+  Session session;
+  session.perform("add 0 0");
+  session.perform("load " + session.folder.write("p.csv", "x,y\n1,2\n0,0\n1,2\n2,4\n"));
+  EXPECT_EQ(lines_of(session.answer("print")), 3U);
+  const auto warned = sentences_of(session.warnings);
+  ASSERT_EQ(warned.size(), 2U);
+  EXPECT_TRUE(warned[0].ends_with("1 point equals an earlier one in it, and is passed over"));
+  EXPECT_TRUE(warned[1].ends_with("1 point was there before, and is passed over"));
+  session.perform("undo");
+  EXPECT_EQ(session.answer("print"), "point 1 0 0\n");
+  EXPECT_THROW(session.perform("print " + session.folder.path("p.csv")), Error)
+      << "what was read is not replaced";
+}
+
+TEST(Interpreter, proves_the_structure_sound) {
+  Session plane;
+  EXPECT_EQ(plane.answer("check"), "sound: 0 points, 0 vertices, dimension -1\n");
+  plane.perform_all({"add 0 0", "add 4 0"});
+  EXPECT_EQ(plane.answer("check"), "sound: 2 points, 0 vertices, dimension 1\n");
+  plane.perform_all({"add 0 3", "add 5 5"});
+  EXPECT_EQ(plane.answer("check"), "sound: 4 points, 2 vertices, dimension 2\n");
+  EXPECT_EQ(plane.faults(), 0U);
+  Session space(3);
+  space.perform_all({"add 0 0 0", "add 1 0 0", "add 0 1 0", "add 0 0 1"});
+  EXPECT_EQ(space.answer("check"), "sound: 4 points, 1 vertices, dimension 3\n");
+}
+
+TEST(Interpreter, a_command_that_cannot_be_carried_out_changes_nothing) {
+  Session session;
+  session.perform("add 1 2");
+  for (const char* line :
+       {"add 1 2", "add 1", "add 1 2 3", "add x 2", "delete 9 9", "cell 9 9", "load",
+        "load nowhere.csv", "undo now", "show a.png --view 1,2,3", "'print", "check 1", "quit now"})
+    EXPECT_THROW(session.perform(line), Error) << line;
+  EXPECT_TRUE(session.complaint("ad 1 2").starts_with(
+      "there is no command 'ad' | the commands are add, delete, "));
+  EXPECT_EQ(session.answer("print"), "point 1 1 2\n");
+}
+
+TEST(Interpreter, passes_over_blank_lines_and_comments_and_ends_with_quit) {
+  Session session;
+  session.perform_all({"", "  \t", "# add 1 2", "add 1 2 # here"});
+  EXPECT_EQ(lines_of(session.answer("print")), 1U);
+  EXPECT_FALSE(session.perform("quit"));
+}
+
+TEST(Interpreter, says_what_each_command_did_on_a_terminal) {
+  Session session(2, true);
+  EXPECT_EQ(session.answer("add 1 2"), "point 1\n");
+  EXPECT_EQ(session.answer("delete 1 2"), "point 1 is deleted\n");
+  EXPECT_EQ(session.answer("undo"), "1 point\n");
+  EXPECT_EQ(session.answer("redo"), "0 points\n");
+  EXPECT_EQ(session.answer("help"), session_help());
+  EXPECT_EQ(Session().answer("help"), "");
+}
+
+TEST(Interpreter, shows_a_picture_of_what_there_is) {
+  Session session;
+  const std::string file = session.folder.path("p.png");
+  EXPECT_EQ(session.complaint("show " + file), "there are no points to show");
+  session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
+  session.perform("show " + file);
+  EXPECT_EQ(session.folder.read("p.png").substr(1, 3), "PNG");
+}
+
+}  // namespace
+}  // namespace thiessen::cli
