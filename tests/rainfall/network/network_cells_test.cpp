@@ -87,5 +87,18 @@ TEST(NetworkCells, law_4_where_none_reports_there_are_none) {
   EXPECT_TRUE(NetworkCells(network, {true, false}, plane, frame, 1).any());
 }
 
+// Drawn coarsely they have fewer chords than as they are measured; in a plane edges are straight.
+TEST(NetworkCells, law_5_edges_are_as_they_are_drawn_or_as_they_are_measured) {
+  const std::vector<Point> positions{{1, 1}, {9, 2}, {5, 9}, {4, 4}};
+  const ReportingStations all(4, true);
+  const auto chords = [&](const Yardstick& yardstick, Edges edges) {
+    const Network network(stations_at(positions), yardstick.metric);
+    return NetworkCells(network, all, yardstick, frame, 1, edges).diagram().chords.size();
+  };
+  const Yardstick coarse{Metric::geodesic, 1, 100};
+  EXPECT_LT(chords(coarse, Edges::drawn), chords(coarse, Edges::measured));
+  EXPECT_EQ(chords({Metric::planar, 1, 100}, Edges::drawn), chords(plane, Edges::measured));
+}
+
 }  // namespace
 }  // namespace thiessen
