@@ -83,6 +83,8 @@ TEST(StudyOptions, messages_call_each_setting_by_the_option_that_makes_it) {
     }
   }
   EXPECT_NE(sources[0]->crs_setting, sources[1]->crs_setting);
+  EXPECT_NE(sources[0]->layer_setting, sources[1]->layer_setting);
+  EXPECT_NE(sources[0]->where_setting, sources[1]->where_setting);
 }
 
 TEST(StudyOptions, how_numbers_and_fields_are_written_holds_for_both_files) {

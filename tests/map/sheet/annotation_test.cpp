@@ -88,16 +88,22 @@ TEST(Annotation, all_labels_that_find_room_need_no_note) {
 }
 
 TEST(Annotation, the_larger_of_two_cells_has_its_label_where_both_want_the_same_place) {
-  const auto labelled = [](const std::vector<std::size_t>& pixels) {
+  // The ink to the right of two gauges at one place: the first place for a label of either.
+  const auto ink_of = [](const std::vector<std::string>& labels,
+                         const std::vector<std::size_t>& pixels) {
     Panel panel({{200, 150}, {200, 150}});
-    panel.picture.gauges[0].label = "IIIIIIII";
-    panel.picture.gauges[1].label = "W";
+    for (std::size_t i = 0; i < 2; ++i) panel.picture.gauges[i].label = labels[i];
     Annotation annotation(panel.canvas, panel.page, panel.picture, panel.view, panel.type);
     annotation.draw_gauges();
     annotation.draw_labels(pixels);
-    return panel.ink({215, 140, 100, 60});
+    return panel.ink({217, 150, 100, 40});
   };
-  EXPECT_NE(labelled({9, 1}), labelled({1, 9})) << "the place to the right is the first";
+  const std::size_t first = ink_of({"IIIIIIII", ""}, {9, 9});
+  const std::size_t second = ink_of({"", "W"}, {9, 9});
+  ASSERT_NE(first, second);
+  EXPECT_EQ(ink_of({"IIIIIIII", "W"}, {9, 1}), first);
+  EXPECT_EQ(ink_of({"IIIIIIII", "W"}, {1, 9}), second);
+  EXPECT_EQ(ink_of({"IIIIIIII", "W"}, {5, 5}), first) << "of equal ones the first";
 }
 
 TEST(Annotation, names_a_basin_inside_it_and_not_where_it_finds_no_room) {
