@@ -296,7 +296,7 @@ TEST(CsvReader, survives_every_damage_to_a_small_file) {
   std::mt19937 random(seed);
   const std::string whole = "time,\"A \"\"1\"\"\",B\r\n\"x\ny\",1.5,\n2,,\"\xC3\xBC\"\n";
   constexpr std::string_view bytes = "\"\n\r,;\0\xFF\xC3x "sv;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1000; ++i) {
     std::string text = whole.substr(0, random() % (whole.size() + 1));
     for (std::size_t n = random() % 4; n > 0 && !text.empty(); --n) {
       text[random() % text.size()] = bytes[random() % bytes.size()];
