@@ -68,7 +68,11 @@ JsonScanner::JsonScanner(std::string file, ByteSource& source)
     : file_(std::move(file)), bytes_(std::make_unique<Bytes>(source)) {
   if (look() == 0xEF) {
     take();
-    if (take() != 0xBB || take() != 0xBF) fail("not UTF-8 at byte 0");
+    const int second = take();
+    const int third = take();
+    const auto continues = [](int byte) { return byte >= 0x80 && byte <= 0xBF; };
+    if (!continues(second) || !continues(third)) fail("not UTF-8 at byte 0");
+    if (second != 0xBB || third != 0xBF) fail("a value is expected, not " + shown(0xEF));
   }
 }
 
