@@ -1,6 +1,9 @@
 #include "text/geojson_audit.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -15,12 +18,13 @@ namespace {
 
 using Kind = JsonScanner::Kind;
 
-constexpr std::size_t deepest = 30;  // GDAL's own reader stops at 32
+constexpr std::size_t deepest = 30;       // GDAL's own reader stops at 32
+constexpr std::size_t most_brackets = 4;  // those of a MultiPolygon's coordinates
 
 /// How many brackets deep the numbers of a geometry are nested: 1 for [x, y]; 0 for an unknown
 /// type.
-int nesting(const std::string& type) {
-  static const std::unordered_map<std::string, int> known = {
+std::size_t nesting(const std::string& type) {
+  static const std::unordered_map<std::string, std::size_t> known = {
       {"Point", 1},   {"MultiPoint", 2},      {"LineString", 2},
       {"Polygon", 3}, {"MultiLineString", 3}, {"MultiPolygon", 4}};
   const auto found = known.find(type);
@@ -60,9 +64,12 @@ class Audit {
 
   struct Shape {
     std::string type;
-    int depth = 0;  ///< nesting of the numbers; 0 where none were seen
+    std::size_t depth = 0;  ///< nesting of the numbers; 0 where none were seen
     bool given = false;
     bool uneven = false;  ///< whether it is, and was reported
+    /// The path of the first list without elements within so many brackets; empty where there is
+    /// none. Whether it should be a position is known only with the type, which may follow.
+    std::array<std::string, most_brackets> bare;
   };
 
   static Part part_of(Part outer, const std::string& key) {
@@ -96,8 +103,8 @@ class Audit {
     return text;
   }
 
-  void complain(const std::string& text) {
-    const std::string where = path();
+  void complain(const std::string& text) { complain(path(), text); }
+  void complain(const std::string& where, const std::string& text) {
     complaints_.add(Message{scanner_.file(), 0, where.empty() ? text : where + ": " + text, {}});
   }
 
@@ -185,12 +192,14 @@ class Audit {
 
   /// Reads nested brackets down to the positions. What nests deeper than a MultiPolygon is refused,
   /// so that recursion is bounded.
-  void coordinates(Shape& shape, int depth) {
+  void coordinates(Shape& shape, std::size_t depth) {
     if (scanner_.peek() != Kind::array) {
       complain("coordinates are a list");
       return value(Part::other);
     }
-    if (depth == 4) scanner_.fail("'" + path() + "' nests deeper than a geometry's coordinates");
+    if (depth == most_brackets) {
+      scanner_.fail("'" + path() + "' nests deeper than a geometry's coordinates");
+    }
     bool going = scanner_.open('[', ']');
     steps_.push_back({{}, 0, true});
     bool position = false;
@@ -206,6 +215,9 @@ class Audit {
     }
     const std::size_t length = steps_.back().index;
     steps_.pop_back();
+    if (std::string& bare = shape.bare.at(depth); length == 0 && depth > 0 && bare.empty()) {
+      bare = path();
+    }
     if (!position) return;
     if (list) return complain_of_nesting(shape, "a list stands beside numbers");
     if (length < 2) complain("a position has two numbers, not one");
@@ -259,10 +271,15 @@ class Audit {
 
   void judge_geometry(const Shape& shape) {
     if (shape.type == "GeometryCollection") return;
-    const int wanted = nesting(shape.type);
+    const std::size_t wanted = nesting(shape.type);
     if (wanted == 0) return complain("'" + printable(shape.type) + "' is no type of geometry");
     if (!shape.given) return complain("a " + shape.type + " without coordinates");
-    if (!shape.uneven && shape.depth != 0 && shape.depth != wanted) {
+    const std::string& bare = shape.bare.at(wanted - 1);
+    if (!bare.empty()) complain(bare, "a position has two numbers, not none");
+    const auto deeper = shape.bare.begin() + static_cast<std::ptrdiff_t>(wanted);
+    const bool too_deep = std::any_of(deeper, shape.bare.end(),
+                                      [](const std::string& where) { return !where.empty(); });
+    if (!shape.uneven && ((shape.depth != 0 && shape.depth != wanted) || too_deep)) {
       complain("coordinates are not nested as those of a " + shape.type);
     }
   }

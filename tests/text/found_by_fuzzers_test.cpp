@@ -19,6 +19,10 @@ std::string complaint(const std::string& text) {
   return complaint_of([&] { audit(text); });
 }
 
+std::string polygon(const std::string& coordinates) {
+  return R"({"type":"Polygon","coordinates":)" + coordinates + "}";
+}
+
 TEST(GeoJsonAudit, finding_1_counts_bytes_from_0) {
   EXPECT_EQ(complaint("{\"name\":\"a\xFF\"}"), "b.geojson:1: not whole JSON: not UTF-8 at byte 10");
   EXPECT_EQ(complaint("\xEF\xBB\xBF{\"\xE4\xB8\"}"),
@@ -28,6 +32,19 @@ TEST(GeoJsonAudit, finding_1_counts_bytes_from_0) {
 TEST(GeoJsonAudit, finding_2_calls_a_full_width_digit_utf8) {
   EXPECT_EQ(complaint("\xEF\xBC\x91"),
             "b.geojson:1: not whole JSON: a value is expected, not '\\xef'");
+}
+
+TEST(GeoJsonAudit, finding_3_wants_numbers_in_every_position) {
+  const std::string none = ": a position has two numbers, not none";
+  const std::string file = "b.geojson: ";
+  EXPECT_EQ(complaint(polygon("[[[0,0],[],[1,1],[0,0]]]")), file + "coordinates[0][1]" + none);
+  EXPECT_EQ(complaint(polygon("[[[0,0],[1,0],[1,1],[0,0]],[[]]]")),
+            file + "coordinates[1][0]" + none);
+  EXPECT_EQ(complaint(polygon("[[[0,0],[1,0],[1,1],[0,0]],[[[]]]]")),
+            file + "coordinates are not nested as those of a Polygon");
+  // No ring and no polygon are no position: they are empty, and said to be where they are read.
+  EXPECT_EQ(audit(polygon("[]")).features, 1U);
+  EXPECT_EQ(audit(polygon("[[[0,0],[1,0],[1,1],[0,0]],[]]")).features, 1U);
 }
 
 }  // namespace
