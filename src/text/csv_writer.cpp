@@ -3,13 +3,15 @@
 namespace thiessen {
 namespace {
 
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
 bool needs_quotes(std::string_view field) {
   if (field.empty()) return false;
-  return is_blank(field.front()) || is_blank(field.back()) ||
+  return field.starts_with(byte_order_mark) || is_blank(field.front()) || is_blank(field.back()) ||
          field.find_first_of(",\"\r\n") != std::string_view::npos;
 }
 

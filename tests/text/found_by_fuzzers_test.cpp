@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/complaints.h"
+#include "text/csv_writer.h"
 #include "text/geojson_audit.h"
 #include "text/text_bytes.h"
 
@@ -45,6 +46,12 @@ TEST(GeoJsonAudit, finding_3_wants_numbers_in_every_position) {
   // No ring and no polygon are no position: they are empty, and said to be where they are read.
   EXPECT_EQ(audit(polygon("[]")).features, 1U);
   EXPECT_EQ(audit(polygon("[[[0,0],[1,0],[1,1],[0,0]],[]]")).features, 1U);
+}
+
+TEST(CsvWriter, finding_5_quotes_a_byte_order_mark) {
+  std::string row;
+  append_csv_field(row, "\xEF\xBB\xBFid");
+  EXPECT_EQ(row, "\"\xEF\xBB\xBFid\"");
 }
 
 }  // namespace
