@@ -28,11 +28,11 @@ ReadingGrammar::ReadingGrammar(std::span<const std::string> missing,
 void ReadingGrammar::add(std::string_view text, Reading meaning) {
   text = trimmed(text);
   Parsed<double> number = parse_number(text, mark_);
-  if (!number) number = parse_number(text);
   if (!number) {
     texts_.push_back({std::string(text), meaning});
-    return;
+    number = parse_number(text);  // -99.9 is a number beside decimal commas, too
   }
+  if (!number) return;
   numbers_.push_back({number.value, meaning});
   only_negative_ = only_negative_ && number.value < 0;
 }
