@@ -49,8 +49,10 @@ void MixedSteps::note_readings(std::int64_t at, std::span<const double> readings
     if (gauge.last != never) {
       const std::int64_t apart = std::abs(at - gauge.last);
       if (apart != gauge.apart) gauge.apart = std::gcd(gauge.apart, apart);
+      gauge.low = std::min(gauge.low, at);
+      gauge.high = std::max(gauge.high, at);
     } else {
-      gauge.first = at;
+      gauge.low = gauge.high = at;
     }
     gauge.last = at;
   }
@@ -63,10 +65,10 @@ void MixedSteps::count_in_seconds() {
   const std::int64_t first_month = month_number(*first_time_);
   for (Gauge& gauge : gauges_) {
     if (gauge.last == never) continue;
-    const bool one = gauge.readings == 1 && gauge.first == first_month;
-    gauge = {never, never, 0, 0, gauge.by_days};
+    const bool one = gauge.readings == 1 && gauge.last == first_month;
+    gauge = {never, never, never, 0, 0, gauge.by_days};
     if (!one) continue;
-    gauge.first = gauge.last = moment_seconds(*first_time_);
+    gauge.last = gauge.low = gauge.high = moment_seconds(*first_time_);
     gauge.readings = 1;
   }
 }
@@ -123,7 +125,7 @@ std::optional<Message> MixedSteps::fault(const std::string& file,
     if (gauge.readings < readings_that_tell || gauge.apart < 2 * length ||
         gauge.apart % length != 0)
       return false;
-    const std::int64_t places = std::abs(gauge.last - gauge.first) / gauge.apart + 1;
+    const std::int64_t places = (gauge.high - gauge.low) / gauge.apart + 1;
     if (places >= 2 * std::int64_t{gauge.readings}) return false;
     apart = std::max(apart, gauge.apart);
     return true;

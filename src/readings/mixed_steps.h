@@ -40,9 +40,10 @@ class MixedSteps {
  private:
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min();
   struct Gauge {
-    std::int64_t first = never;
-    std::int64_t last = never;
-    std::int64_t apart = 0;  ///< greatest common divisor of the intervals between its readings
+    std::int64_t last = never;  ///< where its last reading in the file is, whatever its order
+    std::int64_t low = never;   ///< where its earliest reading is
+    std::int64_t high = never;  ///< and its latest
+    std::int64_t apart = 0;     ///< greatest common divisor of the intervals between its readings
     std::uint32_t readings = 0;
     bool by_days = false;  ///< reports at a time without a clock
   };

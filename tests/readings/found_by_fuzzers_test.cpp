@@ -1,9 +1,13 @@
 // What fuzzers found in readings/, numbered on from room to room.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
+#include "rainfall/network/network.h"
+#include "readings/mixed_steps.h"
 #include "readings/readings_grammar.h"
 
 namespace thiessen {
@@ -15,6 +19,25 @@ TEST(ReadingGrammar, finding_4_takes_a_gap_as_written_beside_decimal_commas) {
   for (const char* gap : {"0.51", "0,51", "-99.9", "-99,9"})
     EXPECT_EQ(grammar.read(gap, false).kind, ReadingKind::missing) << gap;
   EXPECT_EQ(grammar.read("0.52", false).kind, ReadingKind::not_a_number);
+}
+
+// B reads on the days 1, 3 and 11: on three of the six odd days from the first to the last, which
+// is not more than half, whatever the order.
+TEST(MixedSteps, finding_6_counts_a_gauges_places_from_its_earliest_reading_to_its_latest) {
+  const std::vector<Station> stations = {{"A", {}}, {"B", {}}};
+  constexpr double silent = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::array in_order = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  constexpr std::array scattered = {1, 11, 3, 2, 4, 5, 6, 7, 8, 9, 10};
+  for (const std::array<int, 11>& days : {in_order, scattered}) {
+    MixedSteps steps(stations.size());
+    for (const int day : days) {
+      const std::string time = (day < 10 ? "2020-01-0" : "2020-01-") + std::to_string(day);
+      const bool reads = day == 1 || day == 3 || day == 11;
+      const std::array<double, 2> readings = {1, reads ? 1 : silent};
+      steps.note(time, 0, readings);
+    }
+    EXPECT_FALSE(steps.fault("r.csv", stations));
+  }
 }
 
 }  // namespace
