@@ -29,7 +29,7 @@ bool alike(char a, char b) {
 }
 
 /// Where a value that is not quoted ends: at the next `word=`, for a password may have blanks that
-/// its user forgot to quote.
+/// its user forgot to quote, and else at the last character that is no blank.
 std::size_t end_of_words(std::string_view text, std::size_t begin) {
   for (std::size_t at = begin; at < text.size(); ++at) {
     if (!is_blank(text[at])) continue;
@@ -40,7 +40,9 @@ std::size_t end_of_words(std::string_view text, std::size_t begin) {
     while (word < text.size() && is_blank(text[word])) ++word;
     if (word > next && word < text.size() && text[word] == '=') return at;
   }
-  return text.size();
+  std::size_t end = text.size();
+  while (end > begin && is_blank(text[end - 1])) --end;
+  return end;
 }
 
 /// Where a value ends that stands in a sentence, whose signs are no part of it.
@@ -131,6 +133,14 @@ std::string masked(std::string_view text, Within within) {
   return clean += text.substr(done);
 }
 
+/// The value as it is meant, without the quotes that it may stand in.
+std::string without_quotes(std::string_view value) {
+  if (!value.starts_with('\'')) return std::string(value);
+  value.remove_prefix(1);
+  if (value.ends_with('\'')) value.remove_suffix(1);
+  return std::string(value);
+}
+
 }  // namespace
 
 std::string without_password(std::string_view connection) {
@@ -145,7 +155,8 @@ std::string without_secrets(std::string text, std::string_view connection) {
   text = without_passwords(text);
   constexpr std::size_t long_enough = 4;  // a shorter one would blot out innocent words
   for (const Span span : passwords_in(connection, Within::connection)) {
-    const std::string password(connection.substr(span.begin, span.end - span.begin));
+    const std::string password =
+        without_quotes(connection.substr(span.begin, span.end - span.begin));
     if (password.size() >= long_enough) replace_all(text, password, std::string(mask));
     std::size_t at = 0;
     while (at < password.size()) {
