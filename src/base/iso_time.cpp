@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <tuple>
 #include <utility>
 
@@ -111,9 +112,11 @@ bool there_is(const IsoTime& time, const Zone& zone) {
          time.second < 60 && zone.hours < 24 && zone.minutes < 60;
 }
 
+/// Appends a number in at least so many digits, with its sign where it is below 0.
 void append_digits(std::string& out, int number, std::size_t digits) {
-  const std::string text = std::to_string(number);
-  out.append(digits - text.size(), '0');
+  if (number < 0) out += '-';
+  const std::string text = std::to_string(std::abs(number));
+  out.append(digits - std::min(digits, text.size()), '0');
   out += text;
 }
 

@@ -60,7 +60,8 @@ std::int64_t clock_seconds(const IsoTime& time);
 std::int64_t moment_seconds(const IsoTime& time);
 
 /// The text of the moment so many seconds after the beginning of 1970: a date for
-/// TimePrecision::day and coarser ones, else YYYY-MM-DDThh:mm, with seconds where there are any.
+/// TimePrecision::day and coarser ones, else YYYY-MM-DDThh:mm, with seconds where there are any. A
+/// zone may bring it a day beyond the years that ISO 8601 writes: -0001-12-31, 10000-01-01.
 std::string time_text(std::int64_t seconds, TimePrecision precision);
 
 /// The order of two moments. Where both have a zone the moments themselves are compared, otherwise
