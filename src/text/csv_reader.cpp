@@ -194,7 +194,6 @@ void CsvReader::store_beyond(std::string_view field, bool in_quotes) {
 }
 
 CsvReader::RowKind CsvReader::end_row(std::size_t at) {
-  ++line_;
   next_row_ = at + 1;
   if (text_.at(at) == '\r') {
     const bool more = next_row_ < text_.end() || read_more();
@@ -203,6 +202,7 @@ CsvReader::RowKind CsvReader::end_row(std::size_t at) {
   } else if (field_ == at) {
     text_.seek(next_row_);  // after a quoted field, or an empty one
   }
+  ++line_;  // only now: what read_more refuses counts the line ends from the field's beginning
   check_lengths(at);
   return RowKind::whole;
 }

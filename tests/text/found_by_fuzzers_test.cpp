@@ -4,6 +4,8 @@
 #include <string>
 
 #include "base/complaints.h"
+#include "fuzzers/memory_pipe.h"
+#include "text/csv_reader.h"
 #include "text/csv_writer.h"
 #include "text/geojson_audit.h"
 #include "text/text_bytes.h"
@@ -52,6 +54,13 @@ TEST(CsvWriter, finding_5_quotes_a_byte_order_mark) {
   std::string row;
   append_csv_field(row, "\xEF\xBB\xBFid");
   EXPECT_EQ(row, "\"\xEF\xBB\xBFid\"");
+}
+
+// The piece that is read after a carriage return, to see whether a line feed follows, is no text.
+TEST(CsvReader, finding_9_counts_a_line_end_once_where_two_pieces_meet) {
+  const fuzzers::MemoryPipe pipe("a;b/\rc\xC9\xFC", 5);
+  EXPECT_EQ(complaint_of([&] { CsvReader(pipe.name(), {';'}); }),
+            pipe.name() + ":2: not UTF-8 at byte 6 | save the file as UTF-8");
 }
 
 }  // namespace
