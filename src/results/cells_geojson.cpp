@@ -90,7 +90,7 @@ void append_provenance(std::string& out, const Provenance& made_by) {
   for (const auto& [name, value] : items_of(made_by)) {
     if (name == "rainfall") continue;  // is said by a member of its own
     append_name(out, name);
-    if (parse_number(value)) {
+    if (name == "tolerance") {
       out += value;
     } else {
       append_json_string(out, value);
