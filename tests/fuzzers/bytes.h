@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -24,6 +25,11 @@ class Bytes {
   }
   /// Below `end`, which is 256 at most.
   std::size_t below(std::size_t end) { return next() % end; }
+  /// One of a list of 256 at most. Requires that it is not empty.
+  template <typename List>
+  const auto& one_of(const List& list) {
+    return list[below(std::size(list))];
+  }
   std::string_view rest() const {
     return {reinterpret_cast<const char*>(left_.data()), left_.size()};
   }

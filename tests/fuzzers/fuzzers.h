@@ -10,8 +10,20 @@ namespace thiessen::fuzzers {
 /// Bytes as operations: on a History, or on a Tessellation with nested Trials, in the plane or in
 /// space; audited after every one.
 void fuzz_operations(std::span<const std::uint8_t> bytes);
-/// Bytes as the text of a session's script, of a CSV of points that it loads, or of a GeoJSON file,
-/// or as numbers. Nothing is written anywhere.
+/// Bytes as a CSV, read whole and in pieces, written and read again; or as a file of points.
+void fuzz_csv(std::span<const std::uint8_t> bytes);
+/// Bytes as JSON and GeoJSON, as strings and cells that are written so and read again.
+void fuzz_json(std::span<const std::uint8_t> bytes);
+/// Bytes as a number, a time, several times in their order, or a field of rainfall.
+void fuzz_values(std::span<const std::uint8_t> bytes);
+/// Bytes as characters, as what messages show, as names of fields and of files.
+void fuzz_texts(std::span<const std::uint8_t> bytes);
+/// Bytes as a table of readings; or as readings, written wide, long and long in any order, and read
+/// again.
+void fuzz_readings(std::span<const std::uint8_t> bytes);
+/// Bytes as a `.dly` file of GHCN-Daily; or as its records, written in any order, and read again.
+void fuzz_dly(std::span<const std::uint8_t> bytes);
+/// Bytes as the script of a session and a CSV of points that it loads. Nothing is written anywhere.
 void fuzz_script(std::span<const std::uint8_t> bytes);
 
 }  // namespace thiessen::fuzzers

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -10,36 +8,20 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/number.h"
-#include "base/utf8.h"
+#include "cli/session/command_arguments.h"
 #include "cli/session/interpreter.h"
 #include "cli/session/script_lines.h"
 #include "cli/session/words.h"
 #include "fuzzers/bytes.h"
 #include "fuzzers/fuzzers.h"
 #include "fuzzers/memory_file.h"
-#include "geometry/predicates.h"
-#include "geometry/space_predicates.h"
-#include "text/geojson_audit.h"
-#include "text/points_file.h"
-#include "text/text_bytes.h"
+#include "fuzzers/message_laws.h"
 
 namespace thiessen::fuzzers {
 namespace {
 
 constexpr std::size_t longest_script = 60;
 constexpr char text_separator = '\x1e';  // between a script and the CSV that it loads
-
-/// That every message is a sentence: one line of text, and nothing a terminal would obey.
-void require_sentences(const Error& error) {
-  require(!error.messages().empty(), "an error without a message");
-  for (const Message& message : error.messages()) {
-    const std::string sentence = message.sentence();
-    require(!message.text.empty() && !find_invalid_utf8(sentence), "a message that is no text");
-    for (const char c : sentence)
-      require(static_cast<unsigned char>(c) >= 0x20, "a message with a control character");
-  }
-}
 
 /// A session with a script's lines. What cannot be done changes nothing, and what is there is
 /// sound.
@@ -87,13 +69,15 @@ class Script {
     require(interpreter_->faults() == 0, "not sound");
     take();
   }
-  /// Files are neither written nor read, but `load` reads the CSV.
+  /// Files are neither written nor read, but `load` reads the CSV; of `show` the words are read.
   std::optional<std::string> harmless(std::string_view text) const {
     const std::vector<std::string> words = cli::words_of(text);
-    if (words.empty() || words.front() == "show") return std::nullopt;
+    if (words.empty()) return std::nullopt;
     if (words.front() == "load") return "load " + csv_.name();
     if (words.front() == "print") return "print";
-    return std::string(text);
+    if (words.front() != "show") return std::string(text);
+    cli::read_show_arguments({words.begin() + 1, words.end()});
+    return std::nullopt;
   }
 
   bool does(const char* command) {
@@ -121,49 +105,14 @@ class Script {
   std::unique_ptr<cli::Interpreter> interpreter_;
 };
 
-template <int Dimension>
-void read_as_points(std::string_view text) {
-  const MemoryFile file(text);
-  Warnings warnings;
-  const auto points = read_points<Dimension>(file.name(), warnings);
-  require(!points.empty(), "no points, and no error");
-  for (const auto& p : points) require(in_exact_range(p), "a point outside the range");
-}
-
-void read_as_numbers(std::string_view text) {
-  for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
-    std::size_t from = 0;
-    while (from <= text.size()) {
-      const std::size_t end = std::min(text.find_first_of(" \n", from), text.size());
-      if (const auto number = parse_number(text.substr(from, end - from), mark)) {
-        require(std::isfinite(number.value), "a number that is not finite");
-        const auto again = parse_number(shortest_text(number.value));
-        require(again && again.value == number.value, "a number that does not read back");
-      }
-      from = end + 1;
-    }
-  }
-}
-
 }  // namespace
 
 void fuzz_script(std::span<const std::uint8_t> input) {
   Bytes bytes(input);
-  const std::size_t kind = bytes.below(8);
+  const std::size_t dimension = 2 + bytes.below(2);
+  const std::string_view text = bytes.until(text_separator);
   try {
-    if (kind < 4) {
-      const std::string_view text = bytes.until(text_separator);
-      Script(2 + kind % 2, text, bytes.until(text_separator)).run();
-    } else if (kind == 4) {
-      read_as_points<2>(bytes.rest());
-    } else if (kind == 5) {
-      read_as_points<3>(bytes.rest());
-    } else if (kind == 6) {
-      TextBytes text{std::string(bytes.rest())};
-      audit_geojson("fuzzed.geojson", text);
-    } else {
-      read_as_numbers(bytes.rest());
-    }
+    Script(dimension, text, bytes.until(text_separator)).run();
   } catch (const Error& error) {
     require_sentences(error);
   }

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "base/iso_time.h"
+#include "base/utf8.h"
+#include "fuzzers/plain_readings.h"
+#include "rainfall/series/step_length.h"
+
+namespace thiessen::fuzzers {
+
+/// The rules of MixedSteps and StepIntervals (mixed_steps.h, step_intervals.h) told once more, over
+/// all steps at once, as their judge.
+class PlainSteps {
+ public:
+  explicit PlainSteps(const Steps& steps) : steps_(steps) {
+    for (const Step& step : steps) {
+      const ParsedTime parsed = parse_iso_time(trimmed(step.time));
+      if (!parsed) return;
+      times_.push_back(parsed.time);
+    }
+  }
+
+  /// Whether a table of these steps is refused: some times have a zone and some none, or some
+  /// gauges report in longer steps than the others.
+  bool are_mixed() const {
+    if (times_.empty() || times_.size() < steps_.size()) return false;  // labels
+    const auto is_clocked = [](const IsoTime& time) {
+      return time.precision == TimePrecision::instant;
+    };
+    const auto clocked = std::count_if(times_.begin(), times_.end(), is_clocked);
+    const auto zoned = std::count_if(times_.begin(), times_.end(), [](const IsoTime& time) {
+      return time.ahead_of_utc.has_value();
+    });
+    if (zoned > 0 && zoned < clocked) return true;
+    if (clocked > 0 && clocked < static_cast<std::ptrdiff_t>(times_.size())) {
+      for (std::size_t i = 0; i < times_.size(); ++i)
+        if (!is_clocked(times_[i]) && any_reports(steps_[i])) return true;
+      return false;
+    }
+    const bool in_months = turn() == times_.size();
+    const std::optional<std::int64_t> months = common(true);
+    const std::optional<std::int64_t> length = months ? months : common(false);
+    if (!length || months.has_value() != in_months) return false;
+    for (std::size_t gauge = 0; gauge < steps_.front().amounts.size(); ++gauge)
+      if (is_coarse(positions(gauge, in_months), *length)) return true;
+    return false;
+  }
+
+ private:
+  static bool any_reports(const Step& step) {
+    return std::any_of(step.amounts.begin(), step.amounts.end(),
+                       [](double amount) { return amount != silent; });
+  }
+  static std::int64_t position(const IsoTime& time, bool in_months) {
+    return in_months ? month_number(time) : moment_seconds(time);
+  }
+  /// The first time that does not stand in its month as the first of all does; the number of times
+  /// where there is none. Months are counted until then.
+  std::size_t turn() const {
+    std::size_t i = 0;
+    while (i < times_.size() && stand_alike_in_months(times_.front(), times_[i])) ++i;
+    return i;
+  }
+  /// The longest interval of which nine in ten of all intervals are multiples.
+  std::optional<std::int64_t> common(bool in_months) const {
+    std::vector<std::int64_t> lengths;
+    for (std::size_t i = 1; i < times_.size(); ++i) {
+      if (in_months && !stand_alike_in_months(times_[i - 1], times_[i])) continue;
+      lengths.push_back(
+          std::abs(position(times_[i], in_months) - position(times_[i - 1], in_months)));
+    }
+    std::optional<std::int64_t> longest;
+    for (const std::int64_t length : lengths) {
+      if (length == 0 || (longest && length <= *longest)) continue;
+      const auto multiples =
+          std::count_if(lengths.begin(), lengths.end(),
+                        [length](std::int64_t other) { return other != 0 && other % length == 0; });
+      if (10 * static_cast<std::size_t>(multiples) >= 9 * (times_.size() - 1)) longest = length;
+    }
+    return longest;
+  }
+  /// Where a gauge reports. Where months turn out not to do, what was counted in them is forgotten,
+  /// unless it is one reading at the first time.
+  std::vector<std::int64_t> positions(std::size_t gauge, bool in_months) const {
+    std::vector<std::int64_t> found;
+    const auto gather = [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i)
+        if (steps_[i].amounts[gauge] != silent) found.push_back(position(times_[i], in_months));
+    };
+    gather(0, turn());
+    const auto first = position(times_.front(), in_months);
+    if (!in_months && (found.size() != 1 || found.front() != first)) found.clear();
+    gather(turn(), times_.size());
+    return found;
+  }
+  static bool is_coarse(const std::vector<std::int64_t>& positions, std::int64_t length) {
+    if (positions.size() < 3) return false;
+    std::int64_t apart = 0;
+    for (const std::int64_t at : positions) apart = std::gcd(apart, at - positions.front());
+    if (apart < 2 * length || apart % length != 0) return false;
+    const auto [low, high] = std::minmax_element(positions.begin(), positions.end());
+    const auto places = static_cast<std::size_t>((*high - *low) / apart + 1);
+    return places < 2 * positions.size();
+  }
+
+  const Steps& steps_;
+  std::vector<IsoTime> times_;
+};
+
+}  // namespace thiessen::fuzzers
