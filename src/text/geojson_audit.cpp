@@ -253,7 +253,8 @@ class Audit {
 
   void judge(Part part, const Shape& shape) {
     if (shape.type.empty()) return complain("has no type");
-    if (part == Part::feature || (part == Part::root && shape.type == "Feature")) {
+    const bool is_all = part == Part::root && shape.type == "Feature" && !has_features_;
+    if (part == Part::feature || is_all) {
       if (shape.type != "Feature") complain("type is '" + printable(shape.type) + "', not Feature");
       if (part == Part::root) findings_.features = 1;
       return;

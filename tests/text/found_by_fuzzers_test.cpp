@@ -63,5 +63,11 @@ TEST(CsvReader, finding_9_counts_a_line_end_once_where_two_pieces_meet) {
             pipe.name() + ":2: not UTF-8 at byte 6 | save the file as UTF-8");
 }
 
+// RFC 7946, 7.1: a Feature must not have features.
+TEST(GeoJsonAudit, finding_11_refuses_features_of_a_feature) {
+  EXPECT_EQ(complaint(R"({"type":"Feature","geometry":null,"features":[]})"),
+            "b.geojson: type is 'Feature', not FeatureCollection");
+}
+
 }  // namespace
 }  // namespace thiessen
