@@ -1,6 +1,7 @@
 #include "outlines/ring_faces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.h"
@@ -48,20 +49,30 @@ void take_out_inner_edges(std::vector<DirectedEdge>& edges) {
   edges = std::move(kept);
 }
 
-}  // namespace
-
-std::vector<RingFace> faces_of(std::span<const Ring> rings, double grid) {
-  const Geos geos;
-  const Geos::Shape lines = geos.lines_of(rings);
-  require(lines != nullptr, geos);
-  const Geos::Shape noded =
-      geos.own(grid > 0 ? GEOSUnaryUnionPrec_r(geos.context(), lines.get(), grid)
-                        : GEOSUnaryUnion_r(geos.context(), lines.get()));
-  require(noded != nullptr, geos);
-  const GEOSGeometry* parts[] = {noded.get()};
-  const Geos::Shape pieces = geos.own(GEOSPolygonize_r(geos.context(), parts, 1));
-  require(pieces != nullptr, geos);
+/// The faces between lines that are parted where they cross.
+struct Faces {
   std::vector<RingFace> faces;
+  double area = 0;
+  bool closed = true;  ///< whether every piece of a line bounds a face
+};
+
+bool is_empty(const Geos& geos, GEOSGeometry* edges) {
+  return edges == nullptr || GEOSisEmpty_r(geos.context(), geos.own(edges).get()) == 1;
+}
+
+Faces faces_between(const Geos& geos, const GEOSGeometry* lines, double grid) {
+  const Geos::Shape noded = geos.own(grid > 0 ? GEOSUnaryUnionPrec_r(geos.context(), lines, grid)
+                                              : GEOSUnaryUnion_r(geos.context(), lines));
+  require(noded != nullptr, geos);
+  GEOSGeometry* cuts = nullptr;
+  GEOSGeometry* dangles = nullptr;
+  GEOSGeometry* faulty = nullptr;
+  const Geos::Shape pieces =
+      geos.own(GEOSPolygonize_full_r(geos.context(), noded.get(), &cuts, &dangles, &faulty));
+  Faces found;
+  for (GEOSGeometry* left : {cuts, dangles, faulty})
+    found.closed = is_empty(geos, left) && found.closed;
+  require(pieces != nullptr, geos);
   const int count = GEOSGetNumGeometries_r(geos.context(), pieces.get());
   for (int i = 0; i < count; ++i) {
     const GEOSGeometry* piece = GEOSGetGeometryN_r(geos.context(), pieces.get(), i);
@@ -69,9 +80,35 @@ std::vector<RingFace> faces_of(std::span<const Ring> rings, double grid) {
     if (shape.size() != 1) continue;
     turn_rings(shape);
     const double area = plane_area(shape);
-    faces.push_back({std::move(shape.front()), area, point_in(geos, piece)});
+    found.area += area;
+    found.faces.push_back({std::move(shape.front()), area, point_in(geos, piece)});
   }
-  return faces;
+  return found;
+}
+
+/// About the finest grid on which coordinates of this size can be told apart.
+double finest_grid(std::span<const Ring> rings) {
+  double largest = 0;
+  for (const Ring& ring : rings) {
+    for (const Point p : ring) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
+  return std::exp2(std::ilogb(largest) - 46);
+}
+
+}  // namespace
+
+std::vector<RingFace> faces_of(std::span<const Ring> rings, double grid) {
+  constexpr double rounding = 1e-12;
+  const Geos geos;
+  const Geos::Shape lines = geos.lines_of(rings);
+  require(lines != nullptr, geos);
+  Faces found = faces_between(geos, lines.get(), grid);
+  if (grid > 0 || found.closed) return std::move(found.faces);
+  // A crossing that is rounded may lie beside a line that ends there. The face behind has a gap in
+  // its outline then, and is not found. On a grid lines are parted at every crossing.
+  Faces on_grid = faces_between(geos, lines.get(), finest_grid(rings));
+  const bool was_lost = on_grid.area > found.area * (1 + rounding);
+  return std::move(was_lost ? on_grid.faces : found.faces);
 }
 
 MultiPolygon united(std::span<const RingFace* const> faces) {
