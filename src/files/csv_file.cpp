@@ -35,4 +35,13 @@ std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& o
   return std::make_unique<CsvReader>(file, options);
 }
 
+void tell_separator(const CsvReader& csv, Warnings& warnings) {
+  const char separator = csv.separator();
+  if (separator == ',') return;
+  const std::string name = separator == '\t'  ? "tabs"
+                           : separator == ';' ? "semicolons"
+                                              : std::string("'") + separator + "'";
+  warnings.add_notice({csv.file(), 0, "its fields are parted by " + name, {}});
+}
+
 }  // namespace thiessen

@@ -16,12 +16,15 @@ namespace {
 
 constexpr std::array<std::string_view, 1> wkt_name = {"wkt"};
 
-std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field) {
+std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field,
+                                 Warnings& warnings) {
   CsvOptions options;
-  if (source.separator != '\0') options.separator = source.separator;
+  options.separator = source.separator;
   options.limits.field_bytes = longest_field;
   options.limits.row_bytes = std::max(options.limits.row_bytes, longest_field);
-  return open_csv(source.file, options);
+  auto table = open_csv(source.file, options);
+  if (source.separator == '\0') tell_separator(*table, warnings);
+  return table;
 }
 
 }  // namespace
@@ -48,7 +51,7 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
           "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
           {}});
     }
-    table_ = open_rows(source, longest_field);
+    table_ = open_rows(source, longest_field, warnings);
     wkt_ = find_field(header(), wkt_name);
     if (source.decimal_comma) mark_ = DecimalMark::comma;
   }

@@ -14,7 +14,7 @@ struct Source {
   std::string layer_setting = "stations_layer";  ///< names of these settings in messages
   std::string where_setting = "stations_where";
   std::string crs_setting = "crs";
-  char separator = '\0';       ///< of a CSV's fields; '\0': a comma, as none was given
+  char separator = '\0';       ///< of a CSV's fields; '\0': it is found out
   bool decimal_comma = false;  ///< a CSV's numbers have a decimal comma
 };
 

@@ -9,8 +9,10 @@ namespace thiessen {
 std::unique_ptr<Table> open_table(const std::string& file, char separator, Warnings& warnings) {
   if (file != "-" && read_by_gdal(file)) return std::make_unique<Layer>(file, "", "", &warnings);
   CsvOptions options;
-  if (separator != '\0') options.separator = separator;
-  return open_csv(file, options);
+  options.separator = separator;
+  auto table = open_csv(file, options);
+  if (separator == '\0') tell_separator(*table, warnings);
+  return table;
 }
 
 }  // namespace thiessen

@@ -9,7 +9,7 @@
 namespace thiessen {
 
 /// Opens a table without geometry, such as RAINFALL: a CSV (`-` is the standard input), or a layer
-/// of anything that GDAL reads. A `separator` of '\0' means a comma. What GDAL warns of goes
+/// of anything that GDAL reads. A `separator` of '\0' is found out. What GDAL warns of goes
 /// to `warnings`, which must live until the last row is read. Throws Error, see CsvReader and
 /// Layer.
 std::unique_ptr<Table> open_table(const std::string& file, char separator, Warnings& warnings);

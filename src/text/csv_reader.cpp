@@ -41,12 +41,23 @@ char* halve_quotes(char* begin, const char* end) {
   return to;
 }
 
-/// The separator with which a header of one name seems to be written, or an empty text.
-std::string_view likely_separator(std::string_view name, char used) {
-  for (const std::string_view candidate : {";", "\t", "|", ","}) {
-    if (candidate[0] != used && name.find(candidate) != std::string_view::npos) return candidate;
+/// The separator with which a header of one name seems to be written, or '\0'.
+char likely_separator(std::string_view name, char used) {
+  for (const char candidate : {',', ';', '\t', '|'}) {
+    if (candidate != used && name.find(candidate) != std::string_view::npos) return candidate;
   }
-  return {};
+  return '\0';
+}
+
+/// The text without what stands in quotes.
+std::string outside_quotes(std::string_view text) {
+  std::string outside;
+  bool quoted = false;
+  for (const char c : text) {
+    if (c == '"') quoted = !quoted;
+    if (!quoted) outside += c;
+  }
+  return outside;
 }
 
 }  // namespace
@@ -60,6 +71,7 @@ CsvReader::CsvReader(InputFile input, CsvOptions options)
 CsvReader::CsvReader(InputFile input, CsvOptions options, bool is_on_disk)
     : options_(options), is_on_disk_(is_on_disk), text_(std::move(input), options.separator) {
   skip_byte_order_mark();
+  if (options_.separator == '\0') find_separator();
   read_header();
   if (options_.has_names) check_header();
 }
@@ -110,6 +122,28 @@ void CsvReader::skip_byte_order_mark() {
   if (has_mark(next_row_)) fail(1, "begins with two byte order marks");
 }
 
+// The first line that is not blank tells: it holds names, in which separators are rare.
+void CsvReader::find_separator() {
+  constexpr std::size_t beginning = 65536;
+  std::size_t from = next_row_;
+  std::size_t end = from;
+  while (end - next_row_ < beginning) {
+    const std::string_view rest = text_.between(from, text_.end());
+    const std::size_t length = rest.find_first_of("\r\n");
+    end = length == std::string_view::npos ? text_.end() : from + length;
+    const bool blank = trimmed(text_.between(from, end)).empty();
+    if (length != std::string_view::npos && !blank) break;
+    if (length != std::string_view::npos) {
+      from = end + 1;
+    } else if (!read_more()) {
+      break;
+    }
+  }
+  const char found = likely_separator(outside_quotes(text_.between(from, end)), '\0');
+  options_.separator = found == '\0' ? ',' : found;
+  text_.set_separator(options_.separator);
+}
+
 void CsvReader::read_header() {
   std::vector<std::string_view> names;
   text_.seek(next_row_);
@@ -122,11 +156,11 @@ void CsvReader::read_header() {
 
 void CsvReader::check_header() const {
   if (header_.size() == 1) {
-    const std::string_view other = likely_separator(header_[0], options_.separator);
-    if (!other.empty()) {
+    const char other = likely_separator(header_[0], options_.separator);
+    if (other != '\0') {
       throw Error({file(), header_line_, "the header is one field, " + quoted(header_[0], 80),
-                   setting("separator", other == "\t" ? "tab" : "'" + std::string(other) + "'") +
-                       " reads such a file"});
+                   "without " + setting("separator") +
+                       " each file's own is found out: comma, semicolon, tab or bar"});
     }
   }
   Complaints twice;

@@ -21,7 +21,9 @@ struct CsvLimits {
 
 /// How a CSV file is read.
 struct CsvOptions {
-  char separator = ',';  ///< one ASCII character, neither a quote nor a line end
+  /// One ASCII character, neither a quote nor a line end; '\0': it is found out from the header,
+  /// where a comma goes before a semicolon, a tab and a bar.
+  char separator = ',';
   CsvLimits limits = {};
   bool has_names = true;  ///< false: the first row may be data; its fields are not checked as names
 };
@@ -55,6 +57,8 @@ class CsvReader : public Table {
   bool next(Row& row) override;
   double share_read() const override;
   std::unique_ptr<Table> again() const override;
+  /// What parts the fields, be it given or found out.
+  char separator() const { return options_.separator; }
   /// Throws Error where the header has a name twice, or seems to use another separator. The
   /// constructor calls it where the options say that there are names.
   void check_header() const;
@@ -65,6 +69,7 @@ class CsvReader : public Table {
 
   CsvReader(InputFile input, CsvOptions options, bool is_on_disk);
   void skip_byte_order_mark();
+  void find_separator();
   void read_header();
 
   RowKind read_row(std::vector<std::string_view>& fields);

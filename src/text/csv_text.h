@@ -39,6 +39,8 @@ class CsvText {
   /// The place of the first byte that is NUL or not UTF-8, after read_more has reported one.
   std::size_t fault() const { return fault_; }
 
+  /// Changes what parts fields; seek has to be called after it.
+  void set_separator(char separator) { separator_ = separator; }
   /// Starts scanning at this place. It must be called again after read_more.
   void seek(std::size_t at);
   /// The place of the next separator, quote, LF or CR, or end() where the window has no more of

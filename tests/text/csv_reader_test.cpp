@@ -174,15 +174,29 @@ TEST(CsvReader, refuses_names_that_stand_twice_but_for_none) {
   EXPECT_EQ(read("a,,A,\n").header, (Fields{"a", "", "A", ""}));
 }
 
-TEST(CsvReader, takes_another_separator_only_when_told) {
+TEST(CsvReader, takes_the_separator_that_is_given) {
   const Outcome semicolons = read("time;A;B\n1;2,5;3\n");
   EXPECT_EQ(semicolons.sentences, Fields{"f.csv:1: the header is one field, 'time;A;B'"});
-  EXPECT_EQ(semicolons.hints, Fields{"separator = ';' reads such a file"});
-  EXPECT_EQ(read("time\tA\n1\t2\n").hints, Fields{"separator = tab reads such a file"});
-  EXPECT_EQ(read("time,A\n", {';', {}}).hints, Fields{"separator = ',' reads such a file"});
+  EXPECT_EQ(semicolons.hints, Fields{"without 'separator' each file's own is found out: comma, "
+                                     "semicolon, tab or bar"});
+  EXPECT_EQ(read("time,A\n", {';', {}}).hints, semicolons.hints);
   EXPECT_EQ(read("time;A;B\n1;2,5;3\n", {';', {}}).rows, (std::vector<Fields>{{"1", "2,5", "3"}}));
   EXPECT_EQ(read("time\tA\n\t\n1\t2\n", {'\t', {}}).rows,
             (std::vector<Fields>{{"", ""}, {"1", "2"}}));
+}
+
+TEST(CsvReader, finds_out_what_parts_the_fields) {
+  const std::vector<Fields> rows{{"1", "2"}};
+  for (const char c : {',', ';', '\t', '|'}) {
+    const std::string parting(1, c);
+    EXPECT_EQ(read("a" + parting + "b\n1" + parting + "2\n", {'\0', {}}).rows, rows) << c;
+    EXPECT_EQ(read("\r\n\n\"a,;|\"" + parting + "b\n1" + parting + "2", {'\0', {}}).rows, rows)
+        << c;
+  }
+  EXPECT_EQ(read("a,b;c\n1,2\n", {'\0', {}}).rows, rows);
+  EXPECT_EQ(read("a\n1;2\n", {'\0', {}}).rows, (std::vector<Fields>{{"1;2"}}));
+  EXPECT_EQ(read("a", {'\0', {}}).header, Fields{"a"});
+  EXPECT_EQ(read("", {'\0', {}}).sentences, Fields{"f.csv: is empty"});
 }
 
 TEST(CsvReader, bounds_a_field) {
