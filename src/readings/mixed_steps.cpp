@@ -23,7 +23,12 @@ void MixedSteps::note(std::string_view time, std::size_t line, std::span<const d
   note_form(parsed.time, time, line, readings);
   if (!first_time_) first_time_ = parsed.time;
   if (in_months_ && !stand_alike_in_months(*first_time_, parsed.time)) count_in_seconds();
-  note_readings(in_months_ ? month_number(parsed.time) : moment_seconds(parsed.time), readings);
+  const std::int64_t at = in_months_ ? month_number(parsed.time) : moment_seconds(parsed.time);
+  const IsoTime& t = parsed.time;
+  const std::int64_t seconds = (std::int64_t{60} * t.hour + t.minute) * 60 + t.second;
+  const CalendarPlace calendar{month_number(t), t.day, seconds * 1'000'000'000 + t.nanosecond,
+                               is_last_of_month(t)};
+  note_readings(at, calendar, readings);
 }
 
 void MixedSteps::note_form(const IsoTime& time, std::string_view text, std::size_t line,
@@ -31,17 +36,16 @@ void MixedSteps::note_form(const IsoTime& time, std::string_view text, std::size
   const auto keep = [&](std::optional<Written>& written) {
     if (!written) written = Written{std::string(text), line};
   };
-  if (time.precision != TimePrecision::instant) {
-    keep(clockless_);
-    for (std::size_t i = 0; i < readings.size(); ++i)
-      gauges_[i].by_days = gauges_[i].by_days || !std::isnan(readings[i]);
-    return;
+  keep(written_.at(static_cast<std::size_t>(time.precision)));
+  if (time.precision == TimePrecision::instant) return keep(time.ahead_of_utc ? zoned_ : zoneless_);
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    if (!std::isnan(readings[i]))
+      gauges_[i].coarsest = std::min(gauges_[i].coarsest, time.precision);
   }
-  keep(clocked_);
-  keep(time.ahead_of_utc ? zoned_ : zoneless_);
 }
 
-void MixedSteps::note_readings(std::int64_t at, std::span<const double> readings) {
+void MixedSteps::note_readings(std::int64_t at, const CalendarPlace& calendar,
+                               std::span<const double> readings) {
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isnan(readings[i])) continue;
     Gauge& gauge = gauges_[i];
@@ -55,7 +59,26 @@ void MixedSteps::note_readings(std::int64_t at, std::span<const double> readings
       gauge.low = gauge.high = at;
     }
     gauge.last = at;
+    if (gauge.alike) note_month(calendar, gauge);
   }
+}
+
+void MixedSteps::note_month(const CalendarPlace& calendar, Gauge& gauge) {
+  if (gauge.months == 0) {
+    gauge.day = calendar.day;
+    gauge.clock = calendar.clock;
+    gauge.at_end = calendar.at_end;
+    gauge.low_month = gauge.high_month = calendar.month;
+  } else {
+    const std::int64_t apart = std::abs(calendar.month - gauge.last_month);
+    gauge.months_apart = std::gcd(gauge.months_apart, apart);
+    const bool same_day = calendar.day == gauge.day || (calendar.at_end && gauge.at_end);
+    gauge.alike = apart > 0 && same_day && calendar.clock == gauge.clock;
+  }
+  gauge.last_month = calendar.month;
+  gauge.low_month = std::min(gauge.low_month, calendar.month);
+  gauge.high_month = std::max(gauge.high_month, calendar.month);
+  ++gauge.months;
 }
 
 /// Months were counted, and the times stand at other days after all. What a gauge's months were
@@ -66,7 +89,9 @@ void MixedSteps::count_in_seconds() {
   for (Gauge& gauge : gauges_) {
     if (gauge.last == never) continue;
     const bool one = gauge.readings == 1 && gauge.last == first_month;
-    gauge = {never, never, never, 0, 0, gauge.by_days};
+    gauge.last = gauge.low = gauge.high = never;
+    gauge.apart = 0;
+    gauge.readings = 0;
     if (!one) continue;
     gauge.last = gauge.low = gauge.high = moment_seconds(*first_time_);
     gauge.readings = 1;
@@ -100,40 +125,69 @@ Message MixedSteps::mixed(const std::string& file, std::span<const Station> stat
           setting("stations_where") + " keeps gauges of one kind"};
 }
 
+template <typename IsCoarse>
+std::vector<StationIndex> MixedSteps::gauges_that(const IsCoarse& is_coarse) const {
+  std::vector<StationIndex> coarse;
+  for (std::uint32_t i = 0; i < gauges_.size(); ++i) {
+    if (is_coarse(gauges_[i])) coarse.push_back(StationIndex{i});
+  }
+  return coarse;
+}
+
+std::optional<Message> MixedSteps::mixed_forms(const std::string& file,
+                                               std::span<const Station> stations) const {
+  const auto& [years, months, days, instants] = written_;
+  const std::optional<Written>& fine = instants ? instants : days;
+  const std::optional<Written>& coarse = instants && days ? days : months ? months : years;
+  if (!fine || !coarse) return std::nullopt;
+  const TimePrecision finer = instants ? TimePrecision::instant : TimePrecision::day;
+  const auto gauges = gauges_that([&](const Gauge& gauge) { return gauge.coarsest < finer; });
+  if (gauges.empty()) return std::nullopt;
+  const bool is_day = &coarse == &days;
+  Message message =
+      mixed(file, stations, gauges,
+            std::string("at times without a ") + (is_day ? "clock" : "day") + ", such as " +
+                quoted(coarse->time, longest_time) + ", beside times with one, such as " +
+                quoted(fine->time, longest_time));
+  if (is_day) message.hint += ", where midnights have not lost their 00:00";
+  return message;
+}
+
 std::optional<Message> MixedSteps::fault(const std::string& file,
                                          std::span<const Station> stations) const {
   if (intervals_.has_labels()) return std::nullopt;
   if (auto zones = mixed_zones(file)) return zones;
-  std::vector<StationIndex> coarse;
-  const auto gather = [&](const auto& is_coarse) {
-    for (std::uint32_t i = 0; i < gauges_.size(); ++i) {
-      if (is_coarse(gauges_[i])) coarse.push_back(StationIndex{i});
-    }
-  };
-  if (clocked_ && clockless_) {
-    gather([](const Gauge& gauge) { return gauge.by_days; });
-    if (coarse.empty()) return std::nullopt;
-    return mixed(file, stations, coarse,
-                 "at times without a clock, such as " + quoted(clockless_->time, longest_time) +
-                     ", beside times with one, such as " + quoted(clocked_->time, longest_time));
-  }
+  if (auto forms = mixed_forms(file, stations)) return forms;
   const std::optional<StepLength> step = intervals_.step();
   if (!step || (step->months > 0) != in_months_) return std::nullopt;
   const std::int64_t length = in_months_ ? step->months : step->seconds;
-  std::int64_t apart = 0;
-  gather([&](const Gauge& gauge) {
-    if (gauge.readings < readings_that_tell || gauge.apart < 2 * length ||
-        gauge.apart % length != 0)
-      return false;
-    const std::int64_t places = (gauge.high - gauge.low) / gauge.apart + 1;
-    if (places >= 2 * std::int64_t{gauge.readings}) return false;
-    apart = std::max(apart, gauge.apart);
-    return true;
+  const auto fills = [](std::int64_t low, std::int64_t high, std::int64_t apart,
+                        std::uint32_t readings) {
+    return readings >= readings_that_tell && (high - low) / apart + 1 < 2 * std::int64_t{readings};
+  };
+  StepLength longest;
+  const auto coarse = gauges_that([&](const Gauge& gauge) {
+    const bool is_coarse = gauge.apart >= 2 * length && gauge.apart % length == 0 &&
+                           fills(gauge.low, gauge.high, gauge.apart, gauge.readings);
+    if (is_coarse && in_months_) longest.months = std::max(longest.months, gauge.apart);
+    if (is_coarse && !in_months_) longest.seconds = std::max(longest.seconds, gauge.apart);
+    return is_coarse;
   });
-  if (coarse.empty()) return std::nullopt;
-  const StepLength longest = in_months_ ? StepLength{apart, 0} : StepLength{0, apart};
-  return mixed(file, stations, coarse,
-               "every " + text_of(longest) + " in a file whose step is " + text_of(*step));
+  const auto told = [&](const std::vector<StationIndex>& gauges) {
+    return mixed(file, stations, gauges,
+                 "every " + text_of(longest) + " in a file whose step is " + text_of(*step));
+  };
+  if (!coarse.empty()) return told(coarse);
+  if (in_months_) return std::nullopt;
+  const auto monthly = gauges_that([&](const Gauge& gauge) {
+    const bool is_monthly =
+        gauge.alike && gauge.months_apart > 0 &&
+        fills(gauge.low_month, gauge.high_month, gauge.months_apart, gauge.months);
+    if (is_monthly) longest.months = std::max(longest.months, gauge.months_apart);
+    return is_monthly;
+  });
+  if (monthly.empty()) return std::nullopt;
+  return told(monthly);
 }
 
 }  // namespace thiessen

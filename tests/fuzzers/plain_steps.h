@@ -39,17 +39,21 @@ class PlainSteps {
       return time.ahead_of_utc.has_value();
     });
     if (zoned > 0 && zoned < clocked) return true;
-    if (clocked > 0 && clocked < static_cast<std::ptrdiff_t>(times_.size())) {
-      for (std::size_t i = 0; i < times_.size(); ++i)
-        if (!is_clocked(times_[i]) && any_reports(steps_[i])) return true;
-      return false;
-    }
+    TimePrecision finest = TimePrecision::day;
+    for (const IsoTime& time : times_) finest = std::max(finest, time.precision);
+    const bool is_written = std::any_of(times_.begin(), times_.end(), [&](const IsoTime& time) {
+      return time.precision == finest;
+    });
+    for (std::size_t i = 0; is_written && i < times_.size(); ++i)
+      if (times_[i].precision < finest && any_reports(steps_[i])) return true;
     const bool in_months = turn() == times_.size();
     const std::optional<std::int64_t> months = common(true);
     const std::optional<std::int64_t> length = months ? months : common(false);
     if (!length || months.has_value() != in_months) return false;
     for (std::size_t gauge = 0; gauge < steps_.front().amounts.size(); ++gauge)
       if (is_coarse(positions(gauge, in_months), *length)) return true;
+    for (std::size_t gauge = 0; !in_months && gauge < steps_.front().amounts.size(); ++gauge)
+      if (is_monthly(gauge)) return true;
     return false;
   }
 
@@ -100,11 +104,24 @@ class PlainSteps {
     gather(turn(), times_.size());
     return found;
   }
+  /// Whether a gauge reports once a month or some months, each time at the same place in it.
+  bool is_monthly(std::size_t gauge) const {
+    std::vector<IsoTime> times;
+    for (std::size_t i = 0; i < times_.size(); ++i)
+      if (steps_[i].amounts[gauge] != silent) times.push_back(times_[i]);
+    std::vector<std::int64_t> months;
+    for (const IsoTime& time : times) {
+      if (!stand_alike_in_months(times.front(), time)) return false;
+      if (!months.empty() && months.back() == month_number(time)) return false;
+      months.push_back(month_number(time));
+    }
+    return is_coarse(months, 0);
+  }
   static bool is_coarse(const std::vector<std::int64_t>& positions, std::int64_t length) {
     if (positions.size() < 3) return false;
     std::int64_t apart = 0;
     for (const std::int64_t at : positions) apart = std::gcd(apart, at - positions.front());
-    if (apart < 2 * length || apart % length != 0) return false;
+    if (length > 0 && (apart < 2 * length || apart % length != 0)) return false;
     const auto [low, high] = std::minmax_element(positions.begin(), positions.end());
     const auto places = static_cast<std::size_t>((*high - *low) / apart + 1);
     return places < 2 * positions.size();

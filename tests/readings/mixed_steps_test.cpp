@@ -88,6 +88,27 @@ TEST(MixedSteps, are_times_with_a_clock_beside_times_without_one) {
             "times with one, such as '2020-01-01 00:00': steps of two lengths in one table");
 }
 
+TEST(MixedSteps, are_months_beside_days) {
+  EXPECT_EQ(
+      fault_of(
+          {{"2020-01-01", {1, silent}}, {"2020-01-02", {1, silent}}, {"2020-01", {silent, 9}}}),
+      "r.csv: station 'B' reports at times without a day, such as '2020-01', beside times "
+      "with one, such as '2020-01-01': steps of two lengths in one table");
+  Steps steps;
+  for (int month = 1; month <= 3; ++month) {
+    for (int day = 1; day <= 29; ++day) {
+      steps.push_back(
+          {"2020-0" + std::to_string(month) + (day < 10 ? "-0" : "-") + std::to_string(day),
+           {1, day == 1 ? 31 : silent}});
+    }
+  }
+  EXPECT_EQ(fault_of(steps),
+            "r.csv: station 'B' reports every 1 month in a file whose step is 1 day: steps of two "
+            "lengths in one table");
+  steps[40].second[1] = 2;  // twice in February
+  EXPECT_EQ(fault_of(steps), "none");
+}
+
 TEST(MixedSteps, are_not_sought_among_labels) {
   EXPECT_EQ(fault_of({{"storm", {1, 2}}, {"2020-01-01", {1, 2}}, {"2020-01-01T01:00", {1, 2}}}),
             "none");

@@ -17,14 +17,14 @@ std::string counted(std::int64_t length, const Unit& unit) {
   return std::to_string(count) + " " + unit.name + (count == 1 ? "" : "s");
 }
 
+}  // namespace
+
 bool is_last_of_month(const IsoTime& time) {
   const std::chrono::year_month_day_last last(
       std::chrono::year(time.year) / std::chrono::month(static_cast<unsigned>(time.month)) /
       std::chrono::last);
   return static_cast<unsigned>(time.day) == static_cast<unsigned>(last.day());
 }
-
-}  // namespace
 
 std::string text_of(const StepLength& length) {
   constexpr std::array<Unit, 4> clock{

@@ -25,6 +25,8 @@ constexpr std::int64_t month_number(const IsoTime& time) {
   return std::int64_t{12} * time.year + time.month - 1;
 }
 
+bool is_last_of_month(const IsoTime& time);
+
 /// Whether a time stands where the other does within its month: at the same day and clock, or both
 /// on the last day.
 bool stand_alike_in_months(const IsoTime& a, const IsoTime& b);
