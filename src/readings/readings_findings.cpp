@@ -74,11 +74,11 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
                                     const Wording& hint) {
   if (!unknown_.emplace(id).second) return;
   if (!ignore_unknown_) {
-    // The first that may be another station's id in another spelling tells it for all.
-    Wording meant = told_meant_ ? Wording() : stations_.meant_by(id);
-    told_meant_ = told_meant_ || !meant.empty();
-    if (meant.empty() && unknown_.size() == 1) meant = hint;
-    complaints_.add({file_, line, text, std::move(meant)});
+    // The first id of each cause tells what may be done for all of its kind.
+    auto meant = stations_.meant_by(id);
+    const bool fresh = told_causes_.insert(meant.cause).second;
+    if (meant.cause == ReadingsStations::Cause::none) meant.hint = hint;
+    complaints_.add({file_, line, text, fresh ? std::move(meant.hint) : Wording()});
   } else if (first_unknown_.size() < stations_named) {
     first_unknown_.emplace_back(id);
   }
@@ -93,7 +93,7 @@ Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
   return {file_, line,
           "time " + quoted(time, longest_field_shown) + " is already in line " +
               std::to_string(first_line),
-          ""};
+          "each time stands once: keep the row that is meant"};
 }
 
 void ReadingsFindings::conclude(std::size_t steps) {

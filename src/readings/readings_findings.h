@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_set>
@@ -112,7 +113,7 @@ class ReadingsFindings {
                                  {99999, "99999"}}};
   bool told_negative_ = false;
   bool told_code_ = false;
-  bool told_meant_ = false;
+  std::set<ReadingsStations::Cause> told_causes_;
 };
 
 }  // namespace thiessen

@@ -33,7 +33,7 @@ std::string_view number_in(std::string_view id) {
 
 ReadingsStations::ReadingsStations(std::span<const Station> stations,
                                    std::span<const std::string> passed_over, IdJoin join)
-    : stations_(stations), join_(std::move(join)) {
+    : stations_(stations), passed_over_(passed_over), join_(std::move(join)) {
   by_id_.reserve(stations.size() + passed_over.size());
   for (std::size_t i = 0; i < stations.size(); ++i) {
     by_id_.emplace(stations[i].id,
@@ -71,19 +71,30 @@ ReadingsStations::Found ReadingsStations::find(std::string_view text) const {
   return found == by_number_.end() ? Found{} : found->second;
 }
 
-Wording ReadingsStations::meant_by(std::string_view text) const {
+ReadingsStations::Meant ReadingsStations::spelt_as(std::string_view text, const std::string& id) {
   const std::string_view number = number_in(text);
+  const std::string there = "there is a station " + quoted(id, longest_id) + ": ";
+  if (!number.empty() && number == number_in(id))
+    return {Cause::zeros,
+            there + setting("ids_as_numbers") + " takes ids that differ by zeros for one"};
+  if (equal_ignoring_case(trimmed(text), trimmed(id)))
+    return {Cause::spelling, there + "ids are compared letter by letter, with case and blanks"};
+  return {};
+}
+
+ReadingsStations::Meant ReadingsStations::meant_by(std::string_view text) const {
   for (const Station& station : stations_) {
-    const std::string there = "there is a station " + quoted(station.id, longest_id);
-    if (!number.empty() && number == number_in(station.id))
-      return there + ": " + setting("ids_as_numbers") + " takes ids that differ by zeros for one";
-    if (equal_ignoring_case(trimmed(text), trimmed(station.id)))
-      return there + ": ids are compared letter by letter, with case and blanks";
+    Meant meant = spelt_as(text, station.id);
+    if (meant.cause != Cause::none) return meant;
+  }
+  for (const std::string& id : passed_over_) {
+    Meant meant = spelt_as(text, id);
+    if (meant.cause != Cause::none) return meant;
   }
   const std::string column = join_.column_of ? join_.column_of(std::string(trimmed(text))) : "";
   if (column.empty()) return {};
-  return "the column " + quoted(column, longest_id) + " of " + input("stations") +
-         " has it: " + setting("id", column) + " takes that for the id";
+  return {Cause::column, "the column " + quoted(column, longest_id) + " of " + input("stations") +
+                             " has it: " + setting("id", column) + " takes that for the id"};
 }
 
 }  // namespace thiessen

@@ -43,16 +43,24 @@ class ReadingsStations {
                    IdJoin join = {});
 
   Found find(std::string_view text) const;
-  /// What may be done about an id that is unknown, where it looks like that of a station in another
-  /// spelling, or stands in another column of the stations; else empty. Cost: the stations.
-  Wording meant_by(std::string_view text) const;
+  /// Why an id may be unknown though its station is there.
+  enum class Cause : std::uint8_t { none, zeros, spelling, column };
+  struct Meant {
+    Cause cause = Cause::none;
+    Wording hint;  ///< what may be done about it
+  };
+  /// Whether an unknown id looks like that of a station in another spelling, be it passed over or
+  /// not, or stands in another column of the stations. Cost: the stations.
+  Meant meant_by(std::string_view text) const;
   std::span<const Station> all() const { return stations_; }
   const std::string& id(StationIndex station) const { return stations_[index(station)].id; }
 
  private:
-  std::span<const Station> stations_;
+  static Meant spelt_as(std::string_view text, const std::string& id);
   void enter_numbers(std::span<const std::string> passed_over);
 
+  std::span<const Station> stations_;
+  std::span<const std::string> passed_over_;
   std::unordered_map<std::string_view, Found> by_id_;
   std::unordered_map<std::string_view, Found> by_number_;  // empty unless ids are joined so
   IdJoin join_;

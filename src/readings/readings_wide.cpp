@@ -63,7 +63,7 @@ void WideReadings::require_a_station() const {
   }
   Wording hint;
   for (std::size_t i = 0; i < header.size() && hint.empty(); ++i) {
-    if (i != time_field_) hint = source_.stations->meant_by(header[i]);
+    if (i != time_field_) hint = source_.stations->meant_by(header[i]).hint;
   }
   if (hint.empty()) {
     hint = "where a row is one reading, " + setting("station_field") + " and " +

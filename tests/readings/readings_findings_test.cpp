@@ -104,7 +104,8 @@ TEST_F(ReadingsFindingsTest, places_are_those_of_the_file_that_is_read) {
   several.note_empty_time(4);
   several.complaints().add(several.time_twice("x", 9, 5));
   EXPECT_EQ(concluded(several), (Texts{"r.csv:3: the time is empty", "s.csv:4: the time is empty",
-                                       "s.csv:9: time 'x' is already in line 5"}));
+                                       "s.csv:9: time 'x' is already in line 5 | each time stands "
+                                       "once: keep the row that is meant"}));
 }
 
 }  // namespace
