@@ -14,6 +14,13 @@ namespace {
 
 constexpr const char* roomy = "a .gpkg holds texts of any length and names of any kind";
 
+/// A date as ISO 8601 writes it, where GDAL says 2001/01/31; any other text as it is.
+std::string in_iso(std::string text) {
+  if (text.size() < 10 || text[4] != '/' || text[7] != '/') return text;
+  text[4] = text[7] = '-';
+  return text;
+}
+
 class LayerReadback {
  public:
   LayerReadback(OGRLayer& layer, const LayerTexts& wanted, const std::string& path)
@@ -67,7 +74,7 @@ class LayerReadback {
     if (text.empty()) return;
     const bool is_there = feature.IsFieldSetAndNotNull(places_[field]) != FALSE;
     const std::string found = is_there ? feature.GetFieldAsString(places_[field]) : "";
-    if (trimmed(found) == trimmed(text)) return;
+    if (trimmed(found) == trimmed(text) || in_iso(found) == in_iso(text)) return;
     const std::string what =
         quoted(wanted_.names[field], 80) + " of cell " + std::to_string(row + 1);
     if (text.starts_with(found)) {
