@@ -1,6 +1,7 @@
 #include "text/field_names.h"
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -24,13 +25,34 @@ bool is_plain_real(std::string_view text) {
   return !padded && !whole;
 }
 
+/// The name without a remark in brackets at its end that only says degrees, as in `Longitude (°)`.
+std::string_view without_degrees(std::string_view name) {
+  constexpr std::array<std::string_view, 7> says_degrees = {"°",  "deg",   "decimal", "grad",
+                                                            "度", "wgs84", "wgs 84"};
+  const std::size_t open = std::min(name.find('('), name.find('['));
+  const std::size_t wide = name.find("（");
+  const std::size_t at = std::min(open, wide);
+  if (at == std::string_view::npos || at == 0) return name;
+  const std::string remark = lower_case(name.substr(at));
+  const bool says =
+      std::any_of(says_degrees.begin(), says_degrees.end(),
+                  [&](std::string_view word) { return remark.find(word) != std::string::npos; });
+  return says ? trimmed(name.substr(0, at)) : name;
+}
+
 /// The form of a name in which names that are one are the same text.
 std::string plain_name(std::string_view name) {
-  std::string plain = lower_case(trimmed(name));
-  for (std::size_t i = 0; i < plain.size(); ++i) {
-    if (plain[i] == ' ' || plain[i] == '-' || plain[i] == '.') plain[i] = '_';
+  const auto parts = [](char c) { return c == ' ' || c == '-' || c == '_'; };
+  const std::string text = lower_case(without_degrees(trimmed(name)));
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    // The full stop of an abbreviation, as in `geogr. Länge`, parts no words by itself.
+    const bool shortens = text[i] == '.' && i > 0 && (i + 1 == text.size() || parts(text[i + 1]));
+    if (!shortens) plain += parts(text[i]) || text[i] == '.' ? '_' : text[i];
+  }
+  for (std::size_t i = 0; i + 1 < plain.size(); ++i) {
     // U+00C0 to U+00DE are the capitals of U+00E0 to U+00FE, but for U+00D7, the sign of times.
-    if (plain[i] != '\xC3' || i + 1 == plain.size()) continue;
+    if (plain[i] != '\xC3') continue;
     const auto second = static_cast<unsigned char>(plain[i + 1]);
     if (second <= 0x9E && second != 0x97) plain[i + 1] = static_cast<char>(second + 0x20);
   }

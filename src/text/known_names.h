@@ -75,7 +75,7 @@ inline constexpr std::array<std::string_view, 59> station_ids = {"id",
                                                                  "name"};
 
 /// A longitude or an easting.
-inline constexpr std::array<std::string_view, 56> eastings = {"lon",
+inline constexpr std::array<std::string_view, 63> eastings = {"lon",
                                                               "long",
                                                               "longitude",
                                                               "x",
@@ -130,10 +130,17 @@ inline constexpr std::array<std::string_view, 56> eastings = {"lon",
                                                               "x_lambert",
                                                               "lambert_x",
                                                               "x_l93",
-                                                              "coordonnee_x"};
+                                                              "coordonnee_x",
+                                                              "longitude_dd",
+                                                              "longitude_decimal",
+                                                              "long_dec",
+                                                              "lon_dec",
+                                                              "longitude_dec",
+                                                              "vl_longitude",
+                                                              "geogr_länge"};
 
 /// A latitude or a northing.
-inline constexpr std::array<std::string_view, 48> northings = {"lat",
+inline constexpr std::array<std::string_view, 53> northings = {"lat",
                                                                "latitude",
                                                                "y",
                                                                "northing",
@@ -180,10 +187,15 @@ inline constexpr std::array<std::string_view, 48> northings = {"lat",
                                                                "y_lambert",
                                                                "lambert_y",
                                                                "y_l93",
-                                                               "coordonnee_y"};
+                                                               "coordonnee_y",
+                                                               "latitude_dd",
+                                                               "latitude_decimal",
+                                                               "lat_dec",
+                                                               "latitude_dec",
+                                                               "vl_latitude"};
 
 /// Of eastings and northings those that say longitude and latitude on WGS 84.
-inline constexpr std::array<std::string_view, 64> degrees = {"lon",
+inline constexpr std::array<std::string_view, 76> degrees = {"lon",
                                                              "long",
                                                              "longitude",
                                                              "lng",
@@ -246,7 +258,19 @@ inline constexpr std::array<std::string_view, 64> degrees = {"lon",
                                                              "geographische_breite",
                                                              "latitudine",
                                                              "緯度",
-                                                             "北緯"};
+                                                             "北緯",
+                                                             "longitude_dd",
+                                                             "longitude_decimal",
+                                                             "long_dec",
+                                                             "lon_dec",
+                                                             "longitude_dec",
+                                                             "vl_longitude",
+                                                             "geogr_länge",
+                                                             "latitude_dd",
+                                                             "latitude_decimal",
+                                                             "lat_dec",
+                                                             "latitude_dec",
+                                                             "vl_latitude"};
 
 /// How many of the names above a message lists: the English ones.
 inline constexpr std::size_t eastings_told = 5;
