@@ -1,10 +1,22 @@
 #include "cli/options/output_options.h"
 
+#include <utility>
+
 #include "base/error.h"
+#include "base/secrets.h"
 #include "base/utf8.h"
 #include "cli/options/option_values.h"
 
 namespace thiessen::cli {
+namespace {
+
+void require_file(const std::string& path) {
+  if (!lower_case(path).starts_with("pg:")) return;
+  throw Error({without_password(path), 0, "outputs are files, and this is a database",
+               "a .gpkg or a .sql can be brought into one"});
+}
+
+}  // namespace
 
 void OutputOptions::declare(OptionList& options, Need need, const std::string& kind,
                             const std::string& help) {
@@ -23,7 +35,13 @@ void OutputOptions::declare_value(OptionList& options, Need need, OptionValue va
             "replace an output that exists; else that is an error");
 }
 
+OutputRules OutputOptions::rules(std::vector<std::string> inputs) const {
+  require_file(output);
+  return {overwrite_, std::move(inputs)};
+}
+
 void require_table_name(const std::string& path) {
+  require_file(path);
   const std::string name = name_in_folder(path);
   const std::size_t dot = name.rfind('.');
   const std::string extension =

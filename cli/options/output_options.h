@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/destination.h"
@@ -20,9 +19,8 @@ class OutputOptions : public OptionBlock {
   void declare_folder(OptionList& options, const std::string& help);
   bool overwrites() const { return overwrite_; }
   /// The rules by which the output is written. `inputs` are files that may not be overwritten.
-  OutputRules rules(std::vector<std::string> inputs) const {
-    return {overwrite_, std::move(inputs)};
-  }
+  /// Throws Error where the output is a connection to a database.
+  OutputRules rules(std::vector<std::string> inputs) const;
 
  private:
   void declare_value(OptionList& options, Need need, OptionValue value, const std::string& help);

@@ -64,8 +64,8 @@ void StudyOptions::declare_method(OptionGroup group) {
                              "planar, with both files brought into this CRS first; auto: into the "
                              "conformal plane that distorts the study least");
   crs_options_.push_back(plane_option_);
-  group.add("--allow-far", flag(allow_far_),
-            "go on where gauges and basins are nowhere near each other");
+  of_basins_.push_back(&group.add("--allow-far", flag(allow_far_),
+                                  "go on where gauges and basins are nowhere near each other"));
   group.add("--tolerance",
             number(tolerance_, {tolerances.low, tolerances.high, "metres from 0.001 to 1e6"}),
             "how far, in metres, a published cell edge may lie from the true one; default 0.1");
