@@ -1,5 +1,8 @@
 #include "cli/inputs/gauges.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace thiessen::cli {
 
 std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
@@ -12,6 +15,10 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
     throw Error({rainfall.name(), 0, "there is no time step '" + time + "'",
                  "a time is written just as in the file"});
   }
+  const bool silent = std::all_of(shown.readings.begin(), shown.readings.end(),
+                                  [](double reading) { return std::isnan(reading); });
+  if (silent && !time.empty())
+    warnings.add({rainfall.name(), 0, "no gauge reports in the time step '" + time + "'", ""});
   return shown;
 }
 

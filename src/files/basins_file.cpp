@@ -64,7 +64,9 @@ class BasinsReader {
                   {}});
     }
     if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
-    group(chosen_id());
+    const auto id = chosen_id();
+    if (!id && !fields_.empty()) tell_of_numbers();
+    group(id);
     return std::move(result_);
   }
 
@@ -133,8 +135,13 @@ class BasinsReader {
     } else if (!every_point(geometry.polygons, is_finite)) {
       text = " has a coordinate that is not finite";
     }
-    if (!text.empty()) complaints_.add(features_.message(what + text));
+    if (!text.empty()) complain(what + text);
     return text.empty();
+  }
+
+  void complain(Wording text) {
+    complaints_.add(features_.message(
+        std::move(text), setting(request_.source.where_setting) + " leaves features out"));
   }
 
   /// The field that holds the id: the one that is given by name, or the first whose values are all
@@ -150,6 +157,14 @@ class BasinsReader {
       if (good) return field;
     }
     return std::nullopt;
+  }
+
+  void tell_of_numbers() {
+    const std::string name = features_.header()[fields_.front()];
+    warnings_.add_notice({features_.file(), 0,
+                          "its basins are numbered, for " + quoted(name, 80) +
+                              " is not there, or not another one, for each feature",
+                          setting("basin_id", name) + " makes one basin of those that share it"});
   }
 
   void group(std::optional<std::size_t> field) {

@@ -177,15 +177,16 @@ class StationsReader {
     try {
       const GeometryRecord geometry = features_.geometry();
       const std::string what = "station " + quoted(station.id, 80);
-      if (geometry.type.empty()) return complain(what + " has no geometry");
+      if (geometry.type.empty()) return complain(what + " has no geometry", leave_out());
       if (geometry.type != "Point" && geometry.type != "MultiPoint") {
-        return complain(what + " is a " + geometry.type + ", and not a point");
+        return complain(what + " is a " + geometry.type + ", and not a point", leave_out());
       }
-      if (geometry.points.empty()) return complain(what + " has an empty geometry");
-      if (geometry.points.size() > 1) return complain(what + " has more than one point");
+      if (geometry.points.empty()) return complain(what + " has an empty geometry", leave_out());
+      if (geometry.points.size() > 1)
+        return complain(what + " has more than one point", leave_out());
       const Point at = geometry.points[0];
       if (!is_finite(at)) {
-        return complain(what + " has a coordinate that is not finite");
+        return complain(what + " has a coordinate that is not finite", leave_out());
       }
       heights_ = heights_ || geometry.has_z;
       station.position = {at.x + 0.0, at.y + 0.0};
@@ -194,6 +195,10 @@ class StationsReader {
       for (const Message& message : error.messages()) complaints_.add(message);
       return false;
     }
+  }
+
+  Wording leave_out() const {
+    return setting(request_.source.where_setting) + " leaves stations out";
   }
 
   bool complain(Wording text, Wording hint = {}) {

@@ -279,7 +279,7 @@ class StudyMaker {
     if (!traced) return complain(i, *tracing_, complaints);
     if (tracing_->collapsed() > 0) {
       tell_of_basin(i, "is without needles and slivers narrower than " +
-                           shortest_text(1000 * tracing_->collapsed()) +
+                           shortest_text(std::round(1e7 * tracing_->collapsed()) / 1e4) +
                            " mm: rounding would make it cross itself there");
     }
     take(*std::move(traced), basin);

@@ -66,21 +66,26 @@ TEST(BasinsFile, features_that_share_the_named_field_are_one_basin) {
 
 TEST(BasinsFile, names_every_feature_that_is_no_area) {
   EXPECT_EQ(complaints(collection({R"({"name":"A"})"}, "null")).at(0),
-            "b.geojson: features[0].geometry: basin 'A' has no geometry");
+            "b.geojson: features[0].geometry: basin 'A' has no geometry | 'basins_where' leaves "
+            "features out");
   EXPECT_EQ(
       complaints(collection({R"({"name":"A"})"}, R"({"type":"Point","coordinates":[1,2]})")).at(0),
-      "b.geojson: features[0].geometry: basin 'A' is a Point, and not a polygon");
+      "b.geojson: features[0].geometry: basin 'A' is a Point, and not a polygon | 'basins_where' "
+      "leaves features out");
   EXPECT_EQ(complaints(collection({R"({"a":"A"})"},
                                   R"({"type":"LineString","coordinates":[[1,2],[3,4]]})"))
                 .at(0),
-            "b.geojson: features[0].geometry: basin is a LineString, and not a polygon");
+            "b.geojson: features[0].geometry: basin is a LineString, and not a polygon | "
+            "'basins_where' leaves features out");
   EXPECT_EQ(complaints(collection({"{}"}, R"({"type":"GeometryCollection","geometries":[
               {"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,0]]]}]})"))
                 .at(0),
-            "b.geojson: features[0].geometry: basin is a GeometryCollection, and not a polygon");
+            "b.geojson: features[0].geometry: basin is a GeometryCollection, and not a polygon | "
+            "'basins_where' leaves features out");
   EXPECT_EQ(
       complaints(collection({R"({"name":"A"})"}, R"({"type":"Polygon","coordinates":[]})")).at(0),
-      "b.geojson: features[0].geometry: basin 'A' has no geometry");
+      "b.geojson: features[0].geometry: basin 'A' has no geometry | 'basins_where' leaves features "
+      "out");
 }
 
 TEST(BasinsFile, says_that_there_are_none) {

@@ -148,7 +148,8 @@ TEST(StationsFile, reads_points_of_a_wkt_column) {
       complaints("id,wkt\na,POINT (1.5\nb,\nc,\"LINESTRING (0 0,1 1)\"\nd,POINT EMPTY\n");
   ASSERT_EQ(found.size(), 4U);
   EXPECT_TRUE(contains(found[0], "s.csv:2: not a geometry in WKT"));
-  EXPECT_EQ(found[1], "s.csv:3: station 'b' has no geometry");
+  EXPECT_EQ(found[1],
+            "s.csv:3: station 'b' has no geometry | 'stations_where' leaves stations out");
   EXPECT_EQ(found[2], "s.csv:4: station 'c' is a LineString, and not a point");
   EXPECT_EQ(found[3], "s.csv:5: station 'd' has an empty geometry");
 }
@@ -183,7 +184,9 @@ TEST(StationsFile, names_the_path_of_a_bad_feature) {
              point(R"({"id":"b"})", R"({"type":"MultiPoint","coordinates":[[1,2],[3,4]]})")),
       {}, "s.geojson");
   ASSERT_EQ(found.size(), 2U);
-  EXPECT_EQ(found[0], "s.geojson: features[0].geometry: station 'a' has no geometry");
+  EXPECT_EQ(found[0],
+            "s.geojson: features[0].geometry: station 'a' has no geometry | 'stations_where' "
+            "leaves stations out");
   EXPECT_EQ(found[1], "s.geojson: features[1].geometry: station 'b' has more than one point");
 }
 
