@@ -54,6 +54,38 @@ double sagitta(Point start, Point middle, Point end) {
   return (before.east * after.north - before.north * after.east) / length;
 }
 
+/// How many times the accuracy of vertices the ends of chords may be off.
+constexpr double ends_are_right_to = 10;
+
+/// The latitude of the pole that lies within so many metres of a point, or 0.
+double pole_at(Point p, double metres) {
+  const double off = (90 - std::abs(p.y)) * degree * mean_radius;
+  return off <= metres ? std::copysign(90, p.y) : 0;
+}
+
+/// Where an edge passes a pole: its angle, and the pole's latitude.
+struct PolePassage {
+  double angle;
+  double pole;
+};
+
+/// The poles within `near` radians of an edge's great circle, strictly between two angles. The
+/// places are then at one latitude, and the edge is the great circle.
+std::vector<PolePassage> poles_between(const BisectorArc& arc, double from, double to,
+                                       double near) {
+  std::vector<PolePassage> passages;
+  if (!(std::abs(arc.forward().z) <= near)) return passages;
+  for (const double pole : {-90.0, 90.0}) {
+    double angle = arc.angle_of({0, 0, std::copysign(1, pole)});
+    angle += 2 * std::numbers::pi * std::ceil((from - angle) / (2 * std::numbers::pi));
+    if (angle - from > shortest_chord && to - angle > shortest_chord)
+      passages.push_back({angle, pole});
+  }
+  std::sort(passages.begin(), passages.end(),
+            [](const PolePassage& a, const PolePassage& b) { return a.angle < b.angle; });
+  return passages;
+}
+
 /// The length of the frame's longer side, in degrees of a great circle.
 double size_of(const Box& frame) {
   const double widest = std::clamp(0.0, frame.low.y, frame.high.y);
@@ -85,6 +117,48 @@ void EdgeDrawing::draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint t
                        PlaceIndex right) {
   left_ = left;
   right_ = right;
+  const double near = ends_are_right_to * edge.accuracy();
+  std::vector<PolePassage> passages =
+      poles_between(edge.arc(), from.angle, to.angle, near / mean_radius);
+  std::erase_if(passages, [this](const PolePassage& passage) { return !reaches(passage.pole); });
+  const double first_pole = pole_at(from.position, near);
+  const double last_pole = pole_at(to.position, near);
+  const auto inward = [&](double angle) { return (to.angle - angle) / 4; };
+  if (inward(from.angle) > 0 && reaches(first_pole))
+    from = end_at_pole(edge, from.angle, inward(from.angle), first_pole);
+  for (const PolePassage& passage : passages) {
+    const double backward = (from.angle - passage.angle) / 4;
+    draw_between_poles(edge, from, end_at_pole(edge, passage.angle, backward, passage.pole));
+    from = end_at_pole(edge, passage.angle, inward(passage.angle), passage.pole);
+  }
+  if (inward(from.angle) > 0 && reaches(last_pole))
+    to = end_at_pole(edge, to.angle, -inward(from.angle), last_pole);
+  draw_between_poles(edge, from, to);
+}
+
+/// Whether the frame reaches a pole, given as a latitude. It may say yes where it only comes near.
+bool EdgeDrawing::reaches(double pole) const {
+  constexpr double near = 1e-3;  // degrees
+  return pole != 0 && thiessen::may_come_near(frame_, {frame_.centre().x, pole}, near);
+}
+
+// The end of an edge at a pole, at the longitude of the edge's point a little way inward.
+EdgePoint EdgeDrawing::end_at_pole(const GeodesicBisector& edge, double angle, double inward,
+                                   double pole) {
+  constexpr double farthest_inward = 1e-4;  // radians
+  const double way = std::clamp(inward, -farthest_inward, farthest_inward);
+  const Point at{point_at(edge, angle + way).position.x, pole};
+  const std::uint32_t node = new_node(at);
+  const std::uint32_t beyond = new_node({at.x, pole + std::copysign(1, pole)});
+  if (inward < 0) {
+    add_chord(node, beyond, 0);
+  } else {
+    add_chord(beyond, node, 0);
+  }
+  return {angle, node, at};
+}
+
+void EdgeDrawing::draw_between_poles(const GeodesicBisector& edge, EdgePoint from, EdgePoint to) {
   const auto [first, last] = stretch_near(edge, from.angle, to.angle);
   if (first == last) return;
   const int pieces = static_cast<int>(std::ceil((last - first) / longest_piece));
@@ -229,19 +303,7 @@ void EdgeDrawing::add_chord(std::uint32_t from, std::uint32_t to, double bulge) 
 void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end, double bulge) {
   if (start.node == no_node) start.node = new_node(start.position);
   if (end.node == no_node) end.node = new_node(end.position);
-  const double step = end.position.x - start.position.x;
-  if (std::abs(step) <= 180) {
-    if (start.node == end.node) return;
-    add_chord(start.node, end.node, bulge);
-    if (start.position.x == longitudes_.west() || end.position.x == longitudes_.west())
-      add_chord(turned(start.position, 360), turned(end.position, 360), bulge);
-    return;
-  }
-  // A chord over the meridian opposite the frame's centre is drawn twice: once beyond the eastern
-  // side of the map and once beyond the western one.
-  const double turn = step > 0 ? -360 : 360;
-  add_chord(start.node, turned(end.position, turn), bulge);
-  add_chord(turned(start.position, -turn), end.node, bulge);
+  if (start.node != end.node) add_chord(start.node, end.node, bulge);
 }
 
 void EdgeDrawing::add_to(Diagram& diagram) const {
@@ -257,10 +319,6 @@ void EdgeDrawing::add_to(Diagram& diagram) const {
 std::uint32_t EdgeDrawing::new_node(Point position) {
   nodes_.push_back(position);
   return first_node_ + static_cast<std::uint32_t>(nodes_.size() - 1);
-}
-
-std::uint32_t EdgeDrawing::turned(Point position, double degrees) {
-  return new_node({position.x + degrees, position.y});
 }
 
 }  // namespace thiessen

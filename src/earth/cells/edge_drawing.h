@@ -8,6 +8,7 @@
 #include "diagram/diagram.h"
 #include "earth/cells/bisector_offset.h"
 #include "earth/cells/geodesic_bisector.h"
+#include "earth/cells/longitude_turn.h"
 
 namespace thiessen {
 
@@ -19,32 +20,21 @@ struct EdgePoint {
   Point position;
 };
 
-/// The turn of longitudes in which a diagram is drawn: from 180 degrees west of the frame's centre
-/// to 180 degrees east of it.
-class LongitudeTurn {
- public:
-  explicit LongitudeTurn(const Box& frame) : west_(frame.centre().x - 180) {}
-  double west() const { return west_; }
-  Point within(Point p) const {
-    p.x -= 360 * std::floor((p.x - west_) / 360);
-    return p;
-  }
-
- private:
-  double west_;
-};
-
 /// Draws edges between cells as chords that are straight in longitude and latitude and within a
 /// tolerance in metres of the edge, each with the area between the edge and itself. Parts of edges
 /// that are far from the frame are left out. A chord over the meridian opposite the frame is drawn
-/// on both sides of the map.
+/// once, with its ends on either side of the map: see LongitudeTurn::draw_on_both_sides.
+///
+/// A pole is no point of the map but its whole border. So each edge that ends at a pole, or passes
+/// it, ends there at a node of its own, at the longitude in which it arrives, and a chord leads on
+/// from there beyond the map.
 class EdgeDrawing {
  public:
   /// `tolerance` is in metres. New nodes get numbers from `first_node` on.
   EdgeDrawing(const Box& frame, double tolerance, std::uint32_t first_node);
 
-  /// Draws the edge between the cells of `left` and `right`. Requires from.angle <= to.angle. Cost:
-  /// in proportion to the chords.
+  /// Draws the edge between the cells of `left` and `right`. Requires from.angle <= to.angle. The
+  /// node of an end at a pole is not used. Cost: in proportion to the chords.
   void draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
             PlaceIndex right);
 
@@ -53,6 +43,9 @@ class EdgeDrawing {
   void add_to(Diagram& diagram) const;
 
  private:
+  void draw_between_poles(const GeodesicBisector& edge, EdgePoint from, EdgePoint to);
+  bool reaches(double pole) const;
+  EdgePoint end_at_pole(const GeodesicBisector& edge, double angle, double inward, double pole);
   bool may_come_near(const GeodesicBisector& edge, double from, double to) const;
   std::pair<double, double> stretch_near(const GeodesicBisector& edge, double from,
                                          double to) const;
@@ -65,7 +58,6 @@ class EdgeDrawing {
   void add_chord(std::uint32_t from, std::uint32_t to, double bulge);
   double bulge_of(const BisectorOffset& offset, const EdgePoint& start, const EdgePoint& end) const;
   std::uint32_t new_node(Point position);
-  std::uint32_t turned(Point position, double degrees);
 
   Box frame_;
   double frame_size_;

@@ -13,6 +13,7 @@
 #include "earth/cells/edge_drawing.h"
 #include "earth/cells/equidistance.h"
 #include "earth/cells/geodesic_vertices.h"
+#include "earth/cells/longitude_turn.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/sphere_tessellation.h"
 
@@ -64,6 +65,7 @@ class GeodesicDiagramBuilder {
     EdgeDrawing drawing(diagram_.frame, tolerance_, 1);
     drawing.draw(edge, {-pi, 0, start}, {pi, 0, start}, first, second);
     drawing.add_to(diagram_);
+    LongitudeTurn(diagram_.frame).draw_on_both_sides(diagram_);
   }
 
   void add_edges() {
@@ -80,6 +82,7 @@ class GeodesicDiagramBuilder {
       node[t] = node[group];
     }
     draw(vertices, node);
+    longitudes.draw_on_both_sides(diagram_);
     vertices.for_each_neighbours(
         [this](PlaceIndex a, PlaceIndex b) { diagram_.neighbours.emplace_back(a, b); });
   }

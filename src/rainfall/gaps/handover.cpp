@@ -18,7 +18,8 @@ namespace {
 /// right to a hundredth of this.
 constexpr double most_astray = 1e-4;
 
-/// The nodes that only bend an edge between two cells and end none, in rising order.
+/// The nodes that only bend an edge between two cells and end none, in rising order. At a pole each
+/// edge has a node of its own, which ends it.
 std::vector<Point> bends_of(const Diagram& diagram) {
   struct Passing {
     std::uint8_t chords = 0;
@@ -40,7 +41,8 @@ std::vector<Point> bends_of(const Diagram& diagram) {
   }
   std::vector<Point> bends;
   for (std::size_t node = 0; node < passing.size(); ++node) {
-    if (passing[node].chords == 2) bends.push_back(diagram.nodes[node]);
+    if (passing[node].chords == 2 && std::abs(diagram.nodes[node].y) != 90)
+      bends.push_back(diagram.nodes[node]);
   }
   std::sort(bends.begin(), bends.end());
   return bends;
