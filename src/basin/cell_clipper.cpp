@@ -1,8 +1,10 @@
 #include "basin/cell_clipper.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -67,6 +69,18 @@ std::vector<std::vector<double>> bulges_of(const MultiPolygon& shape,
     for (const Ring& hole : part.holes) add(hole);
   }
   return bulges;
+}
+
+/// Throws std::logic_error where the pieces of a cell's boundary do not close. At every point as
+/// many have to begin as end, so any figure of the points cancels.
+void require_closed(std::span<const BoundaryPiece> pieces) {
+  std::size_t open = 0;
+  const auto figure = [](Point p) {
+    const std::hash<double> hash;
+    return (hash(p.x) * 0x9E3779B97F4A7C15ull ^ hash(p.y)) * 0xD6E8FEB86659FD93ull;
+  };
+  for (const BoundaryPiece& piece : pieces) open += figure(piece.from) - figure(piece.to);
+  if (open != 0) throw std::logic_error("the boundary of a cell in a basin does not close");
 }
 
 }  // namespace
@@ -162,6 +176,7 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
     first = end;
     const double area = area_[index(place)].value();
     if (area <= smallest) continue;
+    require_closed(pieces);
     cells.push_back({place, area, link_rings(std::move(edges)), {}});
     if (has_bulges) cells.back().bulges = bulges_of(cells.back().shape, pieces);
   }

@@ -64,15 +64,16 @@ double sliver_width(const CellsOutput& output, const std::optional<Crs>& crs,
 /// Tells what the outlines lack: slivers, and whole cells that are no wider.
 void tell_collapsed(const CellShapes& cells, const CellsOutput& output, const std::string& file,
                     Warnings& warnings) {
-  if (cells.collapsed == 0) return;
-  warnings.add_notice({file,
-                       0,
-                       "the cells' outlines are without needles and slivers, in " +
-                           std::to_string(cells.collapsed) +
-                           (cells.collapsed == 1 ? " basin" : " basins") +
-                           ": what is narrower than a hundredth of the tolerance is in areas and "
-                           "weights only",
-                       {}});
+  if (cells.collapsed > 0) {
+    warnings.add_notice({file,
+                         0,
+                         "the cells' outlines are without needles and slivers, in " +
+                             std::to_string(cells.collapsed) +
+                             (cells.collapsed == 1 ? " basin" : " basins") +
+                             ": what is narrower than a hundredth of the tolerance is in areas and "
+                             "weights only",
+                         {}});
+  }
   const auto is_lost = [](const MultiPolygon& shape) { return shape.empty(); };
   const auto lost = std::count_if(cells.shapes.begin(), cells.shapes.end(), is_lost);
   if (lost == 0) return;
