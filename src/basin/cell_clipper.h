@@ -41,7 +41,8 @@ class CellClipper {
 
   /// The cells that have a share in the basin, with their shapes, in the order of their places.
   /// Cells side by side share their edge vertex for vertex. Requirements and accuracy are those of
-  /// shares.
+  /// shares. Throws std::logic_error where an edge of the diagram ends within the basin, so that a
+  /// cell's boundary does not close.
   std::vector<ClippedCell> cells(const Basin& basin);
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 #include "basin/shapes.h"
@@ -153,6 +154,15 @@ TEST(CellClipper, gives_the_same_for_a_basin_again_and_after_another) {
   const std::vector<CellShare> again = clipper.shares(star);
   ASSERT_EQ(again.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(again[i].area, first[i].area);
+}
+
+TEST(CellShapes, of_a_border_that_ends_within_the_basin_are_refused) {
+  Diagram diagram = plane_diagram(std::vector<Point>{{5, 12}, {20, 12}}, shapes::box_of(square));
+  ASSERT_EQ(diagram.chords.size(), 1u);
+  const PlaneSurface plane;
+  EXPECT_EQ(CellClipper(diagram, plane).cells(shapes::basin(square)).size(), 2u);
+  for (Point& node : diagram.nodes) node.y = std::min(node.y, 10.0);
+  EXPECT_THROW(CellClipper(diagram, plane).cells(shapes::basin(square)), std::logic_error);
 }
 
 }  // namespace
