@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "outlines/polygon_validity.h"
+#include "outlines/ring_direction.h"
 #include "outlines/wkt_shape.h"
 
 namespace thiessen {
