@@ -51,7 +51,8 @@ void StudyOptions::declare_layers(OptionGroup group) {
             "only the stations that meet this OGR attribute filter");
   of_basins_.push_back(
       &group.add("--basins-where", text(basins_where_, "SQL"), "only the basins that meet it"));
-  group.add("--separator", cli::separator(separator_), "what parts the fields of CSV files");
+  group.add("--separator", cli::separator(separator_),
+            "what parts the fields of CSV files; default found out, file by file");
   group.add("--decimal-comma", flag(decimal_comma_), "numbers of CSV files are written 1,5");
 }
 
