@@ -44,8 +44,7 @@ std::vector<std::vector<std::size_t>> gauges_inside(const Inputs& inputs) {
 std::string odd_gauges_text(const Inputs& inputs) {
   std::string text;
   std::vector<std::string> names;
-  for (const std::size_t s : inputs.study().at_zero)
-    names.push_back(id_of(inputs, StationIndex{static_cast<std::uint32_t>(s)}));
+  for (const std::string& id : inputs.study().at_zero) names.push_back(quoted(id, longest_id));
   if (!names.empty())
     text += "gauges at 0, 0, as missing coordinates are often written: " + listed(names) + "\n";
   names.clear();

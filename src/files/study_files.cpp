@@ -217,7 +217,8 @@ class StudyMaker {
     const std::vector<bool> inside = mapping_from(*stations_.crs)->apply(points);
     Complaints complaints;
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (study_.stations[i].position == Point{0, 0}) study_.at_zero.push_back(i);
+      if (study_.stations[i].position == Point{0, 0})
+        study_.at_zero.push_back(study_.stations[i].id);
       if (!inside[i]) {
         complain_of_area(study_.stations[i], complaints);
       } else if (study_.metric == Metric::geodesic && std::abs(points[i].x) > 180) {
@@ -283,9 +284,10 @@ class StudyMaker {
                            " mm: rounding would make it cross itself there");
     }
     take(*std::move(traced), basin);
-    if (request_.tolerance == Yardstick::measuring_tolerance || basin.shape.empty()) return;
+    if (request_.tolerance == Yardstick::measuring_tolerance) return;
     if (!drawing_) drawing_.emplace(*basins_->crs, *study_.crs, request_.tolerance);
-    auto drawn = drawing_->trace(study_.native_basins[i]);
+    MultiPolygon to_draw = study_.native_basins[i];
+    auto drawn = drawing_->trace(to_draw);
     if (!drawn) return complain(i, *drawing_, complaints);
     study_.drawn_basins.push_back({basin.id, std::move(drawn->shape), {}});
   }

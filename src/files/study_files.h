@@ -35,9 +35,9 @@ struct StudyFiles : StudyParts {
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::vector<MultiPolygon> native_basins;  ///< the basins, mended, in `basins_crs`, with the edges
                                             ///< that the file gives them
-  /// The stations whose coordinates are 0 and 0 in a known CRS, as positions in the file's order:
+  /// The ids of the stations whose coordinates are 0 and 0 in a known CRS, in the file's order:
   /// missing coordinates are often written so.
-  std::vector<std::size_t> at_zero;
+  std::vector<std::string> at_zero;
   /// The plane that was made for the study; nothing where none was.
   std::optional<StudyPlane> plane;
   std::optional<Crs> stations_crs;  ///< CRS of the stations' file
