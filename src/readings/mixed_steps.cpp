@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t names_listed = 10;
 constexpr std::size_t longest_time = 80;
 constexpr std::uint32_t readings_that_tell = 3;
+constexpr std::int64_t shortest_month = std::int64_t{28} * 86'400;  // seconds
 
 }  // namespace
 
@@ -153,6 +154,31 @@ std::optional<Message> MixedSteps::mixed_forms(const std::string& file,
   return message;
 }
 
+/// How often gauges are silent at a step, but for some; by the rule of succession, so that nothing
+/// is held to be certain.
+double MixedSteps::share_silent(const std::vector<StationIndex>& but_for) const {
+  std::size_t readings = 0;
+  for (const Gauge& gauge : gauges_) readings += gauge.readings;
+  for (const StationIndex gauge : but_for) readings -= gauges_[index(gauge)].readings;
+  const auto steps = static_cast<double>(intervals_.times() * (gauges_.size() - but_for.size()));
+  return (std::max(0.0, steps - static_cast<double>(readings)) + 1) / (steps + 2);
+}
+
+/// Leaves out the gauges whose readings may stand so by chance: where a gauge is silent at random,
+/// all steps between its readings have to be silent for that. `in_steps` gives how many of the
+/// file's steps a gauge's readings are apart.
+template <typename InSteps>
+void MixedSteps::leave_chance_out(std::vector<StationIndex>& coarse,
+                                  const InSteps& in_steps) const {
+  constexpr double files_by_chance = 0.01;
+  const double silent = share_silent(coarse);
+  std::erase_if(coarse, [&](StationIndex station) {
+    const Gauge& gauge = gauges_[index(station)];
+    const auto between = static_cast<double>(in_steps(gauge) - 1) * (gauge.readings - 1);
+    return static_cast<double>(gauges_.size()) * std::pow(silent, between) >= files_by_chance;
+  });
+}
+
 std::optional<Message> MixedSteps::fault(const std::string& file,
                                          std::span<const Station> stations) const {
   if (intervals_.has_labels()) return std::nullopt;
@@ -165,29 +191,31 @@ std::optional<Message> MixedSteps::fault(const std::string& file,
                         std::uint32_t readings) {
     return readings >= readings_that_tell && (high - low) / apart + 1 < 2 * std::int64_t{readings};
   };
-  StepLength longest;
-  const auto coarse = gauges_that([&](const Gauge& gauge) {
-    const bool is_coarse = gauge.apart >= 2 * length && gauge.apart % length == 0 &&
-                           fills(gauge.low, gauge.high, gauge.apart, gauge.readings);
-    if (is_coarse && in_months_) longest.months = std::max(longest.months, gauge.apart);
-    if (is_coarse && !in_months_) longest.seconds = std::max(longest.seconds, gauge.apart);
-    return is_coarse;
-  });
-  const auto told = [&](const std::vector<StationIndex>& gauges) {
+  const auto told = [&](const std::vector<StationIndex>& gauges, const auto& apart, bool months) {
+    std::int64_t longest = 0;
+    for (const StationIndex gauge : gauges)
+      longest = std::max(longest, apart(gauges_[index(gauge)]));
     return mixed(file, stations, gauges,
-                 "every " + text_of(longest) + " in a file whose step is " + text_of(*step));
+                 "every " + text_of(months ? StepLength{longest, 0} : StepLength{0, longest}) +
+                     " in a file whose step is " + text_of(*step));
   };
-  if (!coarse.empty()) return told(coarse);
-  if (in_months_) return std::nullopt;
-  const auto monthly = gauges_that([&](const Gauge& gauge) {
-    const bool is_monthly =
-        gauge.alike && gauge.months_apart > 0 &&
-        fills(gauge.low_month, gauge.high_month, gauge.months_apart, gauge.months);
-    if (is_monthly) longest.months = std::max(longest.months, gauge.months_apart);
-    return is_monthly;
+  const auto apart = [](const Gauge& gauge) { return gauge.apart; };
+  auto coarse = gauges_that([&](const Gauge& gauge) {
+    return gauge.apart >= 2 * length && gauge.apart % length == 0 &&
+           fills(gauge.low, gauge.high, gauge.apart, gauge.readings);
   });
+  leave_chance_out(coarse, [&](const Gauge& gauge) { return gauge.apart / length; });
+  if (!coarse.empty()) return told(coarse, apart, in_months_);
+  if (in_months_) return std::nullopt;
+  const auto months_apart = [](const Gauge& gauge) { return gauge.months_apart; };
+  auto monthly = gauges_that([&](const Gauge& gauge) {
+    return gauge.alike && gauge.months_apart > 0 &&
+           fills(gauge.low_month, gauge.high_month, gauge.months_apart, gauge.months);
+  });
+  leave_chance_out(
+      monthly, [&](const Gauge& gauge) { return gauge.months_apart * shortest_month / length; });
   if (monthly.empty()) return std::nullopt;
-  return told(monthly);
+  return told(monthly, months_apart, true);
 }
 
 }  // namespace thiessen

@@ -23,8 +23,8 @@ namespace thiessen {
 /// without a day and others' with one; or if it has at least three readings, all of them multiples
 /// of k of the file's steps apart, k at least 2, or whole months of the calendar in a file of
 /// shorter steps, and fills more than half of the steps of that length between its first and its
-/// last. (A gauge that is silent at random hardly ever does: three readings two days apart each, in
-/// a file of days.) Cost: a few operations a reading. Memory: 104 bytes a station.
+/// last; unless gauges that are as often silent as the others would come to that by chance in more
+/// than one of a hundred files. Cost: a few operations a reading. Memory: 104 bytes a station.
 class MixedSteps {
  public:
   explicit MixedSteps(std::size_t stations) : gauges_(stations) {}
@@ -80,6 +80,9 @@ class MixedSteps {
                                      std::span<const Station> stations) const;
   template <typename IsCoarse>
   std::vector<StationIndex> gauges_that(const IsCoarse& is_coarse) const;
+  double share_silent(const std::vector<StationIndex>& but_for) const;
+  template <typename InSteps>
+  void leave_chance_out(std::vector<StationIndex>& coarse, const InSteps& in_steps) const;
   void count_in_seconds();
   std::optional<Message> mixed_zones(const std::string& file) const;
   Message mixed(const std::string& file, std::span<const Station> stations,

@@ -58,6 +58,7 @@ void ReadingsFindings::note_amount(double amount, const Place& place, std::strin
     if (++code.count > 1) return;
     code.line = place.line;
     code.station = place.station;
+    code.file = file_;
     return;
   }
   const bool above_year = amount > more_than_a_year;
@@ -74,8 +75,10 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
                                     const Wording& hint) {
   if (!unknown_.emplace(id).second) return;
   if (!ignore_unknown_) {
-    // The first id of each cause tells what may be done for all of its kind.
-    auto meant = stations_.meant_by(id);
+    // The first id of each cause tells what may be done for all of its kind. What is not shown is
+    // not looked for: that takes as long as there are stations.
+    ReadingsStations::Meant meant;
+    if (unknown_.size() <= Complaints::listed_at_most) meant = stations_.meant_by(id);
     const bool fresh = told_causes_.insert(meant.cause).second;
     if (meant.cause == ReadingsStations::Cause::none) meant.hint = hint;
     complaints_.add({file_, line, text, fresh ? std::move(meant.hint) : Wording()});
@@ -140,7 +143,7 @@ void ReadingsFindings::warn_of_absurd() {
 void ReadingsFindings::warn_of_codes() {
   for (const Code& code : codes_) {
     if (code.count < 2) continue;
-    warnings_.add({file_, code.line,
+    warnings_.add({code.file, code.line,
                    "reading " + std::string(code.text) + " of station " +
                        quoted(stations_.id(code.station)) + " comes " + std::to_string(code.count) +
                        " times in the file: it may stand for a gap",

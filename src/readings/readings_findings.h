@@ -83,6 +83,7 @@ class ReadingsFindings {
     std::size_t count = 0;
     std::size_t line = 0;
     StationIndex station = {};
+    std::string file = {};  ///< where it came first
   };
   /// Readings above a bound: the first of them, and how many.
   struct Absurd {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -50,11 +51,17 @@ class PlainSteps {
     const std::optional<std::int64_t> months = common(true);
     const std::optional<std::int64_t> length = months ? months : common(false);
     if (!length || months.has_value() != in_months) return false;
+    std::vector<std::vector<std::int64_t>> all;
     for (std::size_t gauge = 0; gauge < steps_.front().amounts.size(); ++gauge)
-      if (is_coarse(positions(gauge, in_months), *length)) return true;
-    for (std::size_t gauge = 0; !in_months && gauge < steps_.front().amounts.size(); ++gauge)
-      if (is_monthly(gauge)) return true;
-    return false;
+      all.push_back(positions(gauge, in_months));
+    std::vector<std::int64_t> coarse(all.size(), 0);
+    std::vector<std::int64_t> monthly(all.size(), 0);
+    for (std::size_t gauge = 0; gauge < all.size(); ++gauge) {
+      if (is_coarse(all[gauge], *length)) coarse[gauge] = apart(all[gauge]) / *length;
+      const auto at = in_months ? std::vector<std::int64_t>() : months_of(gauge);
+      if (is_coarse(at, 0)) monthly[gauge] = apart(at) * 28 * 86'400 / *length;
+    }
+    return tells(all, coarse) || tells(all, monthly);
   }
 
  private:
@@ -104,26 +111,50 @@ class PlainSteps {
     gather(turn(), times_.size());
     return found;
   }
-  /// Whether a gauge reports once a month or some months, each time at the same place in it.
-  bool is_monthly(std::size_t gauge) const {
+  static std::int64_t apart(const std::vector<std::int64_t>& positions) {
+    std::int64_t apart = 0;
+    for (const std::int64_t at : positions) apart = std::gcd(apart, at - positions.front());
+    return apart;
+  }
+  /// Whether some gauge's readings, `apart` steps from each other (0: no coarse gauge), hardly
+  /// stand so by chance.
+  bool tells(const std::vector<std::vector<std::int64_t>>& all,
+             const std::vector<std::int64_t>& apart) const {
+    double steps = 0;
+    double readings = 0;
+    for (std::size_t gauge = 0; gauge < all.size(); ++gauge) {
+      if (apart[gauge] != 0) continue;
+      steps += static_cast<double>(times_.size());
+      readings += static_cast<double>(all[gauge].size());
+    }
+    const double silent_share = (std::max(0.0, steps - readings) + 1) / (steps + 2);
+    for (std::size_t gauge = 0; gauge < all.size(); ++gauge) {
+      if (apart[gauge] == 0) continue;
+      const auto between =
+          static_cast<double>(apart[gauge] - 1) * (static_cast<double>(all[gauge].size()) - 1);
+      if (static_cast<double>(all.size()) * std::pow(silent_share, between) < 0.01) return true;
+    }
+    return false;
+  }
+  /// The months in which a gauge reports, where it does so at the same place in each; else none.
+  std::vector<std::int64_t> months_of(std::size_t gauge) const {
     std::vector<IsoTime> times;
     for (std::size_t i = 0; i < times_.size(); ++i)
       if (steps_[i].amounts[gauge] != silent) times.push_back(times_[i]);
     std::vector<std::int64_t> months;
     for (const IsoTime& time : times) {
-      if (!stand_alike_in_months(times.front(), time)) return false;
-      if (!months.empty() && months.back() == month_number(time)) return false;
+      if (!stand_alike_in_months(times.front(), time)) return {};
+      if (!months.empty() && months.back() == month_number(time)) return {};
       months.push_back(month_number(time));
     }
-    return is_coarse(months, 0);
+    return months;
   }
   static bool is_coarse(const std::vector<std::int64_t>& positions, std::int64_t length) {
     if (positions.size() < 3) return false;
-    std::int64_t apart = 0;
-    for (const std::int64_t at : positions) apart = std::gcd(apart, at - positions.front());
-    if (length > 0 && (apart < 2 * length || apart % length != 0)) return false;
+    const std::int64_t common = apart(positions);
+    if (length > 0 && (common < 2 * length || common % length != 0)) return false;
     const auto [low, high] = std::minmax_element(positions.begin(), positions.end());
-    const auto places = static_cast<std::size_t>((*high - *low) / apart + 1);
+    const auto places = static_cast<std::size_t>((*high - *low) / common + 1);
     return places < 2 * positions.size();
   }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -107,6 +108,23 @@ TEST(MixedSteps, are_months_beside_days) {
             "lengths in one table");
   steps[40].second[1] = 2;  // twice in February
   EXPECT_EQ(fault_of(steps), "none");
+}
+
+TEST(MixedSteps, law_4_GaugesThatAreSilentAtRandomAreNotTakenForCoarseOnes) {
+  constexpr std::size_t gauges = 100;
+  std::mt19937_64 random(1);
+  std::bernoulli_distribution is_silent(0.3);
+  const std::vector<Station> stations(gauges, Station{"A", {}});
+  for (int round = 0; round < 50; ++round) {
+    MixedSteps mixed(gauges);
+    const int steps = 6 + round % 7;
+    for (int h = 0; h < steps; ++h) {
+      std::vector<double> readings(gauges, 1);
+      for (double& reading : readings) reading = is_silent(random) ? silent : 1;
+      mixed.note(hour(1, h), 2, readings);
+    }
+    EXPECT_FALSE(mixed.fault("r.csv", stations)) << "round " << round;
+  }
 }
 
 TEST(MixedSteps, are_not_sought_among_labels) {
