@@ -78,8 +78,7 @@ Inputs::Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, d
     : files_(std::move(files)),
       passed_over_(passed_over(*files_)),
       study_(files_, {margin, options.tolerance(), options.allow_far()}, warnings),
-      plane_error_(judge_plane(*files_, study_, options.tolerance(), static_cast<unsigned>(threads),
-                               warnings)) {}
+      plane_error_(judge_plane(*files_, study_, static_cast<unsigned>(threads), warnings)) {}
 
 std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
                                                        const RainfallOptions& rainfall,

@@ -13,13 +13,13 @@ Wording plane_text(const StudyFiles& files) {
 
 }  // namespace
 
-std::optional<PlaneError> judge_plane(const StudyFiles& files, const Study& study, double tolerance,
-                                      unsigned threads, Warnings& warnings) {
+std::optional<PlaneError> judge_plane(const StudyFiles& files, const Study& study, unsigned threads,
+                                      Warnings& warnings) {
   if (files.metric != Metric::planar || !files.crs) return std::nullopt;
   std::optional<PlaneError> error;
   try {
-    error = error_of_plane(study, study_on_earth(files, study.network(), tolerance / 4), tolerance,
-                           threads);
+    error = error_of_plane(
+        study, study_on_earth(files, study.network(), Yardstick::measuring_tolerance), threads);
   } catch (const Error& fault) {
     warnings.add({files.stations_file, 0,
                   "how far a plane's weights are from those on the Earth cannot be told: " +

@@ -12,7 +12,7 @@ namespace thiessen {
 /// PlaneError::area_to_warn_of. Nothing for a geodesic study and for a plane without a CRS, and,
 /// with a warning that says why, where the coordinates cannot be taken to the Earth. `study` is
 /// made of `files`. Cost: see error_of_plane and study_on_earth.
-std::optional<PlaneError> judge_plane(const StudyFiles& files, const Study& study, double tolerance,
-                                      unsigned threads, Warnings& warnings);
+std::optional<PlaneError> judge_plane(const StudyFiles& files, const Study& study, unsigned threads,
+                                      Warnings& warnings);
 
 }  // namespace thiessen

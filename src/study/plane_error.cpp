@@ -40,14 +40,6 @@ void for_each_pair(const BasinWeights& in_plane, const BasinWeights& on_earth, c
   }
 }
 
-/// The tolerance of cells whose weights are right to 1e-5 or so.
-double tolerance_for(std::span<const Basin> basins, const Surface& surface, double least) {
-  double smallest = INFINITY;
-  for (const Basin& basin : basins) smallest = std::min(smallest, area_of(basin, surface));
-  const double wanted = 1e-5 * std::sqrt(std::max(smallest, 0.0));
-  return std::clamp(wanted, least, tolerances.high);
-}
-
 /// The decimals with which a number shows two digits that tell, and at least four.
 int decimals_for(double value) {
   if (!(value > 0)) return 4;
@@ -88,10 +80,8 @@ PlaneError error_of_plane(std::span<const BasinWeights> in_plane,
   return error;
 }
 
-PlaneError error_of_plane(const Study& study, StudyParts on_earth, double tolerance,
-                          unsigned threads) {
-  Yardstick yardstick{Metric::geodesic, 1, tolerance};
-  yardstick.tolerance = tolerance_for(on_earth.basins, *yardstick.surface(), tolerance);
+PlaneError error_of_plane(const Study& study, StudyParts on_earth, unsigned threads) {
+  const Yardstick yardstick{Metric::geodesic, 1, Yardstick::measuring_tolerance};
   const Network network(std::move(on_earth.stations), Metric::geodesic);
   const Weighing weighing(network, on_earth.basins, yardstick);
   const ReportingStations all = study.all_report();

@@ -45,11 +45,9 @@ PlaneError error_of_plane(std::span<const BasinWeights> in_plane,
                           std::span<const BasinWeights> on_earth, bool areas_in_metres);
 
 /// Weighs a study in its plane and on the Earth, and compares. `on_earth` holds the same stations
-/// and basins in longitude and latitude, in the same order; it is used up. Cells on the Earth are
-/// as exact as the comparison needs: their edges lie within a hundred-thousandth of the smallest
-/// basin's width. Cost: a planar and a geodesic weighing.
-PlaneError error_of_plane(const Study& study, StudyParts on_earth, double tolerance,
-                          unsigned threads);
+/// and basins in longitude and latitude, in the same order; it is used up. Cost: a planar and a
+/// geodesic weighing.
+PlaneError error_of_plane(const Study& study, StudyParts on_earth, unsigned threads);
 
 /// Words the error for a message: which weight changes most, and how areas do.
 std::string sentence_of(const PlaneError& error, const Study& study);

@@ -46,7 +46,7 @@ TEST(PlaneError, degrees_as_a_plane_at_latitude_60) {
   on_earth.metric = Metric::geodesic;
   on_earth.stations = stations;
   on_earth.basins = {square};
-  const PlaneError error = error_of_plane(study, on_earth, 0.1, 1);
+  const PlaneError error = error_of_plane(study, on_earth, 1);
   // By hand: with v north of 60 the bisector is 2x + v = 1.25 in the plane, and a has 0.375 of the
   // square. With x shrunk by c = 0.49 it is c^2 (2x - 1) + v = 0.25, and a has 0.25.
   EXPECT_EQ(error.worst_change.in_plane > 0.5, error.worst_change.station == StationIndex{1});
