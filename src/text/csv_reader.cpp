@@ -49,6 +49,17 @@ char likely_separator(std::string_view name, char used) {
   return '\0';
 }
 
+/// What stands most often in a header of names; of several the first of comma, semicolon, tab, bar.
+char most_frequent_separator(std::string_view header) {
+  char found = ',';
+  for (const char candidate : {';', '\t', '|'}) {
+    if (std::count(header.begin(), header.end(), candidate) >
+        std::count(header.begin(), header.end(), found))
+      found = candidate;
+  }
+  return found;
+}
+
 /// The text without what stands in quotes.
 std::string outside_quotes(std::string_view text) {
   std::string outside;
@@ -139,8 +150,7 @@ void CsvReader::find_separator() {
       break;
     }
   }
-  const char found = likely_separator(outside_quotes(text_.between(from, end)), '\0');
-  options_.separator = found == '\0' ? ',' : found;
+  options_.separator = most_frequent_separator(outside_quotes(text_.between(from, end)));
   text_.set_separator(options_.separator);
 }
 

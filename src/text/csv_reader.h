@@ -21,8 +21,8 @@ struct CsvLimits {
 
 /// How a CSV file is read.
 struct CsvOptions {
-  /// One ASCII character, neither a quote nor a line end; '\0': it is found out from the header,
-  /// where a comma goes before a semicolon, a tab and a bar.
+  /// One ASCII character, neither a quote nor a line end; '\0': that of comma, semicolon, tab and
+  /// bar which stands most often in the header, the first of them where several do.
   char separator = ',';
   CsvLimits limits = {};
   bool has_names = true;  ///< false: the first row may be data; its fields are not checked as names

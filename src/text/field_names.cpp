@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/error.h"
 #include "base/number.h"
@@ -25,19 +26,37 @@ bool is_plain_real(std::string_view text) {
   return !padded && !whole;
 }
 
-/// The name without a remark in brackets at its end that only says degrees, as in `Longitude (°)`.
+/// The name without a remark in brackets at its end that only says decimal degrees, as in
+/// `Longitude (°)`. A remark that says anything else, such as minutes, stays.
 std::string_view without_degrees(std::string_view name) {
-  constexpr std::array<std::string_view, 7> says_degrees = {"°",  "deg",   "decimal", "grad",
-                                                            "度", "wgs84", "wgs 84"};
-  const std::size_t open = std::min(name.find('('), name.find('['));
-  const std::size_t wide = name.find("（");
-  const std::size_t at = std::min(open, wide);
-  if (at == std::string_view::npos || at == 0) return name;
-  const std::string remark = lower_case(name.substr(at));
-  const bool says =
-      std::any_of(says_degrees.begin(), says_degrees.end(),
-                  [&](std::string_view word) { return remark.find(word) != std::string::npos; });
-  return says ? trimmed(name.substr(0, at)) : name;
+  constexpr std::array<std::string_view, 16> says_degrees = {"°",
+                                                             "deg",
+                                                             "deg.",
+                                                             "degree",
+                                                             "degrees",
+                                                             "decimal",
+                                                             "decimal degree",
+                                                             "dd",
+                                                             "decimal degrees",
+                                                             "decimal_degrees",
+                                                             "grad",
+                                                             "度",
+                                                             "wgs84",
+                                                             "wgs 84",
+                                                             "wgs-84",
+                                                             "degrees decimal"};
+  for (const auto& [open, close] :
+       {std::pair<std::string_view, std::string_view>{"(", ")"}, {"[", "]"}, {"（", "）"}}) {
+    const std::size_t at = name.find(open);
+    if (at == std::string_view::npos || at == 0 || !name.ends_with(close)) continue;
+    std::string_view remark = name.substr(at + open.size());
+    remark.remove_suffix(close.size());
+    const std::string words = lower_case(trimmed(remark));
+    const bool says =
+        std::find(says_degrees.begin(), says_degrees.end(), words) != says_degrees.end();
+    if (says) return trimmed(name.substr(0, at));
+  }
+  return name;
 }
 
 /// The form of a name in which names that are one are the same text.

@@ -194,6 +194,7 @@ TEST(CsvReader, finds_out_what_parts_the_fields) {
         << c;
   }
   EXPECT_EQ(read("a,b;c\n1,2\n", {'\0', {}}).rows, rows);
+  EXPECT_EQ(read("a;b;c, local\n1;2;3\n", {'\0', {}}).rows, (std::vector<Fields>{{"1", "2", "3"}}));
   EXPECT_EQ(read("a\n1;2\n", {'\0', {}}).rows, (std::vector<Fields>{{"1;2"}}));
   EXPECT_EQ(read("a", {'\0', {}}).header, Fields{"a"});
   EXPECT_EQ(read("", {'\0', {}}).sentences, Fields{"f.csv: is empty"});
