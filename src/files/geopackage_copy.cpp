@@ -1,8 +1,8 @@
 #include "files/geopackage_copy.h"
 
 #include <sqlite3.h>
-#include <sys/stat.h>
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <string_view>
@@ -42,16 +42,20 @@ Database open(const std::string& path, const std::string& name, int flags) {
   return database;
 }
 
-bool is_there(const std::string& path) {
-  struct stat status = {};
-  return ::stat(path.c_str(), &status) == 0 && status.st_size > 0;
+/// Whether a journal or log holds changes: what SQLite has done with begins with zeros.
+bool holds_changes(const std::string& path) {
+  std::array<char, 8> bytes = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), bytes.size());
+  return file.gcount() > 0 &&
+         std::any_of(bytes.begin(), bytes.end(), [](char c) { return c != '\0'; });
 }
 
 /// Requires that no other program is within a change of the file, or has it open in the mode in
 /// which changes stand in a log beside it.
 void require_no_journal(const std::string& path) {
   for (const char* suffix : {"-wal", "-journal"}) {
-    if (!is_there(path + suffix)) continue;
+    if (!holds_changes(path + suffix)) continue;
     throw Error(Message{path, 0,
                         "cannot be replaced: " + path + suffix +
                             " holds changes of another program that has it open",
@@ -99,7 +103,7 @@ GeoPackageCopy::GeoPackageCopy(const std::string& path) : lock_(std::make_unique
 GeoPackageCopy::~GeoPackageCopy() = default;
 
 std::unique_ptr<GeoPackageCopy> copy_of_geopackage(const std::string& path) {
-  if (is_there(path) && is_sqlite(path)) return std::make_unique<GeoPackageCopy>(path);
+  if (is_sqlite(path)) return std::make_unique<GeoPackageCopy>(path);
   require_no_journal(path);
   return nullptr;
 }

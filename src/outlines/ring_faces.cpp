@@ -92,7 +92,7 @@ double finest_grid(std::span<const Ring> rings) {
   for (const Ring& ring : rings) {
     for (const Point p : ring) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
   }
-  return std::exp2(std::ilogb(largest) - 46);
+  return largest > 0 ? std::exp2(std::ilogb(largest) - 46) : 1;
 }
 
 }  // namespace

@@ -100,9 +100,20 @@ class Shapefile {
          std::to_string(bytes));
   }
 
+  /// Whether zeros, or the signs that end a .dbf, are all that stands behind a place: disks and
+  /// tapes of old padded files so.
+  static bool is_padding(const Part& part, std::uint64_t from) {
+    constexpr std::uint64_t most = 65536;
+    if (part.size() - from > most) return false;
+    const std::string rest = part.bytes->read_at(from, part.size() - from);
+    return std::all_of(rest.begin(), rest.end(),
+                       [](char c) { return c == '\0' || c == end_of_dbf; });
+  }
+
   void require_length(const Part& part, std::uint64_t declared) const {
     // Bytes that are no record do no harm at the end.
     if (part.size() >= declared && part.size() < declared + entry_bytes) return;
+    if (part.size() > declared && is_padding(part, declared)) return;
     fail(part.name + " has " + std::to_string(part.size()) + " bytes, and its header declares " +
          std::to_string(declared));
   }
@@ -122,7 +133,7 @@ class Shapefile {
     const bool ended = dbf_->bytes->read_at(dbf_->size() - 1, 1)[0] == end_of_dbf;
     records_ = record == 0 ? declared : (dbf_->size() - before - (ended ? 1 : 0)) / record;
     // A file may end without the sign, and one of a byte a record may seem to hold one fewer.
-    if (records_ > declared) {
+    if (records_ > declared && !is_padding(*dbf_, whole)) {
       fail(dbf_->name + " holds " + counted(records_, "record") + ", and its header declares " +
            std::to_string(declared));
     }

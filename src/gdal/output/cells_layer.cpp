@@ -108,7 +108,7 @@ class LayerWriter {
     for (const std::string& warning : errors_.warnings()) {
       if (!is_of_loss(warning)) continue;
       throw Error(Message{path_, 0, "the format is too narrow: " + warning,
-                          "a .gpkg holds texts of any length"});
+                          "a .gpkg holds texts of any length and numbers of any size"});
     }
   }
 
@@ -279,7 +279,9 @@ class LayerWriter {
   static void set(OGRFeature& feature, int field, const std::string& text, FieldType type) {
     if (text.empty()) return;
     if (type == FieldType::real) {
-      feature.SetField(field, parse_number(text).value);
+      // What is no number, as the NaN of another file, has no value here either.
+      const auto number = parse_number(text);
+      if (number) feature.SetField(field, number.value);
     } else {
       feature.SetField(field, text.c_str());
     }
