@@ -17,7 +17,7 @@ CLONE = pathlib.Path(__file__).resolve().parents[1]
 INCLUDE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.MULTILINE)
 UNNAMED = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
 DECLARED = re.compile(r"^(?:\[\[\w+\]\] )?[A-Za-z].*?(\w+)(?:\(|\{| =|;| \{| :|\[)", re.MULTILINE)
-INSTANTIATED = re.compile(r"^ *template [^<].*", re.MULTILINE)
+INSTANTIATED = re.compile(r"^ *template [^<]", re.MULTILINE)
 MACRO = re.compile(r"^#define (\w+)", re.MULTILINE)
 
 contents = {}  # by file: its bytes, the files of ours that it includes, the names that it declares
@@ -57,8 +57,9 @@ class Source:
         own = self.texts[path].decode()
         self.names = {name for block in UNNAMED.findall(own) for name in DECLARED.findall(block)}
         self.names.update(MACRO.findall(own))
-        # What is instantiated by name may not be instantiated by name again.
-        self.names.update(INSTANTIATED.findall(own))
+        # What is instantiated by name, be it a member of what another source does, may not be so again.
+        if INSTANTIATED.search(own):
+            self.names.add("template")
         self.seen = set().union(*(read(reached_path)[2] for reached_path in self.texts))
 
     def goes_with(self, other):

@@ -82,12 +82,12 @@ def joined_text(batch):
 
 
 def at_fault(batch, told):
-    """The sources that hold all of what is wrong; none where a header does, or where the batch is no C++:
-    then its sources do not go together."""
+    """The sources that hold all of what is wrong; none where a header does, or where the compiler complains: that
+    may be of names of sources that do not go together."""
     errors = [line for line in told.splitlines() if ": error: " in line]
     named = [source for source in batch if any(line.startswith(f"{source.path}:") for line in errors)]
     known = all(any(line.startswith(f"{source.path}:") for source in named) for line in errors)
-    return named if known and "clang-diagnostic-error" not in told else []
+    return named if known and "clang-diagnostic-" not in told else []
 
 
 def lint(batch, stamps):

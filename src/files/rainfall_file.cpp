@@ -26,10 +26,10 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
 
 bool can_be_read_again(const std::string& rainfall) {
   if (rainfall == "-") return false;
-  using Kind = std::filesystem::file_type;
+  using Type = std::filesystem::file_type;
   std::error_code none;
-  const Kind kind = std::filesystem::status(rainfall, none).type();
-  return kind != Kind::fifo && kind != Kind::character && kind != Kind::socket;
+  const Type kind = std::filesystem::status(rainfall, none).type();
+  return kind != Type::fifo && kind != Type::character && kind != Type::socket;
 }
 
 ReportingStations stations_that_report(const std::string& rainfall, char separator,
