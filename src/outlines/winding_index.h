@@ -12,7 +12,7 @@ namespace thiessen {
 
 /// How often each of many rings winds round a point, counter-clockwise. Rings may cross each other
 /// and themselves, and run along each other. Cost: n log n in the vertices to build; for a point
-/// log n and the edges on its way to the west.
+/// log n, and the edges to its west of the rings in whose boxes it lies.
 class WindingIndex {
  public:
   explicit WindingIndex(std::span<const Ring> rings);
@@ -25,14 +25,27 @@ class WindingIndex {
   struct Edge {
     Point from;
     Point to;
-    std::uint32_t ring;
   };
-  static std::vector<Edge> edges_of(std::span<const Ring> rings);
-  static BoxTree tree_of(std::span<const Edge> edges);
+  /// The edges of one ring, found by their boxes: of thousands of rings side by side only those
+  /// round a point are looked at.
+  class RingEdges {
+   public:
+    explicit RingEdges(const Ring& ring);
+    const Box& box() const { return box_; }
+    int winding_number(Point p) const;
 
-  std::vector<Edge> edges_;
+   private:
+    static std::vector<Edge> edges_of(const Ring& ring);
+    static BoxTree tree_of(std::span<const Edge> edges);
+
+    std::vector<Edge> edges_;
+    BoxTree tree_;
+    Box box_;
+  };
+  static BoxTree tree_of(std::span<const RingEdges> rings);
+
+  std::vector<RingEdges> rings_;
   BoxTree tree_;
-  double west_ = 0;
 };
 
 }  // namespace thiessen
