@@ -304,7 +304,23 @@ class LayerWriter {
       return fields_[field].type == FieldType::real ? std::string()
                                                     : text(features_.cells[row], field);
     };
+    wanted.number = [&](std::size_t row, std::size_t field) {
+      return fields_[field].type == FieldType::real ? number(features_.cells[row], field)
+                                                    : std::nullopt;
+    };
     return wanted;
+  }
+
+  /// The number of a field of numbers; nothing where the cell has none.
+  std::optional<double> number(const CellFeature& cell, std::size_t field) const {
+    const std::string& name = fields_[field].name;
+    if (field >= own_fields_) {
+      const auto parsed = parse_number(text(cell, field));
+      return parsed ? std::optional(parsed.value) : std::nullopt;
+    }
+    if (name == features_.area_column) return cell.area;
+    if (name == "weight") return cell.weight;
+    return std::isfinite(cell.rainfall) ? std::optional(cell.rainfall) : std::nullopt;
   }
 
   /// Tells what GDAL warned of, but for new names of fields, which are told already.

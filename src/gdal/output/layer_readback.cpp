@@ -4,8 +4,10 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include "base/number.h"
 #include "base/utf8.h"
 #include "gdal/gdal_errors.h"
 
@@ -46,13 +48,15 @@ class LayerReadback {
     }
   }
 
-  void compare() {
+  void compare(Warnings& warnings) {
+    rounded_.resize(places_.size());
     std::size_t row = 0;
     for (const auto& feature : layer_) {
       if (row == wanted_.rows) break;
       for (std::size_t i = 0; i < places_.size(); ++i) compare(*feature, row, i);
       ++row;
     }
+    tell_rounded(warnings);
     if (row != wanted_.rows) {
       fail("the format holds " + std::to_string(row) + " of " + std::to_string(wanted_.rows) +
            " cells");
@@ -69,7 +73,37 @@ class LayerReadback {
     return std::max(0, layer_.GetLayerDefn()->GetFieldIndex(wanted_.names.front().c_str()));
   }
 
-  void compare(OGRFeature& feature, std::size_t row, std::size_t field) const {
+  /// The numbers of a field that the format rounds.
+  struct Rounded {
+    std::size_t count = 0;
+    std::string first;
+  };
+
+  void compare_number(OGRFeature& feature, std::size_t row, std::size_t field, double number) {
+    // Formats that write 15 digits, or 15 decimals of a usual number, lose what nobody measures.
+    constexpr double digits = 1e-9;  // of the number
+    const bool is_there = feature.IsFieldSetAndNotNull(places_[field]) != FALSE;
+    const double found = is_there ? feature.GetFieldAsDouble(places_[field]) : 0;
+    if (is_there && std::abs(found - number) <= digits * std::abs(number)) return;
+    if (++rounded_[field].count > 1) return;
+    rounded_[field].first = quoted(wanted_.names[field], 80) + " of cell " +
+                            std::to_string(row + 1) +
+                            " is rounded by the format: " + shortest_text(number) + " becomes " +
+                            (is_there ? shortest_text(found) : "no value");
+  }
+
+  void tell_rounded(Warnings& warnings) {
+    for (const Rounded& rounded : rounded_) {
+      if (rounded.count == 0) continue;
+      std::string text = rounded.first;
+      if (rounded.count > 1) text += ", and " + std::to_string(rounded.count - 1) + " more";
+      warnings.add({path_, 0, std::move(text), "a .gpkg keeps every digit"});
+    }
+  }
+
+  void compare(OGRFeature& feature, std::size_t row, std::size_t field) {
+    if (const auto number = wanted_.number(row, field))
+      return compare_number(feature, row, field, *number);
     const std::string text = wanted_.text(row, field);
     if (text.empty()) return;
     const bool is_there = feature.IsFieldSetAndNotNull(places_[field]) != FALSE;
@@ -89,6 +123,7 @@ class LayerReadback {
   const LayerTexts& wanted_;
   const std::string& path_;
   std::vector<int> places_;
+  std::vector<Rounded> rounded_;  ///< by field
 };
 
 }  // namespace
@@ -106,7 +141,7 @@ void require_read_back(GDALDriver& driver, const std::string& written, const Lay
   }
   LayerReadback readback(*dataset->GetLayer(0), wanted, path);
   readback.find_fields(warnings);
-  readback.compare();
+  readback.compare(warnings);
 }
 
 }  // namespace thiessen
