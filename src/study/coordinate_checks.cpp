@@ -21,6 +21,7 @@ bool is_well(Point at, double degrees_per_unit) {
 /// Words the fault of a point that is known not to be longitude and latitude, such as `latitude
 /// 132.5 of station 'A-03' is outside [-90, 90]`.
 std::string fault_of(Point at, const std::string& whose, double degrees_per_unit) {
+  if (!is_finite(at)) return "the position of " + whose + " has a coordinate that is no number";
   if (!(std::abs(at.y * degrees_per_unit) <= 90)) {
     return "latitude " + shortest_text(at.y) + " of " + whose + " is outside [-90, 90]";
   }

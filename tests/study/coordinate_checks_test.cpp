@@ -62,7 +62,10 @@ TEST(RequireDegrees, counts_in_the_unit_of_the_crs) {
 }
 
 TEST(RequireDegrees, refuses_what_is_no_number) {
-  EXPECT_EQ(faults(stations_at({{0, std::nan("")}, {std::nan(""), 0}})).size(), 2U);
+  const auto found = faults(stations_at({{0, std::nan("")}, {std::nan(""), 0}}));
+  ASSERT_EQ(found.size(), 2U);
+  for (const std::string& fault : found)
+    EXPECT_TRUE(contains(fault, "has a coordinate that is no number")) << fault;
 }
 
 TEST(RequireDegrees, asks_once_whether_columns_are_swapped_where_that_would_explain_all) {
