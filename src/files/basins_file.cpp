@@ -8,9 +8,9 @@
 
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/crs_fit.h"
 #include "files/features.h"
 #include "geometry/shape_points.h"
-#include "study/coordinate_checks.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -53,7 +53,10 @@ class BasinsReader {
       ++number_;
       if (features_.kept()) add_feature();
     }
-    complain_of_range();
+    if (!complaints_.empty()) {
+      group(chosen_id());
+      complain_of_range(result_, complaints_);
+    }
     complaints_.throw_if_any();
     if (candidates_.empty()) {
       throw Error(
@@ -80,21 +83,6 @@ class BasinsReader {
     }
     for (const std::string_view name : known::basin_ids) {
       if (const auto field = find_field(header, {&name, 1})) fields_.push_back(*field);
-    }
-  }
-
-  // Vertices out of range are told together with what cannot be read, so that a file is mended
-  // once. Where it is not sure that they are degrees, the files have to agree first.
-  void complain_of_range() {
-    if (complaints_.empty() || candidates_.empty()) return;
-    if (!result_.crs || !result_.crs->geographic()) return;
-    try {
-      group(chosen_id());
-      const bool doubtful = result_.crs_origin == CrsOrigin::implied;
-      if (doubtful && !reach_of(result_).looks_like_degrees()) return;
-      require_degrees(result_, result_.crs->kind());
-    } catch (const Error& error) {
-      complaints_.add(error);
     }
   }
 

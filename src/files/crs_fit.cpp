@@ -81,6 +81,18 @@ class Fit {
   Reach reach_;
 };
 
+template <typename File>
+void add_faults_of_range(const File& file, Complaints& complaints) {
+  if (complaints.empty() || !file.crs || !file.crs->geographic()) return;
+  const bool doubtful = file.crs_origin == CrsOrigin::implied;
+  if (doubtful && !reach_of(file).looks_like_degrees()) return;
+  try {
+    require_degrees(file, file.crs->kind());
+  } catch (const Error& error) {
+    complaints.add(error);
+  }
+}
+
 }  // namespace
 
 void require_fit(const StationsFile& stations, const std::string& lender) {
@@ -89,6 +101,14 @@ void require_fit(const StationsFile& stations, const std::string& lender) {
 
 void require_fit(const BasinsFile& basins, const std::string& lender) {
   Fit(basins, lender, "basins_crs").require();
+}
+
+void complain_of_range(const StationsFile& stations, Complaints& complaints) {
+  add_faults_of_range(stations, complaints);
+}
+
+void complain_of_range(const BasinsFile& basins, Complaints& complaints) {
+  add_faults_of_range(basins, complaints);
 }
 
 }  // namespace thiessen

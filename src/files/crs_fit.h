@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "files/basins_file.h"
 #include "files/stations_file.h"
 
@@ -14,5 +15,11 @@ namespace thiessen {
 /// out.
 void require_fit(const StationsFile& stations, const std::string& lender);
 void require_fit(const BasinsFile& basins, const std::string& lender);
+
+/// Adds the coordinates that are out of the range of degrees to the faults of a file that could not
+/// be read whole, so that it is mended once; nothing where there are no faults. Where it is not
+/// sure that the coordinates are degrees, the files have to agree first.
+void complain_of_range(const StationsFile& stations, Complaints& complaints);
+void complain_of_range(const BasinsFile& basins, Complaints& complaints);
 
 }  // namespace thiessen

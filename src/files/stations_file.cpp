@@ -10,9 +10,9 @@
 #include "base/number.h"
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/crs_fit.h"
 #include "files/features.h"
 #include "geometry/shape_points.h"
-#include "study/coordinate_checks.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -70,7 +70,7 @@ class StationsReader {
         result_.filtered_ids.emplace(features_.row().fields[id_]);
       }
     }
-    complain_of_range();
+    complain_of_range(result_, complaints_);
     complaints_.throw_if_any();
     require_some();
     if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
@@ -109,19 +109,6 @@ class StationsReader {
     } else if (holds_degrees(features_.header()[x_]) && holds_degrees(features_.header()[y_])) {
       result_.crs = Crs::wgs84();
       result_.crs_origin = CrsOrigin::columns;
-    }
-  }
-
-  // Positions out of range are told together with what cannot be read, so that a file is mended
-  // once. Where it is not sure that they are degrees, the files have to agree first.
-  void complain_of_range() {
-    if (complaints_.empty() || !result_.crs || !result_.crs->geographic()) return;
-    const bool doubtful = result_.crs_origin == CrsOrigin::implied;
-    if (doubtful && !reach_of(result_).looks_like_degrees()) return;
-    try {
-      require_degrees(result_, result_.crs->kind());
-    } catch (const Error& error) {
-      complaints_.add(error);
     }
   }
 
