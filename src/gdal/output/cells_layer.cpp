@@ -264,27 +264,18 @@ class LayerWriter {
     const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(
         OGRFeature::CreateFeature(layer.GetLayerDefn()), OGRFeature::DestroyFeature);
     feature->SetGeometryDirectly(ogr_shape(shape).release());
-    int field = 0;
-    feature->SetField(field++, cell.station.c_str());
-    if (has_basins()) feature->SetField(field++, cell.basin.value_or("").c_str());
-    feature->SetField(field++, cell.area);
-    feature->SetField(field++, cell.weight);
-    if (features_.has_rainfall && std::isfinite(cell.rainfall))
-      feature->SetField(field, cell.rainfall);
-    for (std::size_t i = own_fields_; i < fields_.size(); ++i)
-      set(*feature, static_cast<int>(i), text(cell, i), fields_[i].type);
+    for (std::size_t i = 0; i < fields_.size(); ++i) set(*feature, cell, i);
     check(layer.CreateFeature(feature.get()) == OGRERR_NONE);
   }
 
-  static void set(OGRFeature& feature, int field, const std::string& text, FieldType type) {
-    if (text.empty()) return;
-    if (type == FieldType::real) {
-      // What is no number, as the NaN of another file, has no value here either.
-      const auto number = parse_number(text);
-      if (number) feature.SetField(field, number.value);
-    } else {
-      feature.SetField(field, text.c_str());
+  void set(OGRFeature& feature, const CellFeature& cell, std::size_t field) const {
+    const int at = static_cast<int>(field);
+    if (fields_[field].type == FieldType::real) {
+      if (const auto value = number(cell, field)) feature.SetField(at, *value);
+      return;
     }
+    const std::string& value = text(cell, field);
+    if (field < own_fields_ || !value.empty()) feature.SetField(at, value.c_str());
   }
 
   /// The text of a field that is no number of our own; empty for such a one.
@@ -311,7 +302,8 @@ class LayerWriter {
     return wanted;
   }
 
-  /// The number of a field of numbers; nothing where the cell has none.
+  /// The number of a field of numbers; nothing where the cell has none, or what is none, as the NaN
+  /// of another file.
   std::optional<double> number(const CellFeature& cell, std::size_t field) const {
     const std::string& name = fields_[field].name;
     if (field >= own_fields_) {
