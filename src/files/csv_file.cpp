@@ -19,9 +19,7 @@ std::unique_ptr<CsvReader> open_packed(const std::string& file, std::shared_ptr<
   return std::make_unique<CsvReader>(std::move(input), options);
 }
 
-}  // namespace
-
-std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& options) {
+std::unique_ptr<CsvReader> open(const std::string& file, const CsvOptions& options) {
   if (file == "-") return std::make_unique<CsvReader>(file, options);
   const Opening opening = find_opening(file);
   switch (opening.packing) {
@@ -35,6 +33,7 @@ std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& o
   return std::make_unique<CsvReader>(file, options);
 }
 
+/// Tells, as a notice, what parts the fields where that is no comma.
 void tell_separator(const CsvReader& csv, Warnings& warnings) {
   const char separator = csv.separator();
   if (separator == ',') return;
@@ -42,6 +41,15 @@ void tell_separator(const CsvReader& csv, Warnings& warnings) {
                            : separator == ';' ? "semicolons"
                                               : std::string("'") + separator + "'";
   warnings.add_notice({csv.file(), 0, "its fields are parted by " + name, {}});
+}
+
+}  // namespace
+
+std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& options,
+                                    Warnings& warnings) {
+  auto csv = open(file, options);
+  if (options.separator == '\0') tell_separator(*csv, warnings);
+  return csv;
 }
 
 }  // namespace thiessen

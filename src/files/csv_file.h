@@ -8,11 +8,10 @@
 
 namespace thiessen {
 
-/// Opens a CSV as a user names it: a file, `-`, a gzip of one, or one in an archive. Throws Error,
-/// see CsvReader and find_opening.
-std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& options);
-
-/// Tells, as a notice, what parts the fields where that was found out and is no comma.
-void tell_separator(const CsvReader& csv, Warnings& warnings);
+/// Opens a CSV as a user names it: a file, `-`, a gzip of one, or one in an archive. What is
+/// found out to part the fields is told, as a notice, where it is no comma. Throws Error, see
+/// CsvReader and find_opening.
+std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvOptions& options,
+                                    Warnings& warnings);
 
 }  // namespace thiessen

@@ -22,9 +22,7 @@ std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field
   options.separator = source.separator;
   options.limits.field_bytes = longest_field;
   options.limits.row_bytes = std::max(options.limits.row_bytes, longest_field);
-  auto table = open_csv(source.file, options);
-  if (source.separator == '\0') tell_separator(*table, warnings);
-  return table;
+  return open_csv(source.file, options, warnings);
 }
 
 }  // namespace

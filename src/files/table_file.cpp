@@ -10,9 +10,7 @@ std::unique_ptr<Table> open_table(const std::string& file, char separator, Warni
   if (file != "-" && read_by_gdal(file)) return std::make_unique<Layer>(file, "", "", &warnings);
   CsvOptions options;
   options.separator = separator;
-  auto table = open_csv(file, options);
-  if (separator == '\0') tell_separator(*table, warnings);
-  return table;
+  return open_csv(file, options, warnings);
 }
 
 }  // namespace thiessen

@@ -11,7 +11,8 @@ namespace thiessen {
 namespace {
 
 std::vector<std::string> ids_in(const std::string& file) {
-  const auto csv = open_csv(file, {});
+  Warnings warnings;
+  const auto csv = open_csv(file, {}, warnings);
   std::vector<std::string> ids;
   for (Row row; csv->next(row);) ids.emplace_back(row.fields[0]);
   return ids;
@@ -59,7 +60,8 @@ TEST_F(CsvFile, is_read_from_an_archive_of_one) {
   pack("python3 -m zipfile -c a.zip a.csv");
   EXPECT_EQ(ids_in(folder_.path("a.zip")), ids_);
   EXPECT_EQ(ids_in("/vsizip/" + folder_.path("a.zip") + "/a.csv"), ids_);
-  EXPECT_EQ(open_csv(folder_.path("a.zip"), {})->again(), nullptr);
+  Warnings warnings;
+  EXPECT_EQ(open_csv(folder_.path("a.zip"), {}, warnings)->again(), nullptr);
 }
 
 TEST_F(CsvFile, in_an_archive_that_is_damaged_is_an_error) {
