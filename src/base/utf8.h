@@ -22,6 +22,9 @@ Utf8Prefix valid_utf8_prefix(std::string_view text);
 /// The offset, from 0, of the first byte that is not UTF-8, or nothing where all is valid.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
+/// The mark with which some programs begin a file in UTF-8.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 /// Whether two texts are equal, where upper and lower case of A to Z count as the same, in any
 /// locale.
 bool equal_ignoring_case(std::string_view a, std::string_view b);

@@ -1,9 +1,9 @@
 #include "text/csv_writer.h"
 
+#include "base/utf8.h"
+
 namespace thiessen {
 namespace {
-
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t';
