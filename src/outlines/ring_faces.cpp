@@ -87,7 +87,7 @@ Faces faces_between(const Geos& geos, const GEOSGeometry* lines, double grid) {
 }
 
 /// About the finest grid on which coordinates of this size can be told apart.
-double finest_grid(std::span<const Ring> rings) {
+double noding_grid(std::span<const Ring> rings) {
   double largest = 0;
   for (const Ring& ring : rings) {
     for (const Point p : ring) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -106,7 +106,7 @@ std::vector<RingFace> faces_of(std::span<const Ring> rings, double grid) {
   if (grid > 0 || found.closed) return std::move(found.faces);
   // A crossing that is rounded may lie beside a line that ends there. The face behind has a gap in
   // its outline then, and is not found. On a grid lines are parted at every crossing.
-  Faces on_grid = faces_between(geos, lines.get(), finest_grid(rings));
+  Faces on_grid = faces_between(geos, lines.get(), noding_grid(rings));
   const bool was_lost = on_grid.area > found.area * (1 + rounding);
   return std::move(was_lost ? on_grid.faces : found.faces);
 }
