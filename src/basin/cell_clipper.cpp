@@ -124,15 +124,39 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
   }
   touched_.clear();
   double under = 0;
+  bool has_bulges = false;
   for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
     const BoundaryPiece& piece = cut.pieces[i];
     const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
     under = known ? -under : surface_.under(piece.from, piece.to, reference);
     LongSum& area = area_at(piece.place);
     area.add(-under);
-    if (piece.bulge != 0) area.add(piece.bulge);
+    if (piece.bulge != 0) {
+      area.add(piece.bulge);
+      has_bulges = true;
+    }
   }
   std::sort(touched_.begin(), touched_.end());
+  if (has_bulges) settle_bulges();
+}
+
+// Without this the others would add up to more than the basin.
+void CellClipper::settle_bulges() {
+  double less_than_nothing = 0;
+  double positive = 0;
+  for (const PlaceIndex place : touched_) {
+    const double area = area_[index(place)].value();
+    (area < 0 ? less_than_nothing : positive) += area;
+  }
+  if (less_than_nothing == 0 || !(positive > -less_than_nothing)) return;
+  for (const PlaceIndex place : touched_) {
+    LongSum& area = area_[index(place)];
+    const double before = area.value();
+    if (before < 0)
+      area = {};
+    else
+      area.add(before / positive * less_than_nothing);
+  }
 }
 
 double CellClipper::smallest_area() const {

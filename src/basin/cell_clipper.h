@@ -35,8 +35,10 @@ class CellClipper {
   /// The cells that have a share in the basin, in the order of their places. The areas add up to
   /// the basin's within 1e-13 of it plus 2^-52 of its largest coordinate times its perimeter, which
   /// is how far the rounding of crossings to doubles may move the cells' edges. A share below 1e-14
-  /// of the basin is rounding, not ground, and is left out. Requires a valid basin inside the
-  /// diagram's frame. Cost: as Overlay::cut.
+  /// of the basin is rounding, not ground, and is left out. So is a cell that meets the chord of a
+  /// basin's edge and not the edge itself, whose bulges leave it less than nothing: the others bear
+  /// that in proportion to their areas. Requires a valid basin inside the diagram's frame. Cost: as
+  /// Overlay::cut.
   std::vector<CellShare> shares(const Basin& basin);
 
   /// The cells that have a share in the basin, with their shapes, in the order of their places.
@@ -48,6 +50,7 @@ class CellClipper {
  private:
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
+  void settle_bulges();
   /// The smallest area that counts in the basin that was measured last; less is rounding.
   double smallest_area() const;
 

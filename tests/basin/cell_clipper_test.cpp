@@ -109,6 +109,24 @@ TEST(CellShares, of_an_edge_s_bulges_go_to_the_cells_along_it) {
   EXPECT_NEAR(area_of(basin, PlaneSurface()), 8.8, 1e-14);
 }
 
+// The third place's cell lies below the borders y = (2 x - 3) / 4 and y = (5 - 2 x) / 4. With the
+// basin's lower edge it makes a triangle of base 1 and height 1 / 4, 0.125, of which 0.44 are cut
+// off by the part of the bulge along its base, 0.367 of 1.2.
+TEST(CellShares, of_an_edge_that_bends_away_from_a_cell_leave_that_cell_nothing) {
+  Basin basin = shapes::basin({{shapes::rectangle({0, 0}, {4, 2}), {}}});
+  basin.bulges = {{-1.2, 0, 0, 0}};  // the lower edge bulges inwards
+  const std::vector<Point> places{{1, 1}, {3, 1}, {2, -1}};
+  const Areas areas = areas_in(places, basin, shapes::box_of(basin.shape));
+  ASSERT_EQ(areas.size(), 2u);
+  EXPECT_NEAR(areas.at(0), 3.4, 1e-14);
+  EXPECT_NEAR(areas.at(1), 3.4, 1e-14);
+  const Diagram diagram = plane_diagram(places, shapes::box_of(basin.shape));
+  const PlaneSurface plane;
+  const std::vector<ClippedCell> cells = CellClipper(diagram, plane).cells(basin);
+  ASSERT_EQ(cells.size(), 2u);
+  EXPECT_NEAR(cells[0].area, 3.4, 1e-14);
+}
+
 TEST(CellShapes, share_their_edges_vertex_for_vertex) {
   const std::vector<Point> places{{1, 1}, {3, 1}, {2, 3}};
   const Basin basin = shapes::basin({{shapes::rectangle({0, 0}, {4, 4}), {}}});
