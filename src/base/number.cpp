@@ -163,4 +163,17 @@ std::string fixed_text(double value, int decimals) {
   return out;
 }
 
+std::string significant_text(double value, int digits) {
+  assert(std::isfinite(value) && digits >= 1);
+  // The exponent is that of the rounded value: 9.996 with three digits is 1.00e+01.
+  std::array<char, 512> text;
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::scientific, digits - 1);
+  const std::string_view written(text.data(), static_cast<std::size_t>(result.ptr - text.data()));
+  const std::size_t at = written.rfind('e') + 1;
+  int exponent = 0;
+  std::from_chars(text.data() + at + (written[at] == '+' ? 1 : 0), result.ptr, exponent);
+  return fixed_text(value, std::clamp(digits - 1 - exponent, 0, 100));
+}
+
 }  // namespace thiessen

@@ -119,4 +119,9 @@ std::string fixed_text(double value, int decimals);
 /// Appends what fixed_text returns.
 void append_fixed(std::string& out, double value, int decimals);
 
+/// Writes the value rounded to so many digits that tell, and with all digits before the point:
+/// three of 0.012346 are 0.0123, of 9.996 they are 10.0, and of 123456 they are 123456. Values that
+/// need more than 100 decimals for that get 100. Requires a finite value and at least one digit.
+std::string significant_text(double value, int digits);
+
 }  // namespace thiessen

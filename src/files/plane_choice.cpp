@@ -1,6 +1,5 @@
 #include "files/plane_choice.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/number.h"
@@ -36,10 +35,9 @@ void append_vertices(std::span<const MultiPolygon> basins, const Crs& from, cons
 }  // namespace
 
 std::string percent_text(double share) {
+  constexpr double least = 1e-9;
   const double value = 100 * share;
-  if (!(value > 1e-9)) return "0 %";
-  const int leading = static_cast<int>(std::floor(std::log10(value)));
-  return fixed_text(value, std::max(0, 1 - leading)) + " %";
+  return (value > least ? significant_text(value, 2) : "0") + " %";
 }
 
 StudyPlane choose_plane(const StationsFile& stations, std::span<const MultiPolygon> basins,

@@ -17,11 +17,9 @@ constexpr double half_way_round = 2.0004e7;  // metres, from pole to pole
 constexpr double longest_meridian_radius = 6399594;
 constexpr double longest_parallel_radius = 6399594;
 
-/// Three digits that tell, and all digits before the point.
 std::string three_digits(double value) {
-  if (!(value > 0)) return "0";
-  const int leading = static_cast<int>(std::floor(std::log10(value)));
-  return fixed_text(value, std::clamp(2 - leading, 0, 12));
+  constexpr double least = 1e-12;
+  return value > least ? significant_text(value, 3) : "0";
 }
 
 }  // namespace
@@ -75,8 +73,7 @@ Box Ruler::extent(std::span<const Point> points) const {
 
 double Ruler::diagonal(const Box& box) const {
   if (on_earth() && box.width() * degrees_ >= 180) return half_way_round;
-  return std::max(distance(box.low, box.high),
-                  distance({box.low.x, box.high.y}, {box.high.x, box.low.y}));
+  return distance(box.low, box.high);
 }
 
 double Ruler::between(const Box& a, const Box& b) const {
@@ -101,9 +98,11 @@ std::string Ruler::text(double distance) const {
 }
 
 std::string Ruler::text(const Box& box) const {
-  const auto range = [](double low, double high) {
-    const auto rounded = [](double v) { return shortest_text(std::round(v * 1e6) / 1e6); };
-    return low == high ? rounded(low) : rounded(low) + " to " + rounded(high);
+  const auto rounded = [](double v) { return shortest_text(std::round(v * 1e6) / 1e6); };
+  const auto range = [&](double low, double high) {
+    const std::string from = rounded(low);
+    const std::string to = rounded(high);
+    return from == to ? from : from + " to " + to;
   };
   const std::string x = range(box.low.x, box.high.x);
   const std::string y = range(box.low.y, box.high.y);

@@ -24,17 +24,18 @@ class Ruler {
   /// A point's position in space, in which what is near is near: see earth/nearest/in_space.h.
   Direction in_space(Point p) const;
   /// An upper bound on the length in space of the edge from a to b, which is straight in the
-  /// coordinates. It is less than 1 % too long for edges that are short beside the Earth.
+  /// coordinates. It is at most 1.02 % too long for edges that are short beside the Earth.
   double longest(Point a, Point b) const;
   double distance(Point a, Point b) const;
   /// The smallest box of some points; on the Earth its longitudes go the shorter way round and may
   /// pass 180.
   Box extent(std::span<const Point> points) const;
-  /// The length of a box's longer diagonal; half way round the Earth where it is wider than that.
+  /// The length of a box's diagonals, which mirror each other; half way round the Earth where the
+  /// box is wider than that.
   double diagonal(const Box& box) const;
   /// The shortest distance between two boxes, 0 where they meet, to a few per cent on the Earth.
   double between(const Box& a, const Box& b) const;
-  /// A distance for a message: `123 km`, `0.45 km`, or `12 units`.
+  /// A distance for a message, to three digits that tell: `123 km`, `0.450 km`, or `12.0 units`.
   std::string text(double distance) const;
   /// The corners of a box for a message.
   std::string text(const Box& box) const;

@@ -158,6 +158,24 @@ TEST(FixedText, never_shows_a_negative_zero) {
   EXPECT_EQ(fixed_text(-0.4, 0), "0");
 }
 
+TEST(SignificantText, has_so_many_digits_that_tell_and_all_before_the_point) {
+  EXPECT_EQ(significant_text(0.0123456, 3), "0.0123");
+  EXPECT_EQ(significant_text(1.25, 2), "1.2");
+  EXPECT_EQ(significant_text(-42, 4), "-42.00");
+  EXPECT_EQ(significant_text(1000, 1), "1000");
+  EXPECT_EQ(significant_text(123456.7, 3), "123457");
+  EXPECT_EQ(significant_text(0, 3), "0.00");
+  EXPECT_EQ(significant_text(5e-324, 3), "0." + std::string(100, '0'));
+}
+
+TEST(SignificantText, has_no_digit_more_where_rounding_makes_a_power_of_ten) {
+  EXPECT_EQ(significant_text(9.994, 3), "9.99");
+  EXPECT_EQ(significant_text(9.996, 3), "10.0");
+  EXPECT_EQ(significant_text(99.96, 3), "100");
+  EXPECT_EQ(significant_text(0.0996, 2), "0.10");
+  EXPECT_EQ(significant_text(-0.9996, 3), "-1.00");
+}
+
 TEST(Number, is_the_same_in_a_locale_of_commas) {
   const char* found = nullptr;
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "tr_TR.UTF-8"}) {
