@@ -26,17 +26,15 @@ std::string in_iso(std::string text) {
 class LayerReadback {
  public:
   LayerReadback(OGRLayer& layer, const LayerTexts& wanted, const std::string& path)
-      : layer_(layer), wanted_(wanted), path_(path) {}
+      : layer_(layer), wanted_(wanted), path_(path), first_field_(first_field()) {}
 
-  /// Finds each field by its name, or else by its place, where the format made another of it.
+  /// Finds each field, and tells those to which the format gave another name.
   void find_fields(Warnings& warnings) {
-    OGRFeatureDefn& definition = *layer_.GetLayerDefn();
     for (std::size_t i = 0; i < wanted_.names.size(); ++i) {
       const std::string& name = wanted_.names[i];
-      int at = definition.GetFieldIndex(name.c_str());
-      if (at < 0) at = static_cast<int>(i) + first_field();
-      if (at >= definition.GetFieldCount()) fail("the format has no field " + quoted(name, 80));
-      const std::string actual = definition.GetFieldDefn(at)->GetNameRef();
+      const int at = place_of(i);
+      if (at >= count()) fail("the format has no field " + quoted(name, 80));
+      const std::string actual = name_at(at);
       if (actual != name) {
         warnings.add({path_,
                       0,
@@ -68,9 +66,32 @@ class LayerReadback {
     throw Error(Message{path_, 0, std::move(text), roomy});
   }
 
+  int count() const { return layer_.GetLayerDefn()->GetFieldCount(); }
+  std::string name_at(int place) const {
+    return layer_.GetLayerDefn()->GetFieldDefn(place)->GetNameRef();
+  }
+
+  /// The first field of this name that is not another's; `count()` where there is none.
+  int place_of_name(const std::string& name) const {
+    int at = 0;
+    while (at < count() && (name_at(at) != name || std::ranges::count(places_, at) > 0)) ++at;
+    return at;
+  }
+
   /// Some formats put fields of their own before those that are asked for.
   int first_field() const {
-    return std::max(0, layer_.GetLayerDefn()->GetFieldIndex(wanted_.names.front().c_str()));
+    const int at = place_of_name(wanted_.names.front());
+    return at < count() ? at : 0;
+  }
+
+  /// Where a field is: in its turn, unless there is one of its name elsewhere. A name alone does
+  /// not tell, for a format that cuts names may make of another's name this one.
+  int place_of(std::size_t field) const {
+    const int in_turn = static_cast<int>(field) + first_field_;
+    const std::string& name = wanted_.names[field];
+    if (in_turn < count() && name_at(in_turn) == name) return in_turn;
+    const int by_name = place_of_name(name);
+    return by_name < count() ? by_name : in_turn;
   }
 
   /// The numbers of a field that the format rounds.
@@ -122,7 +143,8 @@ class LayerReadback {
   OGRLayer& layer_;
   const LayerTexts& wanted_;
   const std::string& path_;
-  std::vector<int> places_;
+  std::vector<int> places_;  ///< of the fields in the layer, as far as they are found
+  int first_field_;
   std::vector<Rounded> rounded_;  ///< by field
 };
 
