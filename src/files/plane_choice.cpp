@@ -46,6 +46,12 @@ StudyPlane choose_plane(const StationsFile& stations, std::span<const MultiPolyg
   std::vector<Point> all;
   append_gauges(stations, degrees, all);
   if (basins_crs) append_vertices(basins, *basins_crs, degrees, all);
+  if (all.empty()) {
+    throw Error(Message{stations.file,
+                        0,
+                        "no station lies in the projection's area (" + stations.crs->name() + ")",
+                        {}});
+  }
   const auto fitted = fit_plane(all);
   if (!fitted || fitted->scale_error > largest_scale_error) {
     const std::string how =
