@@ -10,16 +10,15 @@
 namespace thiessen {
 namespace {
 
-MultiPolygon traced(const CellFeature& cell, ShapeTracer& tracer, const Crs& target) {
-  auto seen = tracer.trace(cell.shape, Longitudes::cut);
-  if (!seen) {
-    throw Error(Message{{},
-                        0,
-                        "the cell of station " + quoted(cell.station, 80) +
-                            " reaches outside the area of " + target.name(),
-                        "cells in longitude and latitude (.geojson) reach anywhere"});
-  }
-  return std::move(seen->shape);
+[[noreturn]] void refuse(const CellFeature& cell, const Crs& from, const Crs& target) {
+  // Degrees reach anywhere on the Earth: then it is the study's plane that the cell leaves.
+  const bool leaves_plane = target.geographic();
+  throw Error(
+      Message{{},
+              0,
+              "the cell of station " + quoted(cell.station, 80) + " reaches outside the area of " +
+                  (leaves_plane ? from : target).name(),
+              leaves_plane ? "" : "cells in longitude and latitude (.geojson) reach anywhere"});
 }
 
 MultiPolygon cut(const CellFeature& cell) {
@@ -39,7 +38,9 @@ std::vector<MultiPolygon> cells_shapes(const CellsOutput& output,
     tracer = tracer_between(*output.study_crs, *target, output.tolerance / 2, Course::chords);
   for (const CellFeature& cell : output.cells) {
     if (tracer) {
-      shapes.push_back(traced(cell, *tracer, *target));
+      auto seen = tracer->trace(cell.shape, Longitudes::cut);
+      if (!seen) refuse(cell, *output.study_crs, *target);
+      shapes.push_back(std::move(seen->shape));
     } else {
       shapes.push_back(target && target->kind().in_degrees() ? cut(cell) : cell.shape);
     }

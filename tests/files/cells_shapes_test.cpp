@@ -77,6 +77,9 @@ TEST(CellsShapes, a_cell_that_the_crs_cannot_hold_is_named_with_it) {
   EXPECT_EQ(complaint_of([] { cells_shapes(output({over}, Crs::wgs84()), crs("EPSG:32633")); }),
             "the cell of station 'A-1' reaches outside the area of EPSG:32633 | cells in longitude "
             "and latitude (.geojson) reach anywhere");
+  const MultiPolygon far = {{{{9e7, 0}, {9.1e7, 0}, {9.1e7, 1e6}}, {}}};
+  EXPECT_EQ(complaint_of([&] { cells_shapes(output({far}, crs("EPSG:32633")), Crs::wgs84()); }),
+            "the cell of station 'A-1' reaches outside the area of EPSG:32633");
 }
 
 }  // namespace
