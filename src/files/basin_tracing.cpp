@@ -52,8 +52,8 @@ std::optional<MultiPolygon> without_needles(const MultiPolygon& basin, double gr
 }  // namespace
 
 BasinTracing::BasinTracing(const Crs& from, const Crs& to, double tolerance)
-    : from_(&from),
-      to_(&to),
+    : from_(from),
+      to_(to),
       tolerance_(tolerance),
       tracer_(tracer_between(from, to, chords * tolerance, Course::chords_and_bulges)) {}
 
@@ -71,11 +71,11 @@ std::optional<CurvedShape> BasinTracing::trace(MultiPolygon& basin) {
   if (!traced || fault_.empty()) return traced;
   const MultiPolygon whole = basin;
   for (const Attempt& attempt : attempts) {
-    auto rest = without_needles(whole, attempt.needles * units_per_metre(*from_));
+    auto rest = without_needles(whole, attempt.needles * units_per_metre(from_));
     const bool loses = rest.has_value();
     basin = loses ? *std::move(rest) : whole;
     const double chord_error = std::min(attempt.chord_error, chords * tolerance_);
-    ShapeTracer tracer = tracer_between(*from_, *to_, chord_error, Course::chords_and_bulges);
+    ShapeTracer tracer = tracer_between(from_, to_, chord_error, Course::chords_and_bulges);
     traced = trace_with(tracer, basin);
     if (traced && !fault_.empty()) continue;
     if (loses) collapsed_ = attempt.needles;

@@ -32,8 +32,8 @@ class BasinTracing {
  private:
   std::optional<CurvedShape> trace_with(ShapeTracer& tracer, const MultiPolygon& basin);
 
-  const Crs* from_;
-  const Crs* to_;
+  Crs from_;
+  Crs to_;
   double tolerance_;
   ShapeTracer tracer_;
   Point outside_;
