@@ -2,28 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cstdio>
 #include <limits>
-#include <memory>
 
 #include "base/complaints.h"
+#include "base/program_output.h"
 #include "base/temporary_folder.h"
 
 namespace thiessen {
 namespace {
-
-/// What another program prints.
-std::string output_of(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
-  if (!pipe) return {};
-  std::string text;
-  std::array<char, 4096> buffer;
-  while (const std::size_t count = fread(buffer.data(), 1, buffer.size(), pipe.get())) {
-    text.append(buffer.data(), count);
-  }
-  return text;
-}
 
 OwnerRows rows_of(const std::vector<std::int32_t>& owners, int columns) {
   return [&owners, columns](int row, int count) {
@@ -48,7 +34,7 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   EXPECT_EQ(files[1].name, folder.path("map.tif.aux.xml"));
   for (const EncodedFile& file : files)
     folder.write(file.name.substr(folder.path().size() + 1), file.bytes);
-  const std::string info = output_of("gdalinfo '" + folder.path("map.tif") + "'");
+  const std::string info = program_output("gdalinfo '" + folder.path("map.tif") + "'");
   EXPECT_TRUE(contains(info, "Size is 300, 2")) << info;
   EXPECT_TRUE(contains(info, "Origin = (500000.0"));
   EXPECT_TRUE(contains(info, "Pixel Size = (25.0"));
@@ -58,7 +44,7 @@ TEST(RasterFile, owners_come_back_with_their_ids) {
   EXPECT_TRUE(contains(info, "<F>007</F>"));
   EXPECT_TRUE(contains(info, "<F>a&lt;b</F>"));
   const auto value = [&](const std::string& pixel) {
-    return output_of("gdallocationinfo -valonly '" + folder.path("map.tif") + "' " + pixel);
+    return program_output("gdallocationinfo -valonly '" + folder.path("map.tif") + "' " + pixel);
   };
   EXPECT_EQ(value("0 0"), "2\n");
   EXPECT_EQ(value("299 0"), "1\n");
@@ -77,12 +63,12 @@ TEST(RasterFile, rainfall_is_the_owner_s_and_not_a_number_outside) {
   ASSERT_EQ(files.size(), 1U);
   folder.write("map.tif", files[0].bytes);
   const auto value = [&](const std::string& pixel) {
-    return output_of("gdallocationinfo -valonly '" + folder.path("map.tif") + "' " + pixel);
+    return program_output("gdallocationinfo -valonly '" + folder.path("map.tif") + "' " + pixel);
   };
   EXPECT_EQ(value("1 1"), "12.5\n");
   EXPECT_EQ(value("2 1"), "0.100000001490116\n");
   EXPECT_EQ(value("3 1"), "nan\n");
-  const std::string info = output_of("gdalinfo '" + folder.path("map.tif") + "'");
+  const std::string info = program_output("gdalinfo '" + folder.path("map.tif") + "'");
   EXPECT_TRUE(contains(info, "NoData Value=nan")) << info;
   EXPECT_TRUE(contains(info, "Type=Float32"));
 }
