@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <numeric>
 
 #include "base/utf8.h"
 
@@ -12,7 +10,6 @@ namespace {
 
 constexpr std::size_t names_listed = 10;
 constexpr std::size_t longest_time = 80;
-constexpr std::uint32_t readings_that_tell = 3;
 constexpr std::int64_t shortest_month = std::int64_t{28} * 86'400;  // seconds
 
 }  // namespace
@@ -25,11 +22,7 @@ void MixedSteps::note(std::string_view time, std::size_t line, std::span<const d
   if (!first_time_) first_time_ = parsed.time;
   if (in_months_ && !stand_alike_in_months(*first_time_, parsed.time)) count_in_seconds();
   const std::int64_t at = in_months_ ? month_number(parsed.time) : moment_seconds(parsed.time);
-  const IsoTime& t = parsed.time;
-  const std::int64_t seconds = (std::int64_t{60} * t.hour + t.minute) * 60 + t.second;
-  const CalendarPlace calendar{month_number(t), t.day, seconds * 1'000'000'000 + t.nanosecond,
-                               is_last_of_month(t)};
-  note_readings(at, calendar, readings);
+  note_readings(at, CalendarPlace(parsed.time), readings);
 }
 
 void MixedSteps::note_form(const IsoTime& time, std::string_view text, std::size_t line,
@@ -49,37 +42,9 @@ void MixedSteps::note_readings(std::int64_t at, const CalendarPlace& calendar,
                                std::span<const double> readings) {
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isnan(readings[i])) continue;
-    Gauge& gauge = gauges_[i];
-    ++gauge.readings;
-    if (gauge.last != never) {
-      const std::int64_t apart = std::abs(at - gauge.last);
-      if (apart != gauge.apart) gauge.apart = std::gcd(gauge.apart, apart);
-      gauge.low = std::min(gauge.low, at);
-      gauge.high = std::max(gauge.high, at);
-    } else {
-      gauge.low = gauge.high = at;
-    }
-    gauge.last = at;
-    if (gauge.alike) note_month(calendar, gauge);
+    gauges_[i].readings.note(at);
+    gauges_[i].monthly.note(calendar);
   }
-}
-
-void MixedSteps::note_month(const CalendarPlace& calendar, Gauge& gauge) {
-  if (gauge.months == 0) {
-    gauge.day = calendar.day;
-    gauge.clock = calendar.clock;
-    gauge.at_end = calendar.at_end;
-    gauge.low_month = gauge.high_month = calendar.month;
-  } else {
-    const std::int64_t apart = std::abs(calendar.month - gauge.last_month);
-    gauge.months_apart = std::gcd(gauge.months_apart, apart);
-    const bool same_day = calendar.day == gauge.day || (calendar.at_end && gauge.at_end);
-    gauge.alike = apart > 0 && same_day && calendar.clock == gauge.clock;
-  }
-  gauge.last_month = calendar.month;
-  gauge.low_month = std::min(gauge.low_month, calendar.month);
-  gauge.high_month = std::max(gauge.high_month, calendar.month);
-  ++gauge.months;
 }
 
 /// Months were counted, and the times stand at other days after all. What a gauge's months were
@@ -88,14 +53,9 @@ void MixedSteps::count_in_seconds() {
   in_months_ = false;
   const std::int64_t first_month = month_number(*first_time_);
   for (Gauge& gauge : gauges_) {
-    if (gauge.last == never) continue;
-    const bool one = gauge.readings == 1 && gauge.last == first_month;
-    gauge.last = gauge.low = gauge.high = never;
-    gauge.apart = 0;
-    gauge.readings = 0;
-    if (!one) continue;
-    gauge.last = gauge.low = gauge.high = moment_seconds(*first_time_);
-    gauge.readings = 1;
+    const bool one = gauge.readings.count() == 1 && gauge.readings.last() == first_month;
+    gauge.readings = {};
+    if (one) gauge.readings.note(moment_seconds(*first_time_));
   }
 }
 
@@ -158,8 +118,8 @@ std::optional<Message> MixedSteps::mixed_forms(const std::string& file,
 /// is held to be certain.
 double MixedSteps::share_silent(const std::vector<StationIndex>& but_for) const {
   std::size_t readings = 0;
-  for (const Gauge& gauge : gauges_) readings += gauge.readings;
-  for (const StationIndex gauge : but_for) readings -= gauges_[index(gauge)].readings;
+  for (const Gauge& gauge : gauges_) readings += gauge.readings.count();
+  for (const StationIndex gauge : but_for) readings -= gauges_[index(gauge)].readings.count();
   const auto steps = static_cast<double>(intervals_.times() * (gauges_.size() - but_for.size()));
   return (std::max(0.0, steps - static_cast<double>(readings)) + 1) / (steps + 2);
 }
@@ -174,7 +134,7 @@ void MixedSteps::leave_chance_out(std::vector<StationIndex>& coarse,
   const double silent = share_silent(coarse);
   std::erase_if(coarse, [&](StationIndex station) {
     const Gauge& gauge = gauges_[index(station)];
-    const auto between = static_cast<double>(in_steps(gauge) - 1) * (gauge.readings - 1);
+    const auto between = static_cast<double>(in_steps(gauge) - 1) * (gauge.readings.count() - 1);
     return static_cast<double>(gauges_.size()) * std::pow(silent, between) >= files_by_chance;
   });
 }
@@ -187,10 +147,6 @@ std::optional<Message> MixedSteps::fault(const std::string& file,
   const std::optional<StepLength> step = intervals_.step();
   if (!step || (step->months > 0) != in_months_) return std::nullopt;
   const std::int64_t length = in_months_ ? step->months : step->seconds;
-  const auto fills = [](std::int64_t low, std::int64_t high, std::int64_t apart,
-                        std::uint32_t readings) {
-    return readings >= readings_that_tell && (high - low) / apart + 1 < 2 * std::int64_t{readings};
-  };
   const auto told = [&](const std::vector<StationIndex>& gauges, const auto& apart, bool months) {
     std::int64_t longest = 0;
     for (const StationIndex gauge : gauges)
@@ -199,21 +155,21 @@ std::optional<Message> MixedSteps::fault(const std::string& file,
                  "every " + text_of(months ? StepLength{longest, 0} : StepLength{0, longest}) +
                      " in a file whose step is " + text_of(*step));
   };
-  const auto apart = [](const Gauge& gauge) { return gauge.apart; };
+  const auto apart = [](const Gauge& gauge) { return gauge.readings.apart(); };
   auto coarse = gauges_that([&](const Gauge& gauge) {
-    return gauge.apart >= 2 * length && gauge.apart % length == 0 &&
-           fills(gauge.low, gauge.high, gauge.apart, gauge.readings);
+    return apart(gauge) >= 2 * length && apart(gauge) % length == 0 &&
+           gauge.readings.fill_their_steps();
   });
-  leave_chance_out(coarse, [&](const Gauge& gauge) { return gauge.apart / length; });
+  leave_chance_out(coarse, [&](const Gauge& gauge) { return apart(gauge) / length; });
   if (!coarse.empty()) return told(coarse, apart, in_months_);
   if (in_months_) return std::nullopt;
-  const auto months_apart = [](const Gauge& gauge) { return gauge.months_apart; };
+  const auto months_apart = [](const Gauge& gauge) { return gauge.monthly.months().apart(); };
   auto monthly = gauges_that([&](const Gauge& gauge) {
-    return gauge.alike && gauge.months_apart > 0 &&
-           fills(gauge.low_month, gauge.high_month, gauge.months_apart, gauge.months);
+    return gauge.monthly.stand_alike() && months_apart(gauge) > 0 &&
+           gauge.monthly.months().fill_their_steps();
   });
   leave_chance_out(
-      monthly, [&](const Gauge& gauge) { return gauge.months_apart * shortest_month / length; });
+      monthly, [&](const Gauge& gauge) { return months_apart(gauge) * shortest_month / length; });
   if (monthly.empty()) return std::nullopt;
   return told(monthly, months_apart, true);
 }

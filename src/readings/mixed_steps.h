@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,8 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/step_intervals.h"
+#include "readings/monthly_readings.h"
+#include "readings/spaced_readings.h"
 
 namespace thiessen {
 
@@ -40,30 +41,10 @@ class MixedSteps {
   std::optional<Message> fault(const std::string& file, std::span<const Station> stations) const;
 
  private:
-  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::min();
   struct Gauge {
-    std::int64_t last = never;  ///< where its last reading in the file is, whatever its order
-    std::int64_t low = never;   ///< where its earliest reading is
-    std::int64_t high = never;  ///< and its latest
-    std::int64_t apart = 0;     ///< greatest common divisor of the intervals between its readings
-    std::uint32_t readings = 0;
+    SpacedReadings readings;  ///< in months or in seconds
+    MonthlyReadings monthly;
     TimePrecision coarsest = TimePrecision::instant;  ///< of the times at which it reports
-    bool alike = true;    ///< whether all its readings stand alike in their months, one in each
-    bool at_end = false;  ///< whether the first of them is on the last day of its month
-    int day = 0;          ///< of its first reading
-    std::uint32_t months = 0;  ///< readings that stand alike
-    std::int64_t clock = 0;    ///< nanoseconds from midnight to its first reading
-    std::int64_t last_month = never;
-    std::int64_t low_month = never;
-    std::int64_t high_month = never;
-    std::int64_t months_apart = 0;  ///< greatest common divisor
-  };
-  /// Where a step stands in the calendar.
-  struct CalendarPlace {
-    std::int64_t month = 0;
-    int day = 1;
-    std::int64_t clock = 0;  ///< nanoseconds from midnight
-    bool at_end = false;     ///< on the month's last day
   };
   /// A time as it is written, and where.
   struct Written {
@@ -75,7 +56,6 @@ class MixedSteps {
                  std::span<const double> readings);
   void note_readings(std::int64_t at, const CalendarPlace& calendar,
                      std::span<const double> readings);
-  static void note_month(const CalendarPlace& calendar, Gauge& gauge);
   std::optional<Message> mixed_forms(const std::string& file,
                                      std::span<const Station> stations) const;
   template <typename IsCoarse>
