@@ -10,7 +10,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "map/plot/number_labels.h"
 #include "map/plot/plane_plot.h"
 #include "map/plot/plot_sheet.h"
 #include "map/plot/space_view.h"
@@ -118,31 +117,6 @@ TEST(PlanePicture, keeps_its_lines_in_the_panel) {
   EXPECT_GT(inside, 10'000);
 }
 
-TEST(PlanePicture, has_equal_scales_but_for_needles) {
-  const PlanePlot plain(CoordinateRange<2>(tessellation_of<2>({{0, 0}, {20, 1}})));
-  EXPECT_EQ(plain.stretch(0), 1);
-  EXPECT_EQ(plain.stretch(1), 1);
-  const PlanePlot needle(CoordinateRange<2>(tessellation_of<2>({{0, 0}, {1e6, 1e-6}})));
-  EXPECT_EQ(needle.stretch(0), 1);
-  EXPECT_NEAR(needle.stretch(1), 1e12 / 3, 1);
-  const PlanePlot level(CoordinateRange<2>(tessellation_of<2>({{0, 3}, {1e6, 3}})));
-  EXPECT_EQ(level.stretch(1), 1);
-}
-
-TEST(PlanePicture, shows_every_point) {
-  for (const auto& points : std::vector<std::vector<Point>>{
-           {{4e6, 5e5}}, {{0, 0}, {0, 1e8}}, {{0, 0}, {1e6, 1e-6}, {2e5, 3e-7}}, {{-3, 1e-40}}}) {
-    const auto tessellation = tessellation_of<2>(points);
-    const PlanePlot plot{CoordinateRange<2>(tessellation)};
-    const PixelBox panel = panel_of(tessellation);
-    for (const Point p : points) {
-      const Point pixel = plot.pixel(plot.scene()(p), panel);
-      EXPECT_TRUE(pixel.x > panel.x + 20 && pixel.x < panel.right() - 20);
-      EXPECT_TRUE(pixel.y > panel.y + 20 && pixel.y < panel.bottom() - 20);
-    }
-  }
-}
-
 std::uint64_t number_at(double x, double y) {
   return static_cast<std::uint64_t>(1 + 10 * x) * 100 + static_cast<std::uint64_t>(1 + 10 * y);
 }
@@ -243,44 +217,6 @@ TEST(SpacePicture, needs_a_direction_to_look_in) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW(space_picture(tessellation, own_number, View{{1, 2, infinity}, {1, 2, 3}}), Error);
   EXPECT_THROW(space_picture({}, own_number, View{{1, 2, 3}, {1, 2, 3}}), Error);
-}
-
-TEST(NumberLabels, do_not_overlap_and_leave_dots_clear) {
-  const PixelBox panel{30, 20, 200, 150};
-  Canvas canvas(260, 190);
-  Typesetter type;
-  NumberLabels labels(canvas, panel, type, 16);
-  const Point dot{130.5, 95.5};
-  labels.keep_clear(dot, 4);
-  int written = 0;
-  for (std::uint64_t number = 1; number <= 40; ++number) {
-    written += labels.write(number, dot, 4, {0, 0, 0}) ? 1 : 0;
-  }
-  EXPECT_GE(written, 4);
-  EXPECT_LE(written, 8);
-  for (int y = 92; y < 99; ++y) {
-    for (int x = 127; x < 134; ++x) {
-      EXPECT_EQ(canvas.bytes()[static_cast<std::size_t>(3 * (y * 260 + x))], 255) << x << " " << y;
-    }
-  }
-}
-
-TEST(NumberLabels, stand_where_the_fewest_lines_are) {
-  const PixelBox panel{0, 0, 200, 200};
-  Canvas canvas(200, 200);
-  canvas.fill({100, 0, 100, 200}, {0, 0, 200});
-  canvas.fill({0, 0, 200, 95}, {0, 0, 200});
-  Typesetter type;
-  NumberLabels labels(canvas, panel, type, 16);
-  ASSERT_TRUE(labels.write(8, {100, 100}, 3, {0, 0, 0}));
-  bool is_left_below = false;
-  for (int y = 100; y < 140; ++y) {
-    for (int x = 60; x < 98; ++x) {
-      is_left_below =
-          is_left_below || canvas.bytes()[static_cast<std::size_t>(3 * (y * 200 + x))] < 50;
-    }
-  }
-  EXPECT_TRUE(is_left_below);
 }
 
 }  // namespace
