@@ -88,10 +88,25 @@ bool is_apart(const Polygon& a, const Polygon& b) {
   return geos::area(*common) == 0;
 }
 
+/// How far a ring's edges keep from a point.
+double clearance(const Ring& ring, Point centre) {
+  double nearest = HUGE_VAL;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point a = ring[i];
+    const Point b = ring[(i + 1) % ring.size()];
+    const Point along{b.x - a.x, b.y - a.y};
+    const Point out{centre.x - a.x, centre.y - a.y};
+    const double share = std::clamp(
+        (out.x * along.x + out.y * along.y) / (along.x * along.x + along.y * along.y), 0.0, 1.0);
+    nearest = std::min(nearest, std::hypot(out.x - share * along.x, out.y - share * along.y));
+  }
+  return nearest;
+}
+
 /// What may be odd about a basin. Each keeps the parts apart from each other but for shared edges.
 void embellish(Seeded& seeded, Study& study, Point centre, double radius, double unit) {
   Polygon& first = study.parts.front();
-  const double inner = radius / 5;
+  const double inner = std::min(radius / 5, 0.8 * clearance(first.outer, centre));
   switch (seeded.below(7)) {
     case 0: {
       study.what = "needles";
