@@ -5,9 +5,9 @@
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
-#include "cli/options/option_values.h"
 #include "cli/options/output_options.h"
 #include "cli/options/rainfall_options.h"
+#include "cli/options/raster_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
@@ -15,7 +15,7 @@
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
-#include "gdal/output/raster_file.h"
+#include "gdal/output/raster_output.h"
 
 namespace thiessen::cli {
 namespace {
@@ -40,9 +40,7 @@ class MapCommand : public Command {
     view_.declare_time(options());
     view_.declare_margin(options());
     view_.declare_look(options());
-    resolution_option_ = &options().group("Picture").add(
-        "--resolution", number(resolution_, above_zero),
-        "the raster's pixel in units of its CRS; default: the longer side in 2000 pixels");
+    raster_.declare(options());
     output_.declare(options(), Need::required, "map.png", "where the picture or the raster goes");
     common_.declare(options());
   }
@@ -62,9 +60,8 @@ class MapCommand : public Command {
     view_.check(rainfall_.given(), study_.has_basins());
     if (kind == Kind::tiff) {
       view_.check_raster();
-    } else if (resolution_option_->is_given()) {
-      throw UsageError{"--resolution is of a raster, and a picture is written",
-                       "--size gives its pixels; a .tif is a raster"};
+    } else {
+      raster_.check_picture();
     }
   }
 
@@ -81,9 +78,8 @@ class MapCommand : public Command {
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     const unsigned threads = static_cast<unsigned>(common_.threads);
     if (kind == Kind::tiff) {
-      const Provenance made_by = provenance_of(inputs, study_, shown, view_.units);
       append_files(outputs, file,
-                   raster_of(inputs, shown, resolution_, made_by, output_.output, threads));
+                   raster_of(inputs, shown, view_.time, raster_output(inputs, shown)));
     } else {
       const auto cells = cells_of(inputs, shown, threads);
       file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_),
@@ -95,11 +91,22 @@ class MapCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
+  RasterOutput raster_output(const Inputs& inputs, const GaugeReadings* shown) const {
+    RasterOutput output;
+    output.grid = raster_grid(inputs, raster_.resolution);
+    output.crs = inputs.study().output_crs();
+    output.made_by = provenance_of(inputs, study_, shown, view_.units);
+    output.path = output_.output;
+    output.compression = raster_.compression;
+    output.has_overviews = raster_.has_overviews;
+    output.threads = static_cast<unsigned>(common_.threads);
+    return output;
+  }
+
   StudyOptions study_;
   RainfallOptions rainfall_;
   ViewOptions view_;
-  double resolution_ = 0;
-  const Option* resolution_option_ = nullptr;
+  RasterOptions raster_;
   OutputOptions output_;
   CommonOptions common_;
 };

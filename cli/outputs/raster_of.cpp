@@ -1,6 +1,9 @@
 #include "cli/outputs/raster_of.h"
 
+#include <cstdint>
+#include <limits>
 #include <memory>
+#include <span>
 
 #include "gdal/crs/crs.h"
 #include "gdal/crs/transformation.h"
@@ -29,25 +32,41 @@ std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
   return areas;
 }
 
+/// The values by a station's number; 0 stands for a pixel outside.
+std::vector<float> values_by_number(std::span<const double> readings) {
+  std::vector<float> values{std::numeric_limits<float>::quiet_NaN()};
+  for (const double reading : readings) values.push_back(static_cast<float>(reading));
+  return values;
+}
+
 }  // namespace
 
+PixelGrid raster_grid(const Inputs& inputs, double resolution) {
+  return grid_over(areas_of(inputs), resolution);
+}
+
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   double resolution, const Provenance& made_by,
-                                   const std::string& path, unsigned threads) {
+                                   const std::string& time, const RasterOutput& output) {
   const StudyFiles& study = inputs.study();
-  const std::vector<MultiPolygon> areas = areas_of(inputs);
-  const PixelGrid grid = grid_over(areas, resolution);
   const ReportingStations reports = readings == nullptr ? inputs.all_report() : readings->reports();
   Owners owners(
-      grid, areas, inputs.network(), study.metric, reports,
-      [&] { return mapping(study.output_crs(), study.crs); }, threads);
+      output.grid, areas_of(inputs), inputs.network(), study.metric, reports,
+      [&] { return mapping(study.output_crs(), study.crs); }, output.threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
-  if (readings != nullptr)
-    return rainfall_geotiff(grid, rows, readings->readings, study.output_crs(), made_by, path,
-                            threads);
-  std::vector<std::string> ids;
-  for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
-  return owners_geotiff(grid, rows, ids, study.output_crs(), made_by, path, threads);
+  if (readings == nullptr) {
+    std::vector<std::string> ids;
+    for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
+    return owners_geotiff(output, rows, ids);
+  }
+  const std::vector<float> by_number = values_by_number(readings->readings);
+  std::vector<float> values;
+  const auto value_rows = [&](int row, int count) -> std::span<const float> {
+    values.clear();
+    for (const std::int32_t owner : rows(row, count))
+      values.push_back(by_number[static_cast<std::size_t>(owner)]);
+    return values;
+  };
+  return rainfall_geotiff(output, value_rows, {readings->label, time, output.made_by.unit});
 }
 
 }  // namespace thiessen::cli

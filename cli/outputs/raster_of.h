@@ -4,17 +4,19 @@
 #include <vector>
 
 #include "cli/inputs/inputs.h"
-#include "files/cells_file.h"
+#include "gdal/output/encoded_file.h"
+#include "gdal/output/raster_output.h"
 #include "rainfall/series/gauge_readings.h"
-#include "results/provenance.h"
 
 namespace thiessen::cli {
 
-/// The GeoTIFF `path` and its side files. A pixel holds the number of the nearest station, or where
-/// there are readings the rainfall. `resolution` is the pixel's side; 0 gives the longer side 2,000
-/// pixels. Throws Error where the raster would be too large.
+/// The pixels over the study area. `resolution` is a pixel's side; 0 gives the longer side 2,000
+/// pixels. Throws Error where there would be too many.
+PixelGrid raster_grid(const Inputs& inputs, double resolution);
+
+/// The GeoTIFF `output.path` and its side files. A pixel holds the number of the nearest station,
+/// or where there are readings the rainfall, which is that of `time`; empty where it is a mean.
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   double resolution, const Provenance& made_by,
-                                   const std::string& path, unsigned threads);
+                                   const std::string& time, const RasterOutput& output);
 
 }  // namespace thiessen::cli

@@ -107,9 +107,13 @@ void geotiff_in_zone(benchmark::State& state) {
   const auto threads = static_cast<unsigned>(state.range(1));
   for (auto _ : state) {
     Owners owners(grid, area_of(zone), network, Metric::geodesic, all, from_zone, threads);
+    RasterOutput output;
+    output.grid = grid;
+    output.crs = Crs::from_text("EPSG:32633", setting("crs"));
+    output.path = "map.tif";
+    output.threads = threads;
     benchmark::DoNotOptimize(owners_geotiff(
-        grid, [&](int row, int count) { return owners.rows(row, count); }, ids,
-        Crs::from_text("EPSG:32633", setting("crs")), {}, "map.tif", threads));
+        output, [&](int row, int count) { return owners.rows(row, count); }, ids));
   }
 }
 

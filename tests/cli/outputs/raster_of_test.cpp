@@ -20,9 +20,12 @@ namespace {
 class WrittenRaster {
  public:
   WrittenRaster(const GivenInputs& given, const GaugeReadings* readings, double resolution) {
-    const auto made_by = provenance_of(given.inputs, given.options(), readings, "mm");
-    for (const EncodedFile& file :
-         raster_of(given.inputs, readings, resolution, made_by, folder_.path("r.tif"), 1))
+    RasterOutput output;
+    output.grid = raster_grid(given.inputs, resolution);
+    output.crs = given.inputs.study().output_crs();
+    output.made_by = provenance_of(given.inputs, given.options(), readings, "mm");
+    output.path = folder_.path("r.tif");
+    for (const EncodedFile& file : raster_of(given.inputs, readings, "", output))
       folder_.write(file.name.substr(folder_.path().size() + 1), file.bytes);
   }
   /// The values of pixels, which are given as column and row; one after the other.
