@@ -20,7 +20,7 @@
 namespace thiessen::cli {
 namespace {
 
-enum class Kind { png, jpeg, tiff };
+enum class Kind { png, jpeg, svg, tiff };
 
 Kind kind_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
@@ -28,8 +28,14 @@ Kind kind_of(const std::string& path) {
   for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   if (extension == "png") return Kind::png;
   if (extension == "jpg" || extension == "jpeg") return Kind::jpeg;
+  if (extension == "svg") return Kind::svg;
   if (extension == "tif" || extension == "tiff") return Kind::tiff;
-  throw UsageError{"a map is a .png, a .jpg or a .tif, not '" + printable(path) + "'", ""};
+  throw UsageError{"a map is a .png, .jpg, .svg or .tif, not '" + printable(path) + "'", ""};
+}
+
+PictureFormat format_of(Kind kind) {
+  if (kind == Kind::svg) return PictureFormat::svg;
+  return kind == Kind::jpeg ? PictureFormat::jpeg : PictureFormat::png;
 }
 
 class MapCommand : public Command {
@@ -47,7 +53,7 @@ class MapCommand : public Command {
 
   const char* name() const override { return "map"; }
   const char* description() const override {
-    return "a picture (.png, .jpg), or a georeferenced raster (.tif)";
+    return "a picture (.png, .jpg, .svg), or a georeferenced raster (.tif)";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -82,8 +88,7 @@ class MapCommand : public Command {
                    raster_of(inputs, shown, view_.time, raster_output(inputs, shown)));
     } else {
       const auto cells = cells_of(inputs, shown, threads);
-      file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_),
-                                 kind == Kind::png ? PictureFormat::png : PictureFormat::jpeg,
+      file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_), format_of(kind),
                                  warnings));
     }
     outputs.commit();

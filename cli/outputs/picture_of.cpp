@@ -30,15 +30,15 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   const std::vector<Station>& stations = inputs.network().stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
-    picture.gauges.push_back({stations[i].position, stations[i].id, reports});
+    picture.gauges.push_back({stations[i].position, stations[i].id, reports, stations[i].id});
   }
   for (const Station& station : inputs.never_reporting())
-    picture.gauges.push_back({station.position, station.id, false});
+    picture.gauges.push_back({station.position, station.id, false, station.id});
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                                   : readings->readings[index(cell.station)];
-      picture.cells.push_back({cell.shape, index(cell.station), rainfall});
+      picture.cells.push_back({cell.shape, index(cell.station), rainfall, b});
     }
     const std::string name = inputs.has_basins() ? inputs.basins()[b].id : "";
     picture.basins.push_back({name, inputs.basins()[b].shape});

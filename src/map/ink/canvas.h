@@ -1,10 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "geometry/point.h"
+#include "geometry/polygon.h"
+#include "map/ink/set_text.h"
 
 namespace thiessen {
 
@@ -29,53 +32,110 @@ struct PixelBox {
   int bottom() const { return y + height; }
 };
 
-/// How much of each pixel a shape covers, from 0 to 255, row by row.
-struct Coverage {
-  int width = 0;
-  int height = 0;
-  std::vector<std::uint8_t> values;
-
-  Coverage() = default;
-  Coverage(int w, int h);
-  std::uint8_t& at(int x, int y) { return values[offset(x, y)]; }
-  std::uint8_t at(int x, int y) const { return values[offset(x, y)]; }
-
- private:
-  std::size_t offset(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
-  }
+/// The part of the page to which shapes are cut, and the place on the page from which their
+/// coordinates count.
+struct Window {
+  PixelBox box;
+  Point origin;
 };
 
-/// The pixels of a picture, white at first. Drawing outside the picture changes nothing.
+/// What a thing in the picture is, for canvases that can say so of it: its kind, such as "cell",
+/// and the ids of its station and its basin where it has any. `part` is the stretch of a text that
+/// is meant; empty: all of it.
+struct Mark {
+  std::string_view kind{};
+  std::string_view station{};
+  std::string_view basin{};
+  std::string_view part{};
+};
+
+/// Stripes over a filled shape, from the upper right to the lower left. Both lengths are taken
+/// along a row of pixels.
+struct Hatch {
+  Colour colour;
+  double spacing = 8;
+  double width = 1;
+};
+
+/// A shape to fill. Each of its parts is filled by the even-odd rule.
+struct Area {
+  std::vector<std::span<const Ring>> parts;
+  Colour colour;
+  bool hatched = false;
+  Mark mark{};
+};
+
+using Polyline = std::span<const Point>;
+
+/// The look of a line. All lengths are in pixels; without a dash the line is solid. `alpha` / 255
+/// is its opacity.
+struct Stroke {
+  Colour colour;
+  double width = 1;
+  int alpha = 255;
+  double dash = 0;
+  double gap = 0;
+};
+
+/// The look of a text: its colour, and the width of the white rim that sets it off.
+struct Lettering {
+  Colour colour;
+  int halo = 0;
+  Mark mark{};
+};
+
+/// What a picture is drawn on: pixels (map/opencv) or an SVG (map/svg).
+///
+/// Coordinates are in pixels, x to the right and y down; a pixel has its centre at .5. What is
+/// drawn later covers what was drawn before, and what is drawn outside the page changes nothing.
+/// Requires coordinates within half a million pixels of the page.
 class Canvas {
  public:
-  Canvas(int width, int height);
+  Canvas(int width, int height) : width_(width), height_(height) {}
+  virtual ~Canvas() = default;
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// The bytes of all pixels: blue, green, red for each, row by row from the top.
-  std::vector<std::uint8_t>& bytes() { return bytes_; }
 
-  void set(int x, int y, Colour colour);
-  /// Mixes `colour` into a pixel with weight `alpha` / 255.
-  void blend(int x, int y, Colour colour, int alpha);
-  /// Mixes `colour` into the pixels under `coverage`, whose upper left is placed at (x, y), each
-  /// weighted by its coverage and by `alpha` / 255.
-  void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha = 255);
-  void fill(const PixelBox& box, Colour colour);
+  virtual void fill(const PixelBox& box, Colour colour) = 0;
   /// Draws a border of `thickness` pixels inside the box.
-  void border(const PixelBox& box, Colour colour, int thickness);
-  /// Fills a disc with a smooth edge. Centre and radius are in pixels; a pixel has its centre at
-  /// .5. Only pixels inside `clip` change.
-  void disc(Point centre, double radius, Colour colour, const PixelBox& clip);
+  virtual void border(const PixelBox& box, Colour colour, int thickness) = 0;
+  /// Fills a disc with a smooth edge, as far as it lies in `clip`.
+  virtual void disc(Point centre, double radius, Colour colour, const PixelBox& clip) = 0;
+  /// Fills areas, the later ones over the earlier ones. Nothing shows between areas that share an
+  /// edge.
+  virtual void areas(std::span<const Area> areas, const Hatch& hatch, const Window& window) = 0;
+  /// Draws lines with round ends and smooth edges. Where lines of one call overlap they are no
+  /// darker than one of them.
+  virtual void lines(std::span<const Polyline> lines, const Stroke& stroke,
+                     const Window& window) = 0;
+  /// Draws a text; (x, y) is the upper left of its ink.
+  virtual void text(const SetText& text, int x, int y, const Lettering& lettering) = 0;
+  /// Begins and ends a group of things that have one mark.
+  virtual void begin(const Mark& mark) = 0;
+  virtual void end() = 0;
+
+ protected:
+  Canvas(const Canvas&) = default;
+  Canvas(Canvas&&) = default;
+  Canvas& operator=(const Canvas&) = default;
+  Canvas& operator=(Canvas&&) = default;
 
  private:
-  std::uint8_t* pixel(int x, int y);
-
   int width_;
   int height_;
-  std::vector<std::uint8_t> bytes_;
+};
+
+/// A group on a canvas, as long as this lives.
+class Group {
+ public:
+  Group(Canvas& canvas, const Mark& mark) : canvas_(canvas) { canvas_.begin(mark); }
+  ~Group() { canvas_.end(); }
+  Group(const Group&) = delete;
+  Group& operator=(const Group&) = delete;
+
+ private:
+  Canvas& canvas_;
 };
 
 }  // namespace thiessen

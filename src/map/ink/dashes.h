@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
 #include <vector>
+
+#include "geometry/point.h"
 
 namespace thiessen {
 
@@ -13,5 +16,8 @@ struct Dash {
 /// Parts a line into dashes, at least two, with one at either end. Dashes and gaps are stretched
 /// alike, as little as that allows. A line shorter than a gap is one dash.
 std::vector<Dash> dashes(double length, double dash, double gap);
+
+/// The dashes of the line through `points`, each a line of its own.
+std::vector<std::vector<Point>> dashed(std::span<const Point> points, double dash, double gap);
 
 }  // namespace thiessen

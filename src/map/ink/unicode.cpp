@@ -27,7 +27,7 @@ struct Decoded {
 
 constexpr char32_t replacement = 0xFFFD;
 
-Decoded decode(std::string_view bytes) {
+Decoded first_of(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
   const unsigned char lead = byte(0);
   if (lead < 0x80) return {lead, 1};
@@ -60,15 +60,23 @@ bool turns_direction(char32_t c) {
 
 }  // namespace
 
-std::u32string displayable(std::string_view utf8) {
+std::u32string decoded(std::string_view utf8) {
   std::u32string text;
   while (!utf8.empty()) {
-    const Decoded next = decode(utf8);
+    const Decoded next = first_of(utf8);
     utf8.remove_prefix(next.length);
-    if (is_control(next.code)) {
+    text.push_back(next.code);
+  }
+  return text;
+}
+
+std::u32string displayable(std::string_view utf8) {
+  std::u32string text;
+  for (const char32_t c : decoded(utf8)) {
+    if (is_control(c)) {
       text.push_back(U' ');
-    } else if (!turns_direction(next.code)) {
-      text.push_back(next.code);
+    } else if (!turns_direction(c)) {
+      text.push_back(c);
     }
   }
   return text;

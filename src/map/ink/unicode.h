@@ -7,6 +7,9 @@
 
 namespace thiessen {
 
+/// The code points of UTF-8 text. Bytes that are not UTF-8 become U+FFFD. Cost: the text.
+std::u32string decoded(std::string_view utf8);
+
 /// The code points of UTF-8 text as far as a picture can show them: bytes that are not UTF-8 become
 /// U+FFFD, control characters and line breaks become spaces, and marks that would turn the
 /// direction of the text around them are left out. Cost: the text.

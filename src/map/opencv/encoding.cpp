@@ -7,9 +7,10 @@
 
 namespace thiessen {
 
-std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format, const PictureTags& tags) {
+std::vector<unsigned char> encoded(PixelCanvas& canvas, PixelFormat format,
+                                   const PictureTags& tags) {
   const cv::Mat pixels(canvas.height(), canvas.width(), CV_8UC3, canvas.bytes().data());
-  const bool png = format == PictureFormat::png;
+  const bool png = format == PixelFormat::png;
   const std::vector<int> options = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
                                        : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 93};
   std::vector<unsigned char> bytes;

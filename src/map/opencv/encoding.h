@@ -2,16 +2,17 @@
 
 #include <vector>
 
-#include "map/ink/canvas.h"
 #include "map/opencv/picture_tags.h"
+#include "map/opencv/pixel_canvas.h"
 
 namespace thiessen {
 
-/// The formats of image files in which a canvas can be encoded.
-enum class PictureFormat { png, jpeg };
+/// The formats of image files in which pixels can be encoded.
+enum class PixelFormat { png, jpeg };
 
 /// Encodes the canvas as the bytes of an image file that says the tags of itself. Throws Error
 /// where encoding fails.
-std::vector<unsigned char> encoded(Canvas& canvas, PictureFormat format, const PictureTags& tags);
+std::vector<unsigned char> encoded(PixelCanvas& canvas, PixelFormat format,
+                                   const PictureTags& tags);
 
 }  // namespace thiessen

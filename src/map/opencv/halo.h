@@ -1,6 +1,6 @@
 #pragma once
 
-#include "map/ink/canvas.h"
+#include "map/ink/set_text.h"
 
 namespace thiessen {
 

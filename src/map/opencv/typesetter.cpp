@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <opencv2/core.hpp>
 #include <opencv2/freetype.hpp>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 #include "base/error.h"
 #include "map/ink/unicode.h"
@@ -41,31 +43,21 @@ namespace {
 
 constexpr std::size_t preferred = 0;
 
+cv::Mat pixels_of(Coverage& coverage) {
+  return {coverage.height, coverage.width, CV_8UC1, coverage.values.data()};
+}
+
 /// Cuts a mask, which has room for any text around its ink, down to the columns and rows of the
 /// ink.
 SetText cut_to_ink(const cv::Mat& drawn, int baseline) {
-  int left = drawn.cols;
-  int right = -1;
-  int top = drawn.rows;
-  int bottom = -1;
-  for (int y = 0; y < drawn.rows; ++y) {
-    const auto* const row = drawn.ptr<cv::Vec3b>(y);
-    for (int x = 0; x < drawn.cols; ++x) {
-      if (row[x][0] == 0) continue;
-      left = std::min(left, x);
-      right = std::max(right, x);
-      top = std::min(top, y);
-      bottom = y;
-    }
-  }
+  cv::Mat mask;
+  cv::extractChannel(drawn, mask, 0);
+  const cv::Rect box = cv::boundingRect(mask);
   SetText text;
-  if (right < left) return text;
-  text.ink = Coverage(right - left + 1, bottom - top + 1);
-  text.baseline = baseline - top;
-  for (int y = 0; y < text.height(); ++y) {
-    const auto* const row = drawn.ptr<cv::Vec3b>(y + top);
-    for (int x = 0; x < text.width(); ++x) text.ink.at(x, y) = row[x + left][0];
-  }
+  if (box.empty()) return text;
+  text.ink = Coverage(box.width, box.height);
+  text.baseline = baseline - box.y;
+  mask(box).copyTo(pixels_of(text.ink));
   return text;
 }
 
@@ -81,23 +73,20 @@ SetText draw(cv::freetype::FreeType2& face, const std::u32string& text, int size
   return cut_to_ink(drawn, line);
 }
 
-/// Puts `right` beside `left`, with both on one baseline.
-SetText joined(const SetText& left, const SetText& right, int gap) {
-  const int ascent = std::max(left.baseline, right.baseline);
-  const int descent = std::max(left.height() - left.baseline, right.height() - right.baseline);
-  SetText line;
-  line.baseline = ascent;
-  line.ink = Coverage(left.width() + gap + right.width(), ascent + descent);
-  const auto put = [&](const SetText& part, int x) {
-    for (int row = 0; row < part.height(); ++row) {
-      for (int column = 0; column < part.width(); ++column) {
-        line.ink.at(x + column, ascent - part.baseline + row) = part.ink.at(column, row);
-      }
-    }
+/// Puts a piece of text beside a line, with both on one baseline.
+void append(SetText& piece, int gap, SetText& line) {
+  const int ascent = std::max(line.baseline, piece.baseline);
+  const int descent = std::max(line.height() - line.baseline, piece.height() - piece.baseline);
+  Coverage ink(line.width() + gap + piece.width(), ascent + descent);
+  const auto put = [&](SetText& part, int x) {
+    if (part.width() == 0) return;
+    const cv::Rect box(x, ascent - part.baseline, part.width(), part.height());
+    pixels_of(part.ink).copyTo(pixels_of(ink)(box));
   };
-  put(left, 0);
-  put(right, left.width() + gap);
-  return line;
+  put(line, 0);
+  put(piece, line.width() + gap);
+  line.ink = std::move(ink);
+  line.baseline = ascent;
 }
 
 std::size_t end_of_cluster(std::u32string_view text, std::size_t begin) {
@@ -218,12 +207,15 @@ std::vector<Typesetter::Piece> Typesetter::pieces(std::u32string_view text, Weig
 
 SetText Typesetter::set_line(std::u32string_view text, int size, Weight weight) {
   SetText line;
+  line.text = to_utf8(text);
+  line.size = size;
+  line.weight = weight;
   for (const Piece& piece : pieces(text, weight)) {
     try {
-      const SetText drawn = draw(fonts(weight).face(piece.font), piece.text, size);
+      SetText drawn = draw(fonts(weight).face(piece.font), piece.text, size);
       const int space = static_cast<int>(std::min<std::size_t>(piece.spaces_before, 100)) * size;
       const int gap = line.width() == 0 ? 0 : (size + 8) / 16 + space * 3 / 10;
-      line = joined(line, drawn, gap);
+      append(drawn, gap, line);
     } catch (const cv::Exception&) {
       missing_.insert(piece.text.begin(), piece.text.end());
     }

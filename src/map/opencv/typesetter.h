@@ -8,22 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "map/ink/canvas.h"
+#include "map/ink/set_text.h"
 
 namespace thiessen {
 
-/// A line of text as drawn: the coverage of its ink, cut to the ink's width.
-struct SetText {
-  Coverage ink;
-  int baseline = 0;  ///< the row of `ink` on which the letters stand
-
-  int width() const { return ink.width; }
-  int height() const { return ink.height; }
-};
-
 class FontList;
-
-enum class Weight { regular, bold };
 
 /// Sets lines of text of any script in the fonts of this machine: in DejaVu Sans where it has the
 /// characters, else each word in the first font that has them all. Sizes are in pixels to the em.

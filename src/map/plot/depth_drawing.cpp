@@ -1,6 +1,7 @@
 #include "map/plot/depth_drawing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <tuple>
@@ -8,7 +9,6 @@
 
 #include "map/ink/dashes.h"
 #include "map/ink/ink.h"
-#include "map/ink/stroke.h"
 #include "map/plot/box_cut.h"
 
 namespace thiessen {
@@ -52,26 +52,11 @@ Colour towards_white(Colour colour, double share) {
   return {mix(colour.red), mix(colour.green), mix(colour.blue)};
 }
 
-/// The pixels of the panel that a line of this width can touch.
-PixelBox reach_of(const PixelBox& panel, Point from, Point to, double width) {
-  const double reach = width / 2 + 1;
-  const auto pixel = [](double at, int low, int high) {
-    return static_cast<int>(std::clamp(std::floor(at), double(low), double(high)));
-  };
-  const int left = pixel(std::min(from.x, to.x) - reach, panel.x, panel.right());
-  const int right = pixel(std::max(from.x, to.x) + reach + 1, panel.x, panel.right());
-  const int top = pixel(std::min(from.y, to.y) - reach, panel.y, panel.bottom());
-  const int bottom = pixel(std::max(from.y, to.y) + reach + 1, panel.y, panel.bottom());
-  return {left, top, right - left, bottom - top};
-}
-
 void draw_stroke(Canvas& canvas, const PixelBox& panel, Point from, Point to, double width,
                  Colour colour) {
-  const PixelBox box = reach_of(panel, from, to, width);
-  if (box.width == 0 || box.height == 0) return;
-  Coverage layer(box.width, box.height);
-  stroke(layer, Point{from.x - box.x, from.y - box.y}, Point{to.x - box.x, to.y - box.y}, width);
-  canvas.blend(box.x, box.y, layer, colour);
+  const std::array<Point, 2> ends{from, to};
+  const Polyline line(ends);
+  canvas.lines({&line, 1}, {colour, width}, {panel, {0, 0}});
 }
 
 }  // namespace

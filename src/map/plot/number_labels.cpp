@@ -6,11 +6,10 @@
 #include <string>
 
 #include "map/ink/ink.h"
-#include "map/opencv/halo.h"
 
 namespace thiessen {
 
-NumberLabels::NumberLabels(Canvas& canvas, const PixelBox& panel, Typesetter& type, int size)
+NumberLabels::NumberLabels(PixelCanvas& canvas, const PixelBox& panel, Typesetter& type, int size)
     : canvas_(canvas),
       panel_(panel),
       type_(type),
@@ -37,32 +36,16 @@ bool NumberLabels::write(std::uint64_t number, Point dot, double radius, Colour 
   for (const PixelBox& box :
        boxes_beside(in_panel, radius, 1, text.width() + 2 * rim_, text.height() + 2 * rim_)) {
     if (!taken_.is_free(box)) continue;
-    const std::uint64_t dark = darkness(box);
+    const std::uint64_t dark =
+        canvas_.darkness({panel_.x + box.x, panel_.y + box.y, box.width, box.height});
     if (best && dark >= least_dark) continue;
     best = box;
     least_dark = dark;
   }
   if (!best) return false;
-  const int x = panel_.x + best->x;
-  const int y = panel_.y + best->y;
-  canvas_.blend(x, y, halo(text.ink, rim_), ink::white, 225);
-  canvas_.blend(x + rim_, y + rim_, text.ink, colour);
+  canvas_.text(text, panel_.x + best->x + rim_, panel_.y + best->y + rim_, {colour, rim_, {}});
   taken_.occupy(*best);
   return true;
-}
-
-std::uint64_t NumberLabels::darkness(const PixelBox& box) {
-  std::uint64_t sum = 0;
-  const auto& bytes = canvas_.bytes();
-  for (int row = 0; row < box.height; ++row) {
-    const auto first = 3 * (static_cast<std::size_t>(panel_.y + box.y + row) *
-                                static_cast<std::size_t>(canvas_.width()) +
-                            static_cast<std::size_t>(panel_.x + box.x));
-    for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(box.width); ++i) {
-      sum += 255u - bytes[first + i];
-    }
-  }
-  return sum;
 }
 
 }  // namespace thiessen

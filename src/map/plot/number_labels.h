@@ -4,6 +4,7 @@
 
 #include "map/ink/canvas.h"
 #include "map/ink/labels.h"
+#include "map/opencv/pixel_canvas.h"
 #include "map/opencv/typesetter.h"
 
 namespace thiessen {
@@ -14,7 +15,7 @@ class NumberLabels {
  public:
   /// `size` is that of the numerals, in pixels. Numbers avoid only what is drawn already and what
   /// this class writes itself.
-  NumberLabels(Canvas& canvas, const PixelBox& panel, Typesetter& type, int size);
+  NumberLabels(PixelCanvas& canvas, const PixelBox& panel, Typesetter& type, int size);
 
   /// Keeps numbers from now on from covering the dot.
   void keep_clear(Point dot, double radius);
@@ -23,9 +24,7 @@ class NumberLabels {
   bool write(std::uint64_t number, Point dot, double radius, Colour colour);
 
  private:
-  std::uint64_t darkness(const PixelBox& box);
-
-  Canvas& canvas_;
+  PixelCanvas& canvas_;
   PixelBox panel_;
   Typesetter& type_;
   int size_;

@@ -1,14 +1,13 @@
 #include "map/plot/plane_plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "map/ink/dashes.h"
 #include "map/ink/ink.h"
-#include "map/ink/stroke.h"
 #include "map/plot/axis_ticks.h"
 #include "map/plot/number_labels.h"
 #include "map/plot/plot_sheet.h"
@@ -66,7 +65,7 @@ class PlaneDrawing {
     sheet_.write_legend(tessellation_.count());
     write_notes();
   }
-  Canvas take_canvas() { return std::move(sheet_.canvas()); }
+  PixelCanvas take_canvas() { return std::move(sheet_.canvas()); }
 
  private:
   double apart() const {
@@ -75,34 +74,26 @@ class PlaneDrawing {
     return std::sqrt(pixels / 2 / static_cast<double>(tessellation_.count()));
   }
 
-  Point in_panel(const CoordinatesIn<2>& place) const {
-    const Point p = plot_.pixel(place, sheet_.panel());
-    return {p.x - sheet_.panel().x, p.y - sheet_.panel().y};
+  using Segment = std::array<Point, 2>;
+
+  std::vector<Segment> segments(const std::vector<EdgeIn<2>>& edges) const {
+    std::vector<Segment> result;
+    for (const EdgeIn<2>& edge : edges) {
+      result.push_back(
+          {plot_.pixel(edge.from, sheet_.panel()), plot_.pixel(edge.to, sheet_.panel())});
+    }
+    return result;
   }
 
   void draw_edges() {
-    const PixelBox& panel = sheet_.panel();
     const auto edges = edges_in_box(tessellation_, plot_.scene(), plot_.half());
-    Coverage blue(panel.width, panel.height);
-    for (const EdgeIn<2>& edge : edges.delaunay) draw_dashed(blue, edge);
-    sheet_.canvas().blend(panel.x, panel.y, blue, ink::delaunay);
-    Coverage red(panel.width, panel.height);
-    for (const EdgeIn<2>& edge : edges.voronoi) {
-      stroke(red, in_panel(edge.from), in_panel(edge.to), strokes_.voronoi);
-    }
-    sheet_.canvas().blend(panel.x, panel.y, red, ink::voronoi);
-  }
-
-  void draw_dashed(Coverage& layer, const EdgeIn<2>& edge) const {
-    const Point from = in_panel(edge.from);
-    const Point to = in_panel(edge.to);
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (length == 0) return;
-    const Point step{(to.x - from.x) / length, (to.y - from.y) / length};
-    for (const Dash& dash : dashes(length, strokes_.dash, strokes_.gap)) {
-      stroke(layer, Point{from.x + dash.from * step.x, from.y + dash.from * step.y},
-             Point{from.x + dash.to * step.x, from.y + dash.to * step.y}, strokes_.delaunay);
-    }
+    const auto draw = [&](const std::vector<EdgeIn<2>>& some, const Stroke& stroke) {
+      const std::vector<Segment> ends = segments(some);
+      const std::vector<Polyline> lines(ends.begin(), ends.end());
+      sheet_.canvas().lines(lines, stroke, {sheet_.panel(), {0, 0}});
+    };
+    draw(edges.delaunay, {ink::delaunay, strokes_.delaunay, 255, strokes_.dash, strokes_.gap});
+    draw(edges.voronoi, {ink::voronoi, strokes_.voronoi});
   }
 
   double rim() const { return strokes_.dot < 2 ? strokes_.dot : 1.3 * strokes_.dot + 0.3; }
@@ -234,7 +225,7 @@ Point PlanePlot::pixel(const CoordinatesIn<2>& place, const PixelBox& panel) con
           panel.y + panel.height / 2.0 - place[1] * scale};
 }
 
-Canvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of) {
+PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of) {
   if (tessellation.empty()) {
     PlotSheet sheet(1.5, PlotSheet::Margins::plain);
     sheet.draw_border();

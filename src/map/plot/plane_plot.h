@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "map/ink/canvas.h"
+#include "map/opencv/pixel_canvas.h"
 #include "map/plot/scene_coordinates.h"
 #include "map/plot/tessellation_picture.h"
 
@@ -34,6 +34,6 @@ class PlanePlot {
 };
 
 /// Draws the picture of a plane tessellation; see plane_picture.
-Canvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of);
+PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of);
 
 }  // namespace thiessen

@@ -1,12 +1,11 @@
 #include "map/plot/plot_sheet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
-#include "map/ink/dashes.h"
 #include "map/ink/ink.h"
-#include "map/ink/stroke.h"
 #include "map/sheet/picture.h"
 
 namespace thiessen {
@@ -33,7 +32,7 @@ PlotSheet::PlotSheet(double aspect, Margins margins)
 void PlotSheet::write(const SetText& text, int x, int baseline, Align align, Colour colour) {
   if (align == Align::centre) x -= text.width() / 2;
   if (align == Align::right) x -= text.width();
-  canvas_.blend(x, baseline - text.baseline, text.ink, colour);
+  canvas_.text(text, x, baseline - text.baseline, {colour});
 }
 
 void PlotSheet::write_legend(std::size_t points) {
@@ -44,14 +43,12 @@ void PlotSheet::write_legend(std::size_t points) {
   const int baseline = middle + style_.ems(0.32);
   int x = panel_.x;
   const auto line = [&](const char* name, Colour colour, bool dashed) {
-    Coverage ink(length, style_.em);
-    const double y = style_.em / 2.0;
-    const double end = length - 2 * thickness;
-    const std::vector<Dash> whole{{0, end}};
-    for (const Dash& dash : dashed ? dashes(end, 0.45 * style_.em, 0.4 * style_.em) : whole) {
-      stroke(ink, Point{thickness + dash.from, y}, Point{thickness + dash.to, y}, thickness);
-    }
-    canvas_.blend(x, middle - style_.em / 2, ink, colour);
+    const double y = middle + style_.em % 2 / 2.0;
+    const std::array<Point, 2> ends{Point{x + thickness, y}, Point{x + length - thickness, y}};
+    const Polyline whole(ends);
+    const double dash = dashed ? 0.45 * style_.em : 0;
+    canvas_.lines({&whole, 1}, {colour, thickness, 255, dash, 0.4 * style_.em},
+                  {{x, middle - style_.em / 2, length, style_.em}, {0, 0}});
     const SetText text = type_.set(name, size);
     write(text, x + length + style_.ems(0.5), baseline, Align::left, ink::text);
     x += length + style_.ems(2.2) + text.width();

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "map/ink/canvas.h"
+#include "map/opencv/pixel_canvas.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/page.h"
 
@@ -20,7 +20,7 @@ class PlotSheet {
   /// `aspect` is the width of the panel divided by its height.
   PlotSheet(double aspect, Margins margins);
 
-  Canvas& canvas() { return canvas_; }
+  PixelCanvas& canvas() { return canvas_; }
   Typesetter& type() { return type_; }
   const PageStyle& style() const { return style_; }
   const PixelBox& panel() const { return panel_; }
@@ -40,7 +40,7 @@ class PlotSheet {
  private:
   PageStyle style_;
   PixelBox panel_;
-  Canvas canvas_;
+  PixelCanvas canvas_;
   Typesetter type_;
   int note_left_;
 };

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "map/ink/ink.h"
-#include "map/ink/stroke.h"
 #include "map/plot/axis_ticks.h"
 
 namespace thiessen {
@@ -101,7 +101,7 @@ void SceneBox::write_along(PlotSheet& sheet, const Edge& edge) const {
   const AxisTicks axis = axis_ticks(scene_.origin(edge.axis), scene_.unplaced(edge.axis, -half),
                                     scene_.unplaced(edge.axis, half),
                                     std::clamp(static_cast<int>(length / style.ems(4)), 2, 8));
-  Coverage marks(PlotSheet::width, sheet.canvas().height());
+  std::vector<std::array<Point, 2>> marks;
   double widest = 0;
   for (const AxisTicks::Tick& tick : axis.ticks) {
     SceneVector place = edge.from;
@@ -109,13 +109,15 @@ void SceneBox::write_along(PlotSheet& sheet, const Edge& edge) const {
     const Point at = camera_.pixel(camera_.seen(place));
     if (!is_inside(sheet.panel(), at.x, at.y)) continue;
     const double mark = style.ems(0.3);
-    stroke(marks, at, Point{at.x + mark * outward.x, at.y + mark * outward.y}, style.hairline);
+    marks.push_back({at, Point{at.x + mark * outward.x, at.y + mark * outward.y}});
     const SetText text = sheet.type().set(tick.text, style.ems(0.7));
     write_beyond(sheet, text, at, outward, style.ems(0.55), ink::quiet_text);
     widest =
         std::max(widest, std::abs(outward.x) * text.width() + std::abs(outward.y) * text.height());
   }
-  sheet.canvas().blend(0, 0, marks, ink::quiet_text);
+  const std::vector<Polyline> lines(marks.begin(), marks.end());
+  sheet.canvas().lines(lines, {ink::quiet_text, static_cast<double>(style.hairline)},
+                       {sheet.panel(), {0, 0}});
   write_beyond(sheet, sheet.type().set(axis.title("xyz"[edge.axis]), style.ems(0.85)), middle,
                outward, style.ems(1.0) + widest, ink::text);
 }

@@ -100,7 +100,7 @@ class SpaceDrawing {
     sheet_.draw_border();
     write_notes(view);
   }
-  Canvas take_canvas() { return std::move(sheet_.canvas()); }
+  PixelCanvas take_canvas() { return std::move(sheet_.canvas()); }
 
  private:
   SceneVector half_of_box() const {
@@ -246,8 +246,8 @@ class SpaceDrawing {
 
 }  // namespace
 
-Canvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
-                  const std::optional<View>& view) {
+PixelCanvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
+                       const std::optional<View>& view) {
   if (view) check(*view);
   if (tessellation.empty()) {
     PlotSheet sheet(aspect, PlotSheet::Margins::plain);

@@ -14,9 +14,8 @@ namespace {
 template <typename Plot>
 std::vector<unsigned char> picture_of(Plot&& plot) {
   try {
-    Canvas canvas = plot();
-    return encoded(canvas, PictureFormat::png,
-                   {{"software", std::string("thiessen ") + version()}});
+    PixelCanvas canvas = plot();
+    return encoded(canvas, PixelFormat::png, {{"software", std::string("thiessen ") + version()}});
   } catch (...) {
     throw_drawing_error();
   }

@@ -8,7 +8,6 @@
 
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
-#include "map/opencv/halo.h"
 
 namespace thiessen {
 namespace {
@@ -21,7 +20,7 @@ struct Rows {
   int bottom = -1;
 };
 
-std::vector<Rows> rows_of_basins(const OwnerRaster& basins, std::size_t count) {
+std::vector<Rows> rows_of_basins(const LabelImage& basins, std::size_t count) {
   std::vector<Rows> rows(count, Rows{basins.height(), -1});
   for (int y = 0; y < basins.height(); ++y) {
     for (int x = 0; x < basins.width(); ++x) {
@@ -41,7 +40,7 @@ struct Run {
   int end = 0;
 };
 
-Run longest_run(const OwnerRaster& basins, std::int32_t basin, int row) {
+Run longest_run(const LabelImage& basins, std::int32_t basin, int row) {
   Run longest;
   Run run;
   for (int x = 0; x < basins.width(); ++x) {
@@ -69,7 +68,7 @@ int least_width(const std::string& label, int size) {
   return std::max(1, size * (ascii ? letters : 1) / 4);
 }
 
-bool holds(const OwnerRaster& basins, std::int32_t basin, const PixelBox& box) {
+bool holds(const LabelImage& basins, std::int32_t basin, const PixelBox& box) {
   if (box.x < 0 || box.y < 0 || box.right() > basins.width() || box.bottom() > basins.height()) {
     return false;
   }
@@ -107,6 +106,7 @@ bool Annotation::in_sight(Point p) const {
 }
 
 void Annotation::draw_gauges() {
+  const Group group(canvas_, {"gauges"});
   const int reach = static_cast<int>(std::ceil(gauge_reach(radius_)));
   for (const bool reporting : {false, true}) {
     for (std::size_t i = 0; i < view_.gauges.size(); ++i) {
@@ -121,16 +121,13 @@ void Annotation::draw_gauges() {
   }
 }
 
-void Annotation::put(const SetText& text, const PixelBox& box, Colour colour) {
+void Annotation::put(const SetText& text, const PixelBox& box, Colour colour, const Mark& mark) {
   const int rim = (box.width - text.width()) / 2;
-  const int x = page_.panel.x + box.x;
-  const int y = page_.panel.y + box.y;
-  canvas_.blend(x, y, halo(text.ink, rim), ink::white, 225);
-  canvas_.blend(x + rim, y + rim, text.ink, colour);
+  canvas_.text(text, page_.panel.x + box.x + rim, page_.panel.y + box.y + rim, {colour, rim, mark});
   taken_.occupy(box);
 }
 
-void Annotation::draw_basin_names(const OwnerRaster& basins) {
+void Annotation::draw_basin_names(const LabelImage& basins) {
   constexpr std::array<int, 7> shares{
       50, 40, 60, 30, 70, 20, 80};  // places to try, in percent of the height, the middle first
   const std::vector<Rows> rows = rows_of_basins(basins, picture_.basins.size());
@@ -149,7 +146,7 @@ void Annotation::draw_basin_names(const OwnerRaster& basins) {
       const PixelBox box{middle - text.width() / 2 - rim, row - text.height() / 2 - rim,
                          text.width() + 2 * rim, text.height() + 2 * rim};
       if (!taken_.is_free(box) || !holds(basins, basin, box)) continue;
-      put(text, box, ink::basin_edge);
+      put(text, box, ink::basin_edge, {"basin-name", {}, picture_.basins[i].name});
       break;
     }
   }
@@ -175,7 +172,7 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
     const auto box =
         place_beside(taken_, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
     if (!box) continue;
-    put(text, *box, ink::text);
+    put(text, *box, ink::text, {"label", picture_.gauges[i].station});
     ++labelled_;
   }
 }

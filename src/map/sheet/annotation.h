@@ -6,7 +6,7 @@
 
 #include "map/ink/canvas.h"
 #include "map/ink/labels.h"
-#include "map/ink/scanline.h"
+#include "map/opencv/label_image.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/page.h"
 #include "map/sheet/picture.h"
@@ -25,7 +25,7 @@ class Annotation {
   /// Draws the gauges, silent ones first, so that none of them hides one that reports.
   void draw_gauges();
   /// Writes the name of each basin in its middle, or as near to that as it fits inside the basin.
-  void draw_basin_names(const OwnerRaster& basins);
+  void draw_basin_names(const LabelImage& basins);
   /// Labels the gauges in sight, those of the largest cells (`pixels`) first, equal ones in their
   /// order.
   void draw_labels(const std::vector<std::size_t>& pixels);
@@ -35,7 +35,7 @@ class Annotation {
 
  private:
   bool in_sight(Point p) const;
-  void put(const SetText& text, const PixelBox& box, Colour colour);
+  void put(const SetText& text, const PixelBox& box, Colour colour, const Mark& mark);
 
   Canvas& canvas_;
   const Page& page_;

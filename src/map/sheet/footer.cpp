@@ -1,12 +1,10 @@
 #include "map/sheet/footer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "map/ink/ink.h"
-#include "map/ink/scanline.h"
-#include "map/ink/stroke.h"
 
 namespace thiessen {
 namespace {
@@ -40,7 +38,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   const SetText halfway = type.set(middle.text(), size);
   const int baseline = top + height + page.style.ems(1.0);
   const auto put = [&](const SetText& text, int x) {
-    canvas.blend(x, baseline - text.baseline, text.ink, ink::text);
+    canvas.text(text, x, baseline - text.baseline, {ink::text});
   };
   put(zero, left - zero.width() / 2);
   put(last, left + full - number.width() / 2);
@@ -60,26 +58,18 @@ int draw_north_arrow(Canvas& canvas, const Page& page, int x, Typesetter& type) 
   const double middle = width / 2.0;
   const double foot = height;
   const double notch = height * 0.72;
-  OwnerRaster raster(width, height);
-  const std::array<Ring, 2> halves{Ring{{middle, 0}, {0, foot}, {middle, notch}},
-                                   Ring{{middle, 0}, {middle, notch}, {1.0 * width, foot}}};
-  raster.fill(std::span(halves).first(1), 0);
-  Coverage outline(width + 2, height + 2);
-  for (const Ring& half : halves) {
-    for (std::size_t i = 0; i < half.size(); ++i) {
-      const Point a = half[i];
-      const Point b = half[(i + 1) % half.size()];
-      stroke(outline, {a.x + 1, a.y + 1}, {b.x + 1, b.y + 1}, style.hairline);
-    }
-  }
-  for (int row = 0; row < height; ++row) {
-    for (int column = 0; column < width; ++column) {
-      if (raster.at(column, row) == 0) canvas.set(x + column, top + row, ink::text);
-    }
-  }
-  canvas.blend(x - 1, top - 1, outline, ink::text);
-  canvas.blend(x + (width - letter.width()) / 2, top + height + style.ems(0.25), letter.ink,
-               ink::text);
+  const Ring left{{middle, 0}, {0, foot}, {middle, notch}};
+  const Ring right{{middle, 0}, {middle, notch}, {1.0 * width, foot}};
+  const Window window{{x - 1, top - 1, width + 2, height + 2},
+                      {static_cast<double>(x), static_cast<double>(top)}};
+  const Area dark{{{&left, 1}}, ink::text};
+  canvas.areas({&dark, 1}, {}, window);
+  std::vector<Ring> outlines{left, right};
+  for (Ring& outline : outlines) outline.push_back(outline.front());
+  const std::vector<Polyline> lines(outlines.begin(), outlines.end());
+  canvas.lines(lines, {ink::text, static_cast<double>(style.hairline)}, window);
+  canvas.text(letter, x + (width - letter.width()) / 2, top + height + style.ems(0.25),
+              {ink::text});
   return x + width;
 }
 
@@ -116,7 +106,7 @@ void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double
     if (note.empty()) continue;
     const SetText text = type.set(note, style.ems(0.72));
     if (text.width() > right - left) continue;
-    canvas.blend(right - text.width(), baseline - text.baseline, text.ink, ink::quiet_text);
+    canvas.text(text, right - text.width(), baseline - text.baseline, {ink::quiet_text});
     baseline += style.ems(1.1);
   }
 }

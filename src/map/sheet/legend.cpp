@@ -5,7 +5,6 @@
 
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
-#include "map/ink/stroke.h"
 #include "map/sheet/page.h"
 #include "map/sheet/palette.h"
 #include "map/sheet/picture.h"
@@ -69,15 +68,14 @@ Colour RainfallClasses::colour(double rainfall) const {
   return sequential_colour(std::min(static_cast<std::size_t>(rank), count() - 1), count());
 }
 
-Colour hatching(int x, int y, int em) {
-  const int spacing = std::max(5, em / 2);
-  const int line = std::max(1, em / 16);
-  return (x + y) % spacing < line ? ink::hatch : ink::no_reading;
+Hatch hatching(int em) {
+  return {ink::hatch, static_cast<double>(std::max(5, em / 2)),
+          static_cast<double>(std::max(1, em / 16))};
 }
 
 Legend::Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
                Typesetter& type)
-    : em_(style.em) {
+    : em_(style.em), units_(picture.units) {
   if (style.bare) return;
   const int size = style.ems(0.85);
   const int most = std::max(style.ems(7), picture.width / 5);
@@ -127,7 +125,7 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
     if (ticks_.size() > 1) {
       canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
     }
-    canvas.blend(box.x + em_ * 2, y - text.height() / 2, text.ink, ink::text);
+    canvas.text(text, box.x + em_ * 2, y - text.height() / 2, {ink::text});
   }
   return top + n * step + em_;
 }
@@ -138,27 +136,31 @@ void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
     draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind == Sign::gauge, sign);
     return;
   }
+  const Window window{sign, {static_cast<double>(sign.x), static_cast<double>(sign.y)}};
+  const double width = sign.width;
+  const double height = sign.height;
   if (kind == Sign::no_reading) {
-    for (int y = sign.y; y < sign.bottom(); ++y) {
-      for (int x = sign.x; x < sign.right(); ++x) canvas.set(x, y, hatching(x, y, em_));
-    }
+    const Ring box{{0, 0}, {width, 0}, {width, height}, {0, height}};
+    const Area area{{{&box, 1}}, ink::no_reading, true};
+    canvas.areas({&area, 1}, hatching(em_), window);
     canvas.border(sign, ink::border, std::max(1, em_ / 16));
     return;
   }
-  Coverage line(sign.width, sign.height);
-  const double y = sign.height / 2.0;
   const bool basin = kind == Sign::basin;
   const double thickness = basin ? basin_line_width(em_) : cell_line_width(em_);
-  stroke(line, Point{thickness, y}, Point{sign.width - thickness, y}, thickness);
-  canvas.blend(sign.x, sign.y, line, basin ? ink::basin_edge : ink::cell_edge);
+  const std::vector<Point> ends{{thickness, height / 2}, {width - thickness, height / 2}};
+  const Polyline line(ends);
+  canvas.lines({&line, 1}, {basin ? ink::basin_edge : ink::cell_edge, thickness}, window);
 }
 
 void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const {
+  const Group group(canvas, {"legend"});
   const PixelBox& box = page.legend;
   const int line = em_ * 3 / 2;
   int y = box.y;
   if (heading_.width() > 0 && box.height >= line) {
-    canvas.blend(box.x, y + em_ * 3 / 4 - heading_.height() / 2, heading_.ink, ink::text);
+    canvas.text(heading_, box.x, y + em_ * 3 / 4 - heading_.height() / 2,
+                {ink::text, 0, {.kind = "unit", .part = units_}});
     y += line;
   }
   const int below = static_cast<int>(entries_.size()) * line;
@@ -167,7 +169,7 @@ void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& class
     if (y + line > box.bottom() + em_ / 2) break;
     draw_entry(canvas, {box.x, y + (line - em_) / 2, em_ * 5 / 4, em_}, entry.sign);
     const int middle = y + line / 2;
-    canvas.blend(box.x + em_ * 2, middle - entry.text.height() / 2, entry.text.ink, ink::text);
+    canvas.text(entry.text, box.x + em_ * 2, middle - entry.text.height() / 2, {ink::text});
     y += line;
   }
 }

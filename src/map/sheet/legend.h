@@ -31,8 +31,8 @@ class RainfallClasses {
   std::vector<double> values_;
 };
 
-/// The grey at a pixel of a cell without a reading: such cells are hatched.
-Colour hatching(int x, int y, int em);
+/// The hatch of cells without a reading.
+Hatch hatching(int em);
 
 /// The column beside the map: the colour bar with its ticks, and the meaning of the signs.
 class Legend {
@@ -58,6 +58,7 @@ class Legend {
 
   int em_;
   int width_ = 0;
+  std::string units_;
   SetText heading_;
   std::vector<SetText> ticks_;
   std::vector<Entry> entries_;

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
-#include "map/ink/stroke.h"
 #include "map/sheet/palette.h"
 
 namespace thiessen {
@@ -21,7 +21,7 @@ void sort_out(std::vector<Pair>& pairs) {
 
 /// The pairs of gauges whose cells touch in the raster of pixels. Memory does not grow with the
 /// pixels.
-std::vector<Pair> touching_gauges(const Picture& picture, const OwnerRaster& cells) {
+std::vector<Pair> touching_gauges(const Picture& picture, const LabelImage& cells) {
   std::vector<Pair> pairs;
   std::size_t most = 1'000'000;
   const auto touch = [&](std::int32_t a, std::int32_t b) {
@@ -52,7 +52,7 @@ std::size_t gauge_count(const Picture& picture) {
 }
 
 /// The colour of each cell by station.
-std::vector<Colour> station_colours(const Picture& picture, const OwnerRaster& cells) {
+std::vector<Colour> station_colours(const Picture& picture, const LabelImage& cells) {
   const auto palette = categorical_colours();
   const std::vector<std::uint8_t> chosen =
       colour_neighbours(gauge_count(picture), touching_gauges(picture, cells), palette.size());
@@ -72,22 +72,45 @@ std::vector<Colour> rainfall_colours(const Picture& picture, const RainfallClass
   return colours;
 }
 
-template <typename T>
-void clear_outside(std::span<T> pixels, int width, const PixelBox& box, T nothing) {
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const int x = static_cast<int>(i % static_cast<std::size_t>(width));
-    const int y = static_cast<int>(i / static_cast<std::size_t>(width));
-    const bool inside = x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
-    if (!inside) pixels[i] = nothing;
+void clear_outside(LabelImage& labels, const PixelBox& box) {
+  std::size_t i = 0;
+  for (int y = 0; y < labels.height(); ++y) {
+    for (int x = 0; x < labels.width(); ++x, ++i) {
+      const bool inside = x >= box.x && x < box.right() && y >= box.y && y < box.bottom();
+      if (!inside) labels.labels()[i] = LabelImage::nobody;
+    }
   }
 }
 
-void cover(Coverage& layer, const std::vector<MapShape>& shapes, double line_width) {
+/// The part of the page in which the map is drawn, with coordinates from the panel's upper left.
+Window window_of(const PixelBox& panel, const PixelBox& sight) {
+  return {{panel.x + sight.x, panel.y + sight.y, sight.width, sight.height},
+          {static_cast<double>(panel.x), static_cast<double>(panel.y)}};
+}
+
+Area area_of(const MapShape& shape, Colour colour, const Mark& mark) {
+  Area area{{}, colour, false, mark};
+  for (const MapPart& part : shape) area.parts.push_back(part.rings);
+  return area;
+}
+
+std::string_view name_of(const Picture& picture, std::size_t basin) {
+  return basin < picture.basins.size() ? std::string_view(picture.basins[basin].name)
+                                       : std::string_view();
+}
+
+std::string_view id_of(const Picture& picture, std::size_t gauge) {
+  return gauge < picture.gauges.size() ? std::string_view(picture.gauges[gauge].station)
+                                       : std::string_view();
+}
+
+std::vector<Polyline> lines_of(const std::vector<MapShape>& shapes) {
+  std::vector<Polyline> lines;
   for (const MapShape& shape : shapes) {
-    for (const MapPart& part : shape) {
-      for (const auto& line : part.lines) stroke(layer, line, line_width);
-    }
+    for (const MapPart& part : shape)
+      lines.insert(lines.end(), part.lines.begin(), part.lines.end());
   }
+  return lines;
 }
 
 }  // namespace
@@ -109,12 +132,12 @@ void to_pixels(StudyView& view, const PanelTransform& transform) {
   for (Point& p : view.gauges) p = transform(p);
 }
 
-OwnerRaster basin_raster(const StudyView& view, const PixelBox& panel) {
-  OwnerRaster raster(panel.width, panel.height);
+LabelImage basin_labels(const StudyView& view, const PixelBox& panel) {
+  LabelImage labels(panel.width, panel.height);
   for (std::size_t i = 0; i < view.basins.size(); ++i) {
-    for (const MapPart& part : view.basins[i]) raster.fill(part.rings, static_cast<int>(i));
+    for (const MapPart& part : view.basins[i]) labels.fill(part.rings, static_cast<int>(i));
   }
-  return raster;
+  return labels;
 }
 
 PixelBox sight_box(const StudyView& view, const PanelTransform& transform, const PixelBox& panel) {
@@ -129,41 +152,42 @@ PixelBox sight_box(const StudyView& view, const PanelTransform& transform, const
   return {x, y, pixel(lower.x, panel.width) - x, pixel(lower.y, panel.height) - y};
 }
 
-OwnerRaster cell_raster(const StudyView& view, OwnerRaster basins, const PixelBox& sight) {
-  for (std::int32_t& owner : basins.owners()) {
-    if (owner != OwnerRaster::nobody) owner = basin_without_cell;
-  }
+LabelImage cell_labels(const StudyView& view, const PixelBox& panel, const PixelBox& sight) {
+  LabelImage labels(panel.width, panel.height);
   for (std::size_t i = 0; i < view.cells.size(); ++i) {
-    for (const MapPart& part : view.cells[i]) basins.fill(part.rings, static_cast<int>(i));
+    for (const MapPart& part : view.cells[i]) labels.fill(part.rings, static_cast<int>(i));
   }
-  clear_outside(basins.owners(), basins.width(), sight, OwnerRaster::nobody);
-  return basins;
+  clear_outside(labels, sight);
+  return labels;
 }
 
-std::vector<std::size_t> pixels_of_gauges(const Picture& picture, const OwnerRaster& cells) {
+std::vector<std::size_t> pixels_of_gauges(const Picture& picture, const LabelImage& cells) {
   std::vector<std::size_t> pixels(gauge_count(picture), 0);
-  for (const std::int32_t owner : cells.owners()) {
+  for (const std::int32_t owner : cells.labels()) {
     if (owner >= 0) ++pixels[picture.cells[static_cast<std::size_t>(owner)].gauge];
   }
   return pixels;
 }
 
-void draw_cells(Canvas& canvas, const PixelBox& panel, const Picture& picture,
-                const OwnerRaster& cells, const RainfallClasses& classes, int em) {
+void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
+                const Picture& picture, const StudyView& view, const LabelImage& cells,
+                const RainfallClasses& classes, int em) {
   const std::vector<Colour> colours =
       picture.by_rainfall ? rainfall_colours(picture, classes) : station_colours(picture, cells);
-  for (int y = 0; y < panel.height; ++y) {
-    for (int x = 0; x < panel.width; ++x) {
-      const std::int32_t owner = cells.at(x, y);
-      Colour colour = ink::background;
-      if (owner >= 0) colour = colours[static_cast<std::size_t>(owner)];
-      const bool unread =
-          owner == basin_without_cell ||
-          (owner >= 0 && !std::isfinite(picture.cells[static_cast<std::size_t>(owner)].rainfall));
-      if (picture.by_rainfall && unread) colour = hatching(panel.x + x, panel.y + y, em);
-      canvas.set(panel.x + x, panel.y + y, colour);
-    }
+  std::vector<Area> areas;
+  for (std::size_t i = 0; picture.by_rainfall && i < view.basins.size(); ++i) {
+    areas.push_back(area_of(view.basins[i], ink::no_reading, {"basin", {}, name_of(picture, i)}));
+    areas.back().hatched = true;
   }
+  for (std::size_t i = 0; i < view.cells.size(); ++i) {
+    const PictureCell& cell = picture.cells[i];
+    const Mark mark{"cell", id_of(picture, cell.gauge), name_of(picture, cell.basin)};
+    areas.push_back(area_of(view.cells[i], colours[i], mark));
+    areas.back().hatched = picture.by_rainfall && !std::isfinite(cell.rainfall);
+  }
+  const Group group(canvas, {"cells"});
+  canvas.fill(panel, ink::background);
+  canvas.areas(areas, hatching(em), window_of(panel, sight));
 }
 
 void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight) {
@@ -173,15 +197,14 @@ void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, cons
                        std::max(1.0, static_cast<double>(view.cells.size()));
   const double cell_size = std::sqrt(share) / em;  // side of a cell of mean size, in ems
   const int alpha = static_cast<int>(std::clamp(70 + 160 * cell_size, 70.0, 200.0));
-  Coverage layer(panel.width, panel.height);
-  cover(layer, view.cells, cell_line_width(em));
-  clear_outside(std::span(layer.values), panel.width, sight, std::uint8_t{0});
-  canvas.blend(panel.x, panel.y, layer, ink::cell_edge, alpha);
-  std::fill(layer.values.begin(), layer.values.end(), std::uint8_t{0});
-  const double thinner = view.basins.size() > 200 ? 0.6 : 1.0;
-  cover(layer, view.basins, std::max(1.2, basin_line_width(em) * thinner));
-  clear_outside(std::span(layer.values), panel.width, sight, std::uint8_t{0});
-  canvas.blend(panel.x, panel.y, layer, ink::basin_edge, 230);
+  const Group group(canvas, {"outlines"});
+  const Window window = window_of(panel, sight);
+  canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), alpha}, window);
+  constexpr std::size_t many = 200;
+  constexpr int basin_alpha = 230;
+  const double thinner = view.basins.size() > many ? 0.6 : 1.0;
+  const double width = std::max(1.2, basin_line_width(em) * thinner);
+  canvas.lines(lines_of(view.basins), {ink::basin_edge, width, basin_alpha}, window);
 }
 
 }  // namespace thiessen

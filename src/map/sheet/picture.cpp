@@ -7,6 +7,8 @@
 #include "map/ink/unicode.h"
 #include "map/opencv/drawing_errors.h"
 #include "map/opencv/encoding.h"
+#include "map/opencv/label_image.h"
+#include "map/opencv/pixel_canvas.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/annotation.h"
 #include "map/sheet/footer.h"
@@ -14,6 +16,7 @@
 #include "map/sheet/map_panel.h"
 #include "map/sheet/page.h"
 #include "map/sheet/study_view.h"
+#include "map/svg/svg_canvas.h"
 
 namespace thiessen {
 namespace {
@@ -27,10 +30,10 @@ void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyVie
   const PanelTransform transform(view.extent, page.panel);
   to_pixels(view, transform);
   const PixelBox sight = sight_box(view, transform, page.panel);
-  OwnerRaster basins = basin_raster(view, page.panel);
+  const LabelImage basins = basin_labels(view, page.panel);
   Annotation annotation(canvas, page, picture, view, type);
-  const OwnerRaster cells = cell_raster(view, basins, sight);
-  draw_cells(canvas, page.panel, picture, cells, classes, page.style.em);
+  const LabelImage cells = cell_labels(view, page.panel, sight);
+  draw_cells(canvas, page.panel, sight, picture, view, cells, classes, page.style.em);
   draw_outlines(canvas, page, view, sight);
   annotation.draw_gauges();
   if (!page.style.bare) {
@@ -59,22 +62,56 @@ void warn_of_missing(const Typesetter& type, Warnings& warnings) {
                 "fonts-unifont"});
 }
 
-std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
-  StudyView view = view_study(picture);
+/// All that is known of the page before it is drawn.
+struct Sheet {
+  explicit Sheet(const Picture& picture)
+      : view(view_study(picture)),
+        classes(picture),
+        legend(picture, classes, page_style(picture.width, picture.height), type),
+        page(lay_out(picture, view.extent, legend, type)) {}
+
+  StudyView view;
   Typesetter type;
-  const PageStyle style = page_style(picture.width, picture.height);
-  const RainfallClasses classes(picture);
-  const Legend legend(picture, classes, style, type);
-  const Page page = lay_out(picture, view.extent, legend, type);
-  Canvas canvas(page.width, page.height);
-  draw_map(canvas, page, picture, std::move(view), classes, type);
-  canvas.blend(page.style.em, page.title_baseline - page.title.baseline, page.title.ink, ink::text);
-  canvas.blend(page.style.em, page.subtitle_baseline - page.subtitle.baseline, page.subtitle.ink,
-               ink::quiet_text);
-  if (legend.width() > 0) legend.draw(canvas, page, classes);
-  const std::vector<unsigned char> bytes = encoded(canvas, format, picture.tags);
-  warn_of_missing(type, warnings);
-  return {bytes.begin(), bytes.end()};
+  RainfallClasses classes;
+  Legend legend;
+  Page page;
+};
+
+void draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
+  const Page& page = sheet.page;
+  draw_map(canvas, page, picture, std::move(sheet.view), sheet.classes, sheet.type);
+  canvas.text(page.title, page.style.em, page.title_baseline - page.title.baseline,
+              {ink::text, 0, {"title"}});
+  canvas.text(page.subtitle, page.style.em, page.subtitle_baseline - page.subtitle.baseline,
+              {ink::quiet_text, 0, {"subtitle"}});
+  if (sheet.legend.width() > 0) sheet.legend.draw(canvas, page, sheet.classes);
+}
+
+/// What the picture's tags say, on one line.
+std::string description_of(const Picture& picture) {
+  std::string text;
+  for (const auto& [name, value] : picture.tags) {
+    text += (text.empty() ? "" : "; ") + (name == "software" ? value : name + ": " + value);
+  }
+  return text;
+}
+
+std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
+  Sheet sheet(picture);
+  std::string bytes;
+  if (format == PictureFormat::svg) {
+    SvgCanvas canvas(sheet.page.width, sheet.page.height);
+    draw(canvas, picture, sheet);
+    bytes = canvas.document(picture.title, description_of(picture), 0);
+  } else {
+    PixelCanvas canvas(sheet.page.width, sheet.page.height);
+    draw(canvas, picture, sheet);
+    const bool png = format == PictureFormat::png;
+    const auto file = encoded(canvas, png ? PixelFormat::png : PixelFormat::jpeg, picture.tags);
+    bytes.assign(file.begin(), file.end());
+  }
+  warn_of_missing(sheet.type, warnings);
+  return bytes;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "geometry/polygon.h"
-#include "map/opencv/encoding.h"
+#include "map/opencv/picture_tags.h"
 
 namespace thiessen {
 
@@ -17,6 +17,7 @@ struct PictureCell {
   std::size_t gauge = 0;  ///< position of the cell's station in Picture::gauges, which decides its
                           ///< colour by station
   double rainfall = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no reading
+  std::size_t basin = 0;  ///< position of the cell's basin in Picture::basins
 };
 
 /// A basin, as the picture outlines and names it.
@@ -28,8 +29,9 @@ struct PictureBasin {
 /// A gauge, as the picture marks and labels it.
 struct PictureGauge {
   Point position;
-  std::string label;    ///< UTF-8, any script; may be empty
-  bool reports = true;  ///< false: drawn hollow
+  std::string label;      ///< UTF-8, any script; may be empty
+  bool reports = true;    ///< false: drawn hollow
+  std::string station{};  ///< the station's id, as a picture that can say so says it
 };
 
 /// All that a picture shows, in the study's coordinates. The order of its lists matters only to the
@@ -66,11 +68,13 @@ inline constexpr long long max_picture_pixels = 100'000'000;
 /// `height` of 0 is chosen later by the study area's shape, and then respects the limits.
 void check_picture_size(int width, int height);
 
-/// Draws `picture` and encodes it as the bytes of a PNG or JPEG file: cells filled by rainfall or
-/// station, outlines of cells and basins, gauges with their labels, title, colour bar, scale bar,
-/// north arrow.
+enum class PictureFormat { png, jpeg, svg };
+
+/// Draws `picture` and encodes it as the bytes of a PNG, JPEG or SVG file: cells filled by rainfall
+/// or station, outlines of cells and basins, gauges with their labels, title, colour bar, scale
+/// bar, north arrow.
 ///
-/// A pixel belongs to the cell that holds its centre. Areas of longitude and latitude smaller than
+/// Areas of longitude and latitude smaller than
 /// about a hemisphere are drawn in the ellipsoid's oblique stereographic projection about their
 /// centre (conformal, north up at the centre), larger ones in plate carrée. Labels that would
 /// overlap anything are left out, those of the smallest cells first, and the picture says how many

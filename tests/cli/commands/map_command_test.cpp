@@ -4,7 +4,7 @@ namespace thiessen::cli {
 namespace {
 
 TEST(MapCommand, DeclaresOptionsUnderTheirHeadings) {
-  EXPECT_EQ(group_of("map", "--resolution"), "Picture");
+  EXPECT_EQ(group_of("map", "--resolution"), "Raster");
   EXPECT_EQ(group_of("map", "--title"), "Picture");
   EXPECT_EQ(group_of("map", "--overwrite"), "Output");
 }
@@ -13,7 +13,7 @@ TEST(MapCommand, KnowsAMapByItsExtension) {
   for (const char* file : {"map.png", "map.JPG", "map.jpeg", "map.tif", "MAP.TIFF"})
     EXPECT_EQ(refusal({"map", "stations", "-o", file}), "");
   EXPECT_EQ(refusal({"map", "stations", "-o", "map"}),
-            "a map is a .png, a .jpg or a .tif, not 'map'");
+            "a map is a .png, .jpg, .svg or .tif, not 'map'");
   EXPECT_EQ(refusal({"map", "stations"}), "-o map.png is missing");
 }
 

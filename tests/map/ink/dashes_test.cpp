@@ -35,5 +35,21 @@ TEST(Dashes, of_a_line_shorter_than_a_gap_are_one) {
   EXPECT_EQ(dashes(0, 10, 7).size(), 1u);
 }
 
+TEST(Dashes, follow_a_line_round_its_corners) {
+  // 44 long with a corner at 20: dashes to 10, from 17 to 27, and from 34.
+  const std::vector<Point> line{{0, 0}, {20, 0}, {20, 24}};
+  const auto result = dashed(line, 10, 7);
+  ASSERT_EQ(result.size(), 3u);
+  EXPECT_EQ(result[0], (std::vector<Point>{{0, 0}, {10, 0}}));
+  EXPECT_EQ(result[1], (std::vector<Point>{{17, 0}, {20, 0}, {20, 7}}));
+  EXPECT_EQ(result[2], (std::vector<Point>{{20, 14}, {20, 24}}));
+}
+
+TEST(Dashes, of_a_point_or_nothing_are_none) {
+  EXPECT_TRUE(dashed(std::vector<Point>{}, 10, 7).empty());
+  EXPECT_TRUE(dashed(std::vector<Point>{{3, 4}}, 10, 7).empty());
+  EXPECT_TRUE(dashed(std::vector<Point>{{3, 4}, {3, 4}}, 10, 7).empty());
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -12,10 +12,10 @@ std::string text_of(const std::vector<unsigned char>& bytes) {
 }
 
 TEST(PictureTags, of_a_png_are_chunks_with_their_sum) {
-  Canvas canvas(8, 8);
-  const std::string plain = text_of(encoded(canvas, PictureFormat::png, {}));
+  PixelCanvas canvas(8, 8);
+  const std::string plain = text_of(encoded(canvas, PixelFormat::png, {}));
   const std::string tagged =
-      text_of(encoded(canvas, PictureFormat::png, {{"software", "a"}, {"unit", "\xC2\xB5m"}}));
+      text_of(encoded(canvas, PixelFormat::png, {{"software", "a"}, {"unit", "\xC2\xB5m"}}));
   // The sum of tEXtSoftware\0a is that of zlib.crc32 in Python.
   EXPECT_EQ(tagged.substr(33, 22),
             std::string("\0\0\0\x0atEXtSoftware\0a", 18) + tagged.substr(51, 4));
@@ -25,10 +25,10 @@ TEST(PictureTags, of_a_png_are_chunks_with_their_sum) {
 }
 
 TEST(PictureTags, of_a_jpeg_are_a_comment) {
-  Canvas canvas(8, 8);
-  const std::string plain = text_of(encoded(canvas, PictureFormat::jpeg, {}));
+  PixelCanvas canvas(8, 8);
+  const std::string plain = text_of(encoded(canvas, PixelFormat::jpeg, {}));
   const std::string tagged =
-      text_of(encoded(canvas, PictureFormat::jpeg, {{"software", "a"}, {"unit", "mm"}}));
+      text_of(encoded(canvas, PixelFormat::jpeg, {{"software", "a"}, {"unit", "mm"}}));
   EXPECT_EQ(tagged, plain.substr(0, 2) + std::string("\xFF\xFE\0\x0d", 4) + "a; unit: mm" +
                         plain.substr(2));
 }

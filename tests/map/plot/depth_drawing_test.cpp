@@ -1,8 +1,11 @@
+// Linked with OpenCV: what is drawn is looked at in pixels.
 #include "map/plot/depth_drawing.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "map/opencv/pixel_canvas.h"
 
 namespace thiessen {
 namespace {
@@ -14,7 +17,7 @@ constexpr Colour blue{0, 0, 200};
 /// Looks along y from (0, -3, 0), x to the right and z upward.
 const Camera camera({0, -3, 0}, {0, 1, 0}, {1, 1, 1}, panel, Camera::Middle::straight_ahead);
 
-Colour pixel(Canvas& canvas, Point at) {
+Colour pixel(PixelCanvas& canvas, Point at) {
   const auto offset =
       3 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(canvas.width()) +
            static_cast<std::size_t>(at.x));
@@ -44,7 +47,7 @@ TEST(DepthDrawing, draws_what_is_near_over_what_is_far_in_whatever_order_they_co
     };
     add(near_first);
     add(!near_first);
-    Canvas canvas(340, 220);
+    PixelCanvas canvas(340, 220);
     drawing.draw(canvas);
     const Point crossing = camera.pixel(camera.seen({0, 0, 0}));
     const Colour at = pixel(canvas, crossing);
@@ -96,7 +99,7 @@ TEST(DepthDrawing, leaves_everything_outside_the_panel_white) {
   drawing.add_line({-50, 0, 30}, {50, 0, -30}, {blue, 9, 20, 10, 4});
   drawing.add_ball({camera.pixels_per_unit(3) > 0 ? 150 / camera.pixels_per_unit(3) : 0, 0, 0}, 1,
                    1, 40, red);
-  Canvas canvas(340, 220);
+  PixelCanvas canvas(340, 220);
   drawing.draw(canvas);
   int inside = 0;
   for (int y = 0; y < 220; ++y) {

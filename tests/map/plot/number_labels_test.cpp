@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "map/opencv/pixel_canvas.h"
+
 namespace thiessen {
 namespace {
 
 TEST(NumberLabels, do_not_overlap_and_leave_dots_clear) {
   const PixelBox panel{30, 20, 200, 150};
-  Canvas canvas(260, 190);
+  PixelCanvas canvas(260, 190);
   Typesetter type;
   NumberLabels labels(canvas, panel, type, 16);
   const Point dot{130.5, 95.5};
@@ -31,7 +33,7 @@ TEST(NumberLabels, do_not_overlap_and_leave_dots_clear) {
 
 TEST(NumberLabels, stand_where_the_fewest_lines_are) {
   const PixelBox panel{0, 0, 200, 200};
-  Canvas canvas(200, 200);
+  PixelCanvas canvas(200, 200);
   canvas.fill({100, 0, 100, 200}, {0, 0, 200});
   canvas.fill({0, 0, 200, 95}, {0, 0, 200});
   Typesetter type;

@@ -19,7 +19,7 @@ namespace {
 
 enum class Ink { none, red, blue };
 
-Ink ink_at(Canvas& canvas, int x, int y) {
+Ink ink_at(PixelCanvas& canvas, int x, int y) {
   const auto offset = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(canvas.width()) +
                            static_cast<std::size_t>(x));
   const int blue = canvas.bytes()[offset];
@@ -63,7 +63,7 @@ std::vector<SpacePoint> random_space_points(std::size_t count, unsigned seed) {
 TEST(PlanePicture, of_two_points_has_a_solid_red_line_across_a_dashed_blue_one) {
   const auto tessellation = tessellation_of<2>({{1, 7}, {5, 7}});
   const PixelBox panel = panel_of(tessellation);
-  Canvas canvas = plot_plane(tessellation, own_number);
+  PixelCanvas canvas = plot_plane(tessellation, own_number);
   const int middle_x = panel.x + panel.width / 2;
   const int middle_y = panel.y + panel.height / 2;
   int red_rows = 0;
@@ -105,7 +105,7 @@ TEST(PlanePicture, keeps_its_lines_in_the_panel) {
   points.push_back({1.5, -0.001});  // its neighbours' vertices lie far off
   const auto tessellation = tessellation_of<2>(points);
   const PixelBox panel = panel_of(tessellation);
-  Canvas canvas = plot_plane(tessellation, own_number);
+  PixelCanvas canvas = plot_plane(tessellation, own_number);
   int inside = 0;
   for (int y = panel.y; y < canvas.height(); ++y) {
     for (int x = 0; x < canvas.width(); ++x) {
@@ -190,7 +190,7 @@ TEST(SpacePicture, has_red_and_blue_inside_its_border_alone) {
   const PixelBox panel = PlotSheet(1.35, PlotSheet::Margins::plain).panel();
   for (const auto& view : std::vector<std::optional<View>>{
            std::nullopt, View{{0.5, 0.5, 0.5}, {0.9, 0.6, 0.4}}, View{{9, 9, 9}, {0, 0, 0}}}) {
-    Canvas canvas = view_space(tessellation, own_number, view);
+    PixelCanvas canvas = view_space(tessellation, own_number, view);
     int red = 0;
     int blue = 0;
     for (int y = panel.y; y < canvas.height(); ++y) {

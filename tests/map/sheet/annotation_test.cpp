@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "map/ink/ink.h"
+#include "map/opencv/pixel_canvas.h"
 
 namespace thiessen {
 namespace {
@@ -37,7 +38,7 @@ struct Panel {
   Page page;
   Picture picture;
   StudyView view;
-  Canvas canvas{420, 340};
+  PixelCanvas canvas{420, 340};
 };
 
 TEST(Annotation, draws_gauges_where_they_are_and_whole_or_not_at_all) {
@@ -109,7 +110,7 @@ TEST(Annotation, the_larger_of_two_cells_has_its_label_where_both_want_the_same_
 TEST(Annotation, names_a_basin_inside_it_and_not_where_it_finds_no_room) {
   Panel panel(std::vector<Point>{});
   panel.picture.basins = {{"Basin", {}}, {"Long name of a basin", {}}, {"", {}}};
-  OwnerRaster basins(400, 300);
+  LabelImage basins(400, 300);
   const Ring wide = {{50, 50}, {250, 50}, {250, 150}, {50, 150}};
   const Ring narrow = {{300, 50}, {320, 50}, {320, 290}, {300, 290}};
   basins.fill({&wide, 1}, 0);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "map/opencv/pixel_canvas.h"
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
@@ -62,7 +63,7 @@ struct Drawn {
   Typesetter type;
   Page page;
   StudyView view;
-  Canvas canvas{840, 120};
+  PixelCanvas canvas{840, 120};
 };
 
 TEST(Footer, keeps_to_its_box) {

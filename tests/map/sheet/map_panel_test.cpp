@@ -3,13 +3,17 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
 #include "map/ink/ink.h"
+#include "map/opencv/pixel_canvas.h"
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::int32_t nobody = OwnerRaster::nobody;
+constexpr std::int32_t nobody = LabelImage::nobody;
 
 MapShape box(double west, double north, double east, double south) {
   const Ring ring = {{west, north}, {east, north}, {east, south}, {west, south}};
@@ -19,42 +23,49 @@ MapShape box(double west, double north, double east, double south) {
   return {part};
 }
 
-/// A panel of 6 by 4 pixels: a basin over columns 1 to 4, cells over columns 1 and 2 of it, and 3.
+/// A panel of 60 by 40 pixels: a basin over columns 10 to 49, cells over 10 to 29 of it, and 30 to
+/// 39. Outlines lie in the middles of pixels, which they touch.
 struct Panel {
   Panel() {
-    view.basins = {box(1, 0, 5, 4)};
-    view.cells = {box(1, 0, 3, 4), box(3, 0, 4, 4)};
+    view.basins = {box(10.5, 0.5, 49.5, 39.5)};
+    view.cells = {box(10.5, 0.5, 29.5, 39.5), box(30.5, 0.5, 39.5, 39.5)};
   }
-  OwnerRaster basins() const { return basin_raster(view, {0, 0, 6, 4}); }
-  OwnerRaster cells(const PixelBox& sight = {0, 0, 6, 4}) const {
-    return cell_raster(view, basins(), sight);
+  LabelImage basins() const { return basin_labels(view, box_of); }
+  LabelImage cells(const PixelBox& sight = {0, 0, 60, 40}) const {
+    return cell_labels(view, box_of, sight);
   }
   StudyView view;
+  PixelBox box_of{0, 0, 60, 40};
 };
 
-std::vector<std::int32_t> row(const OwnerRaster& raster, int y) {
-  std::vector<std::int32_t> owners;
-  for (int x = 0; x < raster.width(); ++x) owners.push_back(raster.at(x, y));
-  return owners;
+/// The runs of labels in a row: each label and how many pixels it takes.
+using Runs = std::vector<std::pair<std::int32_t, int>>;
+
+Runs row(const LabelImage& labels, int y) {
+  Runs runs;
+  for (int x = 0; x < labels.width(); ++x) {
+    if (runs.empty() || runs.back().first != labels.at(x, y)) runs.push_back({labels.at(x, y), 0});
+    ++runs.back().second;
+  }
+  return runs;
 }
 
-Colour at(Canvas& canvas, int x, int y) {
+Colour at(PixelCanvas& canvas, int x, int y) {
   const auto first = 3 * static_cast<std::size_t>(y * canvas.width() + x);
   return {canvas.bytes()[first + 2], canvas.bytes()[first + 1], canvas.bytes()[first]};
 }
 
-TEST(MapPanel, pixels_belong_to_the_cell_or_else_the_basin_that_holds_their_centre) {
+TEST(MapPanel, pixels_show_the_basin_and_the_cell_that_they_lie_in) {
   const Panel panel;
-  EXPECT_EQ(row(panel.basins(), 2), (std::vector<std::int32_t>{nobody, 0, 0, 0, 0, nobody}));
-  EXPECT_EQ(row(panel.cells(), 2),
-            (std::vector<std::int32_t>{nobody, 0, 0, 1, basin_without_cell, nobody}));
+  EXPECT_EQ(row(panel.basins(), 20), (Runs{{nobody, 10}, {0, 40}, {nobody, 10}}));
+  EXPECT_EQ(row(panel.cells(), 20), (Runs{{nobody, 10}, {0, 20}, {1, 10}, {nobody, 20}}));
 }
 
 TEST(MapPanel, what_is_out_of_sight_belongs_to_nobody) {
-  const OwnerRaster cells = Panel().cells({2, 1, 2, 2});
-  EXPECT_EQ(row(cells, 0), std::vector<std::int32_t>(6, nobody));
-  EXPECT_EQ(row(cells, 2), (std::vector<std::int32_t>{nobody, nobody, 0, 1, nobody, nobody}));
-  EXPECT_EQ(row(cells, 3), std::vector<std::int32_t>(6, nobody));
+  const LabelImage cells = Panel().cells({20, 10, 15, 20});
+  EXPECT_EQ(row(cells, 9), (Runs{{nobody, 60}}));
+  EXPECT_EQ(row(cells, 20), (Runs{{nobody, 20}, {0, 10}, {1, 5}, {nobody, 25}}));
+  EXPECT_EQ(row(cells, 30), (Runs{{nobody, 60}}));
 }
 
 TEST(MapPanel, all_of_the_panel_is_in_sight_but_of_the_whole_earth) {
@@ -77,46 +88,67 @@ TEST(MapPanel, counts_the_pixels_of_all_cells_of_a_gauge) {
   Picture picture;
   picture.cells = {{{}, 2}, {{}, 0}};
   picture.gauges.resize(2);
-  EXPECT_EQ(pixels_of_gauges(picture, Panel().cells()), (std::vector<std::size_t>{4, 0, 8}));
+  EXPECT_EQ(pixels_of_gauges(picture, Panel().cells()), (std::vector<std::size_t>{400, 0, 800}));
   picture.cells[1].gauge = 2;
-  EXPECT_EQ(pixels_of_gauges(picture, Panel().cells()), (std::vector<std::size_t>{0, 0, 12}));
+  EXPECT_EQ(pixels_of_gauges(picture, Panel().cells()), (std::vector<std::size_t>{0, 0, 1200}));
 }
 
 TEST(MapPanel, shapes_and_gauges_are_taken_to_pixels) {
   Panel panel;
+  panel.view.basins = {box(1, 0, 5, 4)};
+  panel.view.cells = {box(3, 0, 4, 4)};
   panel.view.gauges = {{3, 2}};
   to_pixels(panel.view, PanelTransform({1, 0, 5, 4}, {0, 0, 400, 400}));  // 92 pixels a unit
   EXPECT_EQ(panel.view.gauges[0], (Point{200, 200}));
   EXPECT_NEAR(panel.view.basins[0][0].rings[0][0].x, 16, 1e-9);
   EXPECT_NEAR(panel.view.basins[0][0].rings[0][0].y, 384, 1e-9);
-  EXPECT_NEAR(panel.view.cells[1][0].lines[0][1].x, 292, 1e-9);
+  EXPECT_NEAR(panel.view.cells[0][0].lines[0][1].x, 292, 1e-9);
+}
+
+/// The cells of the panel, drawn at (2, 1) of a page.
+PixelCanvas drawn(const Picture& picture) {
+  PixelCanvas canvas(70, 50);
+  const Panel panel;
+  draw_cells(canvas, {2, 1, 60, 40}, {0, 0, 60, 40}, picture, panel.view, panel.cells(),
+             RainfallClasses(picture), 20);
+  return canvas;
+}
+
+/// Whether the pixels of a column are of the two greys of a hatch, and of both.
+bool is_hatched(PixelCanvas& canvas, int x) {
+  std::size_t light = 0;
+  for (int y = 5; y < 35; ++y) {
+    const Colour colour = at(canvas, x, y);
+    if (colour.green > ink::no_reading.green || colour.green < ink::hatch.green) return false;
+    light += colour == ink::no_reading ? 1U : 0U;
+  }
+  return light > 5 && light < 30;
 }
 
 TEST(MapPanel, cells_are_filled_by_rainfall_and_hatched_where_there_is_none) {
   Picture picture = row_of_cells({3, 8});
   const RainfallClasses classes(picture);
-  Canvas canvas(8, 6);
-  draw_cells(canvas, {2, 1, 6, 4}, picture, Panel().cells(), classes, 20);
-  EXPECT_EQ(at(canvas, 3, 1), classes.colour(3));
-  EXPECT_EQ(at(canvas, 5, 4), classes.colour(8));
-  EXPECT_EQ(at(canvas, 6, 2), hatching(6, 2, 20));
-  EXPECT_EQ(at(canvas, 2, 1), ink::background);
+  PixelCanvas canvas = drawn(picture);
+  EXPECT_EQ(at(canvas, 20, 20), classes.colour(3));
+  EXPECT_EQ(at(canvas, 36, 20), classes.colour(8));
+  EXPECT_TRUE(is_hatched(canvas, 46)) << "of a basin, but of no cell";
+  EXPECT_EQ(at(canvas, 5, 20), ink::background);
   EXPECT_EQ(at(canvas, 0, 0), ink::white) << "beside the panel nothing changes";
+  EXPECT_FALSE(is_hatched(canvas, 36));
   picture.cells[1].rainfall = none;
-  draw_cells(canvas, {2, 1, 6, 4}, picture, Panel().cells(), classes, 20);
-  EXPECT_EQ(at(canvas, 5, 4), hatching(5, 4, 20));
+  canvas = drawn(picture);
+  EXPECT_TRUE(is_hatched(canvas, 36));
 }
 
 TEST(MapPanel, cells_by_station_differ_from_their_neighbours_and_not_among_one_gauge) {
   Picture picture = row_of_cells({3, 8});
   picture.by_rainfall = false;
-  Canvas canvas(6, 4);
-  draw_cells(canvas, {0, 0, 6, 4}, picture, Panel().cells(), RainfallClasses(picture), 20);
-  EXPECT_NE(at(canvas, 2, 2), at(canvas, 3, 2));
-  EXPECT_EQ(at(canvas, 4, 2), ink::background) << "ground without a cell is no missing reading";
+  PixelCanvas canvas = drawn(picture);
+  EXPECT_NE(at(canvas, 20, 20), at(canvas, 36, 20));
+  EXPECT_EQ(at(canvas, 46, 20), ink::background) << "ground without a cell is no missing reading";
   picture.cells[1].gauge = 0;
-  draw_cells(canvas, {0, 0, 6, 4}, picture, Panel().cells(), RainfallClasses(picture), 20);
-  EXPECT_EQ(at(canvas, 2, 2), at(canvas, 3, 2));
+  canvas = drawn(picture);
+  EXPECT_EQ(at(canvas, 20, 20), at(canvas, 36, 20));
 }
 
 }  // namespace

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace thiessen {
+
+/// The text as it stands in XML, between tags or between double quotes. Characters that XML 1.0
+/// does not allow, and bytes that are not UTF-8, become U+FFFD. Cost: the text.
+std::string xml_text(std::string_view utf8);
+
+}  // namespace thiessen

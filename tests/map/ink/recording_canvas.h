@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "map/ink/canvas.h"
+
+namespace thiessen {
+
+/// A canvas that keeps the discs drawn on it, and nothing else.
+class RecordingCanvas : public Canvas {
+ public:
+  using Canvas::Canvas;
+
+  struct Disc {
+    Point centre;
+    double radius;
+    Colour colour;
+    PixelBox clip;
+  };
+  std::vector<Disc> discs;
+
+  void disc(Point centre, double radius, Colour colour, const PixelBox& clip) override {
+    discs.push_back({centre, radius, colour, clip});
+  }
+  void fill(const PixelBox&, Colour) override {}
+  void border(const PixelBox&, Colour, int) override {}
+  void areas(std::span<const Area>, const Hatch&, const Window&) override {}
+  void lines(std::span<const Polyline>, const Stroke&, const Window&) override {}
+  void text(const SetText&, int, int, const Lettering&) override {}
+  void begin(const Mark&) override {}
+  void end() override {}
+};
+
+}  // namespace thiessen
