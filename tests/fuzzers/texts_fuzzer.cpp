@@ -53,7 +53,7 @@ void read_characters(std::string_view text) {
     require(cut.size() <= length + 1 && (shown.size() > length || cut == shown), "cut elsewhere");
   }
   std::u32string in_runs;
-  for (const DirectedRun& run : directed_runs(shown)) in_runs += run.text;
+  for (const DirectedRun& run : directed_line(shown).runs) in_runs += run.text;
   std::u32string all = shown;
   std::sort(all.begin(), all.end());
   std::sort(in_runs.begin(), in_runs.end());

@@ -1,5 +1,7 @@
 #include "map/ink/unicode.h"
 
+#include <fribidi.h>
+
 #include <array>
 #include <cstdint>
 
@@ -48,14 +50,12 @@ bool is_control(char32_t c) {
   return c < 0x20 || (c >= 0x7F && c < 0xA0) || c == 0x2028 || c == 0x2029;
 }
 
-bool turns_direction(char32_t c) {
-  constexpr std::array<Range, 6> marks{{{0x200E, 0x200F},
-                                        {0x202A, 0x202E},
-                                        {0x2066, 0x206F},
-                                        {0x061C, 0x061C},
-                                        {0xFEFF, 0xFEFF},
-                                        {0xE0000, 0xE0FFF}}};
-  return within(c, marks);
+/// Whether a character would turn the direction of what stands beside it, or tells a program
+/// something that no picture shows.
+bool is_instruction(char32_t c) {
+  const FriBidiCharType type = fribidi_get_bidi_type(c);
+  if (FRIBIDI_IS_EXPLICIT(type) || FRIBIDI_IS_ISOLATE(type)) return true;
+  return type == FRIBIDI_TYPE_BN && !is_invisible(c);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::u32string displayable(std::string_view utf8) {
   for (const char32_t c : decoded(utf8)) {
     if (is_control(c)) {
       text.push_back(U' ');
-    } else if (!turns_direction(c)) {
+    } else if (!is_instruction(c)) {
       text.push_back(c);
     }
   }
@@ -100,37 +100,18 @@ std::string to_utf8(std::u32string_view text) {
 }
 
 bool is_invisible(char32_t c) {
-  constexpr std::array<Range, 6> ranges{{{0x00AD, 0x00AD},
+  constexpr std::array<Range, 7> ranges{{{0x00AD, 0x00AD},
                                          {0x034F, 0x034F},
+                                         {0x061C, 0x061C},
                                          {0x180B, 0x180F},
-                                         {0x200B, 0x200D},
+                                         {0x200B, 0x200F},
                                          {0x2060, 0x2064},
                                          {0xFE00, 0xFE0F}}};
   return within(c, ranges);
 }
 
 bool is_attached(char32_t c) {
-  // These are the combining marks of the scripts that need a shaper, block by block.
-  constexpr std::array<Range, 19> ranges{{{0x0300, 0x036F},
-                                          {0x0483, 0x0489},
-                                          {0x0591, 0x05BD},
-                                          {0x0610, 0x061A},
-                                          {0x064B, 0x065F},
-                                          {0x06D6, 0x06DC},
-                                          {0x0900, 0x0903},
-                                          {0x093A, 0x094F},
-                                          {0x0981, 0x0983},
-                                          {0x09BC, 0x09CD},
-                                          {0x0E31, 0x0E31},
-                                          {0x0E33, 0x0E3A},
-                                          {0x0E47, 0x0E4E},
-                                          {0x0EB1, 0x0EBC},
-                                          {0x0EC8, 0x0ECD},
-                                          {0x1AB0, 0x1AFF},
-                                          {0x1DC0, 0x1DFF},
-                                          {0x20D0, 0x20FF},
-                                          {0x1F3FB, 0x1F3FF}}};
-  return within(c, ranges) || is_invisible(c);
+  return fribidi_get_bidi_type(c) == FRIBIDI_TYPE_NSM || is_invisible(c);
 }
 
 std::u32string shortened(std::u32string_view text, std::size_t length) {

@@ -11,8 +11,8 @@ namespace thiessen {
 std::u32string decoded(std::string_view utf8);
 
 /// The code points of UTF-8 text as far as a picture can show them: bytes that are not UTF-8 become
-/// U+FFFD, control characters and line breaks become spaces, and marks that would turn the
-/// direction of the text around them are left out. Cost: the text.
+/// U+FFFD, control characters and line breaks become spaces, and embeddings, overrides and
+/// isolates, which turn the direction of the text in them, are left out. Cost: the text.
 std::u32string displayable(std::string_view utf8);
 
 std::string to_utf8(std::u32string_view text);
@@ -35,11 +35,20 @@ struct DirectedRun {
   bool right_to_left = false;
 };
 
-/// Parts a line into runs of one direction, in their order from left to right. This is a part of
-/// the Unicode bidirectional algorithm (UAX 9): the line's direction is that of its first strong
-/// character, neutral characters between two characters of one direction follow them, and numbers
-/// run left to right in any text. Embeddings, and mirrored pairs across runs, are not treated.
-/// Cost: the text.
-std::vector<DirectedRun> directed_runs(std::u32string_view text);
+/// A line as runs of one direction, in their order from left to right, and its own direction: that
+/// of its first letter that has one.
+struct DirectedLine {
+  std::vector<DirectedRun> runs;
+  bool right_to_left = false;
+};
+
+/// Parts a line into runs by the Unicode bidirectional algorithm (UAX 9, by FriBidi). Throws
+/// std::bad_alloc where memory runs out. Cost: the text.
+DirectedLine directed_line(std::u32string_view text);
+
+/// The text as it is to be given to a shaper that takes the direction from the first letter or
+/// Arabic digit, left to right where there is none: in reverse where that is not the text's
+/// direction, with brackets mirrored for right to left. Cost: the text.
+std::u32string for_shaper(std::u32string_view text, bool right_to_left);
 
 }  // namespace thiessen

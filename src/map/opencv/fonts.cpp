@@ -44,6 +44,12 @@ bool is_true(const FcPattern* font, const char* property) {
   return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value == FcTrue;
 }
 
+bool is_unifont(const FcPattern* font) {
+  FcChar8* family = nullptr;
+  return FcPatternGetString(font, FC_FAMILY, 0, &family) == FcResultMatch &&
+         std::string_view(reinterpret_cast<const char*>(family)).starts_with("Unifont");
+}
+
 bool can_draw(const FcPattern* font) {
   return is_true(font, FC_OUTLINE) && !is_true(font, FC_COLOR) && !is_true(font, FC_VARIABLE);
 }
@@ -54,6 +60,7 @@ struct FontList::Set {
   struct Font {
     FontFace face;
     const FcCharSet* characters;
+    bool has_pixels = false;
   };
   Held<FcConfig> config;
   Held<FcFontSet> found;
@@ -77,8 +84,11 @@ FontList::FontList(bool bold) : set_(std::make_unique<Set>()) {
       continue;
     }
     FcPatternGetInteger(font, FC_INDEX, 0, &face);
-    set_->fonts.push_back({{reinterpret_cast<const char*>(file), face}, characters});
+    set_->fonts.push_back(
+        {{reinterpret_cast<const char*>(file), face}, characters, is_unifont(font)});
   }
+  std::stable_partition(set_->fonts.begin(), set_->fonts.end(),
+                        [](const Set::Font& font) { return !font.has_pixels; });
   if (set_->fonts.empty()) {
     throw Error(Message{{}, 0, "no font to draw with", "install a font such as DejaVu Sans"});
   }
@@ -94,6 +104,10 @@ std::size_t FontList::size() const {
 
 const FontFace& FontList::face(std::size_t font) const {
   return set_->fonts[font].face;
+}
+
+bool FontList::has_pixels(std::size_t font) const {
+  return set_->fonts[font].has_pixels;
 }
 
 bool FontList::covers(std::size_t font, std::u32string_view text) const {

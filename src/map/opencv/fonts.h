@@ -15,7 +15,8 @@ struct FontFace {
 };
 
 /// The outline fonts of this machine in order of preference: DejaVu Sans, then the fonts that
-/// fontconfig holds nearest to a sans-serif. The order does not depend on the locale.
+/// fontconfig holds nearest to a sans-serif, and last those whose outlines are made of bitmaps. The
+/// order does not depend on the locale.
 class FontList {
  public:
   /// Throws Error where no outline font is installed.
@@ -26,6 +27,8 @@ class FontList {
 
   std::size_t size() const;
   const FontFace& face(std::size_t font) const;
+  /// Whether the font's outlines are made of bitmaps, which letters do not join in (Unifont).
+  bool has_pixels(std::size_t font) const;
   /// Whether the font has a glyph for each visible character of the text.
   bool covers(std::size_t font, std::u32string_view text) const;
   /// The first font that covers the whole text. Cost: the fonts times the text.

@@ -178,6 +178,7 @@ void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::ve
     }
   }
   for (Piece& word : words) {
+    if (fonts.has_pixels(word.font)) coarse_.insert(word.text.begin(), word.text.end());
     if (!out.empty() && out.back().font == word.font) {
       out.back().text += word.text;
     } else {
@@ -186,10 +187,11 @@ void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::ve
   }
 }
 
-std::vector<Typesetter::Piece> Typesetter::pieces(std::u32string_view text, Weight weight) {
+std::vector<Typesetter::Piece> Typesetter::pieces(const std::vector<DirectedRun>& runs,
+                                                  Weight weight) {
   std::vector<Piece> result;
   std::size_t spaces = 0;
-  for (const DirectedRun& run : directed_runs(text)) {
+  for (const DirectedRun& run : runs) {
     std::vector<Piece> added;
     add_run(run.text, fonts(weight).list, added);
     if (run.right_to_left) std::reverse(added.begin(), added.end());
@@ -197,6 +199,7 @@ std::vector<Typesetter::Piece> Typesetter::pieces(std::u32string_view text, Weig
       const Spaces around = take_spaces(piece.text, run.right_to_left);
       spaces += around.left;
       if (piece.text.empty()) continue;
+      piece.text = for_shaper(piece.text, run.right_to_left);
       piece.spaces_before = spaces;
       result.push_back(std::move(piece));
       spaces = around.right;
@@ -210,7 +213,9 @@ SetText Typesetter::set_line(std::u32string_view text, int size, Weight weight) 
   line.text = to_utf8(text);
   line.size = size;
   line.weight = weight;
-  for (const Piece& piece : pieces(text, weight)) {
+  const DirectedLine directed = directed_line(text);
+  line.right_to_left = directed.right_to_left;
+  for (const Piece& piece : pieces(directed.runs, weight)) {
     try {
       SetText drawn = draw(fonts(weight).face(piece.font), piece.text, size);
       const int space = static_cast<int>(std::min<std::size_t>(piece.spaces_before, 100)) * size;

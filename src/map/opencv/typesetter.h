@@ -13,6 +13,7 @@
 namespace thiessen {
 
 class FontList;
+struct DirectedRun;
 
 /// Sets lines of text of any script in the fonts of this machine: in DejaVu Sans where it has the
 /// characters, else each word in the first font that has them all. Sizes are in pixels to the em.
@@ -34,13 +35,16 @@ class Typesetter {
 
   /// The characters set so far that no font shows, in order.
   const std::set<char32_t>& missing() const { return missing_; }
+  /// The characters set so far that only a font of bitmaps shows, in order; blanks may be among
+  /// them.
+  const std::set<char32_t>& coarse() const { return coarse_; }
 
  private:
   struct Fonts;
   struct Piece;
 
   Fonts& fonts(Weight weight);
-  std::vector<Piece> pieces(std::u32string_view text, Weight weight);
+  std::vector<Piece> pieces(const std::vector<DirectedRun>& runs, Weight weight);
   /// The preferred font, else the font of the text before it, else the first in the list, whichever
   /// first has all the characters.
   static std::optional<std::size_t> font_for(std::u32string_view text, const FontList& fonts,
@@ -52,6 +56,7 @@ class Typesetter {
   std::unique_ptr<Fonts> regular_;
   std::unique_ptr<Fonts> bold_;
   std::set<char32_t> missing_;
+  std::set<char32_t> coarse_;
 };
 
 }  // namespace thiessen

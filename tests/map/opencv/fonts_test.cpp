@@ -55,5 +55,15 @@ TEST(Fonts, none_covers_a_character_for_private_use) {
   EXPECT_EQ(FontList(false).first_to_cover(U""), 0u) << "nothing needs no glyph";
 }
 
+TEST(Fonts, those_of_bitmaps_come_last) {
+  const FontList fonts(false);
+  bool pixels = false;
+  for (std::size_t font = 0; font < fonts.size(); ++font) {
+    EXPECT_TRUE(fonts.has_pixels(font) || !pixels) << fonts.face(font).file;
+    pixels = fonts.has_pixels(font);
+    EXPECT_EQ(pixels, fonts.face(font).file.find("unifont") != std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -70,5 +70,50 @@ TEST(Typesetter, ligatures_and_shaped_scripts_are_drawn) {
   EXPECT_LT(joined, alone);
 }
 
+bool is_same_ink(const SetText& a, const SetText& b) {
+  return a.ink.width == b.ink.width && a.ink.values == b.ink.values;
+}
+
+// What stands at the left end of a number is its first digit, in any digits.
+TEST(Typesetter, arabic_digits_run_from_left_to_right) {
+  Typesetter type;
+  const SetText number = type.set("١٢٫٥", 40);
+  const SetText first = type.set("١", 40);
+  const SetText last = type.set("٥", 40);
+  ASSERT_TRUE(has_ink(first));
+  const auto column = [](const SetText& text, int x) {
+    int sum = 0;
+    for (int y = 0; y < text.height(); ++y) sum += text.ink.at(x, y);
+    return sum;
+  };
+  for (int x = 0; x < first.width(); ++x) EXPECT_EQ(column(number, x), column(first, x)) << x;
+  for (int x = 1; x <= last.width(); ++x)
+    EXPECT_EQ(column(number, number.width() - x), column(last, last.width() - x)) << x;
+  EXPECT_FALSE(number.right_to_left);
+  EXPECT_TRUE(type.set("١٢٫٥ مم", 40).right_to_left);
+}
+
+// A letter and its mark look like the letter that has it.
+TEST(Typesetter, combining_marks_stand_on_their_letters) {
+  Typesetter type;
+  EXPECT_TRUE(is_same_ink(type.set("e\u0301", 40), type.set("\u00E9", 40)));
+  EXPECT_TRUE(is_same_ink(type.set("Z\u030C", 40), type.set("\u017D", 40)));
+  EXPECT_EQ(type.set("x\u0301", 40).width(), type.set("x", 40).width());
+}
+
+TEST(Typesetter, keeps_what_is_said_in_reading_order) {
+  Typesetter type;
+  const SetText text = type.set("  אב abc\n", 20, Weight::bold);
+  EXPECT_EQ(text.text, "אב abc");
+  EXPECT_EQ(text.size, 20);
+  EXPECT_EQ(text.weight, Weight::bold);
+}
+
+TEST(Typesetter, tells_of_letters_drawn_from_bitmaps) {
+  Typesetter type;
+  type.set("Rainfall Łódź محطة", 20);
+  EXPECT_TRUE(type.coarse().empty());
+}
+
 }  // namespace
 }  // namespace thiessen
