@@ -74,7 +74,7 @@ class MapCommand : public Command {
   void run(Warnings& warnings) override {
     const Kind kind = kind_of(output_.output);
     if (kind != Kind::tiff) {
-      check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
+      check_picture_size(view_.width(), view_.height());
     }
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
     OutputFile& file = outputs.add(output_.output);

@@ -31,11 +31,15 @@ Point read_point(const std::string& text) {
 }
 
 PixelSize read_pixel_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  const auto width = parse_size(text.substr(0, cross));
+  constexpr std::size_t most_millimetres = 5'000;
+  const bool millimetres = text.ends_with("mm");
+  const std::string sides = millimetres ? text.substr(0, text.size() - 2) : text;
+  const std::size_t cross = sides.find('x');
+  const auto width = parse_size(sides.substr(0, cross));
   const auto height = cross == std::string::npos ? Parsed<std::size_t>{0, NumberFault::none}
-                                                 : parse_size(text.substr(cross + 1));
-  const auto fits = [](std::size_t side) {
+                                                 : parse_size(sides.substr(cross + 1));
+  const auto fits = [&](std::size_t side) {
+    if (millimetres) return side > 0 && side <= most_millimetres;
     return side >= min_picture_side && side <= max_picture_side;
   };
   const bool good = width && height && fits(width.value) &&
@@ -44,10 +48,10 @@ PixelSize read_pixel_size(const std::string& text) {
   if (!good) {
     refuse("WIDTH or WIDTHxHEIGHT in pixels, " + std::to_string(min_picture_side) + " to " +
                std::to_string(max_picture_side) + " a side and at most " +
-               std::to_string(max_picture_pixels) + " in all",
+               std::to_string(max_picture_pixels) + " in all, or in mm such as 297x210mm",
            text);
   }
-  return {width.value, height.value};
+  return {width.value, height.value, millimetres};
 }
 
 }  // namespace

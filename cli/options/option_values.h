@@ -51,10 +51,12 @@ OptionValue points(std::vector<Point>& target);
 /// One character, or `tab`.
 OptionValue separator(char& target);
 
-/// WIDTH or WIDTHxHEIGHT in pixels; the height is 0 where it is not given.
+/// WIDTH or WIDTHxHEIGHT in pixels or, with mm behind it, in millimetres; the height is 0 where it
+/// is not given.
 struct PixelSize {
   std::size_t width = 1600;
   std::size_t height = 0;
+  bool millimetres = false;
 };
 OptionValue pixel_size(PixelSize& target);
 

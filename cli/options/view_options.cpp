@@ -1,6 +1,9 @@
 #include "cli/options/view_options.h"
 
+#include <cmath>
+
 #include "cli/options/usage_error.h"
+#include "map/sheet/picture.h"
 #include "study/study.h"
 
 namespace thiessen::cli {
@@ -25,10 +28,51 @@ void ViewOptions::declare_look(OptionList& options) {
       &picture.add("--units", any_text(units, "U"), "what the readings are in; default mm");
   title_option_ = &picture.add("--title", any_text(title, "T"), "what stands over the picture");
   size_option_ =
-      &picture.add("--size", pixel_size(size), "the picture's pixels; default 1600 wide");
+      &picture.add("--size", pixel_size(size),
+                   "the picture's pixels, or its size on paper (297x210mm); default 1600 wide");
+  dpi_option_ =
+      &picture.add("--dpi", whole_number(dpi, 1, max_dots_to_the_inch),
+                   "dots to the inch, which the picture tells a printer; default: none, or 300 for "
+                   "a size in mm");
+}
+
+int ViewOptions::dots_to_the_inch() const {
+  constexpr int of_print = 300;
+  return dpi == 0 && size.millimetres ? of_print : static_cast<int>(dpi);
+}
+
+int ViewOptions::width() const {
+  return pixels(size.width);
+}
+
+int ViewOptions::height() const {
+  return pixels(size.height);
+}
+
+int ViewOptions::pixels(std::size_t side) const {
+  constexpr double millimetres_to_the_inch = 25.4;
+  if (!size.millimetres) return static_cast<int>(side);
+  return static_cast<int>(
+      std::lround(static_cast<double>(side) * dots_to_the_inch() / millimetres_to_the_inch));
+}
+
+void ViewOptions::check_size() const {
+  if (!size.millimetres) return;
+  const auto fits = [](int side) { return side >= min_picture_side && side <= max_picture_side; };
+  const bool good = fits(width()) && (size.height == 0 || fits(height())) &&
+                    static_cast<long long>(width()) * height() <= max_picture_pixels;
+  if (good) return;
+  throw UsageError{"a picture of this --size in mm is " + std::to_string(width()) +
+                       (size.height == 0 ? "" : " x " + std::to_string(height())) + " pixels at " +
+                       std::to_string(dots_to_the_inch()) + " dots to the inch; the limits are " +
+                       std::to_string(min_picture_side) + " to " +
+                       std::to_string(max_picture_side) + " a side and " +
+                       std::to_string(max_picture_pixels) + " in all",
+                   "choose another --dpi"};
 }
 
 void ViewOptions::check(bool has_rainfall, bool has_basins) const {
+  check_size();
   const auto is_given = [](const Option* option) {
     return option != nullptr && option->is_given();
   };
@@ -44,7 +88,7 @@ void ViewOptions::check(bool has_rainfall, bool has_basins) const {
 }
 
 void ViewOptions::check_raster() const {
-  for (const Option* option : {title_option_, size_option_}) {
+  for (const Option* option : {title_option_, size_option_, dpi_option_}) {
     if (!option->is_given()) continue;
     throw UsageError{
         option->name + " is about pictures, and a .tif is a raster",

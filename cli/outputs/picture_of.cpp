@@ -25,8 +25,9 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   picture.subtitle = readings != nullptr ? readings->label : "";
   picture.units = view.units;
   picture.tags = items_of(provenance_of(inputs, options, readings, view.units));
-  picture.width = static_cast<int>(view.size.width);
-  picture.height = static_cast<int>(view.size.height);
+  picture.width = view.width();
+  picture.height = view.height();
+  picture.dots_to_the_inch = view.dots_to_the_inch();
   const std::vector<Station>& stations = inputs.network().stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);

@@ -130,12 +130,13 @@ std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnin
   if (format == PictureFormat::svg) {
     SvgCanvas canvas(sheet.page.width, sheet.page.height);
     draw(canvas, picture, sheet);
-    bytes = canvas.document(picture.title, description_of(picture), 0);
+    bytes = canvas.document(picture.title, description_of(picture), picture.dots_to_the_inch);
   } else {
     PixelCanvas canvas(sheet.page.width, sheet.page.height);
     draw(canvas, picture, sheet);
     const bool png = format == PictureFormat::png;
-    const auto file = encoded(canvas, png ? PixelFormat::png : PixelFormat::jpeg, picture.tags);
+    const auto file = encoded(canvas, png ? PixelFormat::png : PixelFormat::jpeg, picture.tags,
+                              picture.dots_to_the_inch);
     bytes.assign(file.begin(), file.end());
   }
   warn_of_fonts(sheet.type, warnings);

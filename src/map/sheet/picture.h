@@ -55,14 +55,18 @@ struct Picture {
   std::string subtitle;  ///< such as "mean over 120 months"; may be empty
   std::string units;     ///< of the rainfall, such as "mm"; may be empty
   PictureTags tags;      ///< what the file says of how it was made
-  int width = 1600;      ///< width of the picture, in pixels
-  int height = 0;        ///< in pixels; 0: chosen by the shape of the study area
+  /// The density that the file tells a printer; 0: none. An SVG has its size on paper by it.
+  int dots_to_the_inch = 0;
+  int width = 1600;  ///< width of the picture, in pixels
+  int height = 0;    ///< in pixels; 0: chosen by the shape of the study area
 };
 
 /// The limits of a picture's side, and of its area, in pixels.
 inline constexpr int min_picture_side = 64;
 inline constexpr int max_picture_side = 20'000;
 inline constexpr long long max_picture_pixels = 100'000'000;
+/// The largest density that a picture can tell a printer.
+inline constexpr int max_dots_to_the_inch = 10'000;
 
 /// Throws Error, naming the limit, where a picture cannot have this size. Allocates nothing. A
 /// `height` of 0 is chosen later by the study area's shape, and then respects the limits.

@@ -21,16 +21,6 @@ std::string number(double value, int decimals = 2) {
   return text == "-0" ? "0" : text;
 }
 
-std::string colour_text(Colour colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
-    text += digits[channel / 16U];
-    text += digits[channel % 16U];
-  }
-  return text;
-}
-
 std::string attribute(std::string_view name, std::string_view value) {
   return " " + std::string(name) + "=\"" + xml_text(value) + "\"";
 }
@@ -75,9 +65,9 @@ std::string pattern(const std::string& id, Colour ground, const Hatch& hatch) {
   const std::string height = attribute("height", side);
   return "<pattern" + attribute("id", id) + " patternUnits=\"userSpaceOnUse\"" +
          attribute("width", side) + height + " patternTransform=\"rotate(45)\"><rect" +
-         attribute("width", side) + height + attribute("fill", colour_text(ground)) + "/><rect" +
+         attribute("width", side) + height + attribute("fill", hexadecimal(ground)) + "/><rect" +
          attribute("width", hatch.width * across) + height +
-         attribute("fill", colour_text(hatch.colour)) + "/></pattern>\n";
+         attribute("fill", hexadecimal(hatch.colour)) + "/></pattern>\n";
 }
 
 /// What stands in a text's element: the part that the mark is of is an element of its own.
@@ -120,7 +110,7 @@ std::string SvgCanvas::clip_path(const PixelBox& box) {
 
 void SvgCanvas::fill(const PixelBox& box, Colour colour) {
   if (box.width <= 0 || box.height <= 0) return;
-  body_ += "<rect" + attributes(box) + attribute("fill", colour_text(colour)) + "/>\n";
+  body_ += "<rect" + attributes(box) + attribute("fill", hexadecimal(colour)) + "/>\n";
 }
 
 void SvgCanvas::border(const PixelBox& box, Colour colour, int thickness) {
@@ -128,7 +118,7 @@ void SvgCanvas::border(const PixelBox& box, Colour colour, int thickness) {
   const double half = thickness / 2.0;
   body_ += "<rect" + attribute("x", box.x + half) + attribute("y", box.y + half) +
            attribute("width", box.width - thickness) + attribute("height", box.height - thickness) +
-           " fill=\"none\"" + attribute("stroke", colour_text(colour)) +
+           " fill=\"none\"" + attribute("stroke", hexadecimal(colour)) +
            attribute("stroke-width", thickness) + "/>\n";
 }
 
@@ -137,7 +127,7 @@ void SvgCanvas::disc(Point centre, double radius, Colour colour, const PixelBox&
                      centre.y - radius >= clip.y && centre.y + radius <= clip.bottom();
   const std::string cut = whole ? std::string() : clip_path(clip);
   body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) +
-           attribute("r", radius) + attribute("fill", colour_text(colour)) + cut + "/>\n";
+           attribute("r", radius) + attribute("fill", hexadecimal(colour)) + cut + "/>\n";
 }
 
 void SvgCanvas::areas(std::span<const Area> areas, const Hatch& hatch, const Window& window) {
@@ -156,7 +146,7 @@ void SvgCanvas::areas(std::span<const Area> areas, const Hatch& hatch, const Win
       }
     }
     if (path.empty()) continue;
-    std::string paint = colour_text(area.colour);
+    std::string paint = hexadecimal(area.colour);
     if (area.hatched) {
       if (paint != ground) {
         ground = paint;
@@ -179,7 +169,7 @@ void SvgCanvas::lines(std::span<const Polyline> lines, const Stroke& stroke, con
   if (path.empty()) return;
   const std::string clip = clip_path(window.box);
   body_ += "<path fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\"" +
-           attribute("stroke", colour_text(stroke.colour)) +
+           attribute("stroke", hexadecimal(stroke.colour)) +
            attribute("stroke-width", stroke.width) + opacity("stroke-opacity", stroke.alpha);
   if (stroke.dash > 0) {
     body_ += attribute("stroke-dasharray", number(stroke.dash) + " " + number(stroke.gap));
@@ -193,7 +183,7 @@ void SvgCanvas::text(const SetText& text, int x, int y, const Lettering& letteri
   if (lettering.mark.part.empty()) body_ += attributes(lettering.mark);
   body_ += attribute("x", x) + attribute("y", y + text.baseline) +
            attribute("font-size", text.size) + attribute("textLength", text.width()) +
-           attribute("fill", colour_text(lettering.colour));
+           attribute("fill", hexadecimal(lettering.colour));
   if (text.weight == Weight::bold) body_ += " font-weight=\"bold\"";
   // A line from right to left begins at its right end.
   if (text.right_to_left) body_ += " direction=\"rtl\" text-anchor=\"end\"";

@@ -1,5 +1,7 @@
 #include "map/svg/xml_text.h"
 
+#include <cstdint>
+
 #include "map/ink/unicode.h"
 
 namespace thiessen {
@@ -41,6 +43,16 @@ std::string xml_text(std::string_view utf8) {
     }
   }
   return to_utf8(text);
+}
+
+std::string hexadecimal(Colour colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
+    text += digits[channel / 16U];
+    text += digits[channel % 16U];
+  }
+  return text;
 }
 
 }  // namespace thiessen

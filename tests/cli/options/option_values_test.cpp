@@ -96,7 +96,12 @@ TEST(OptionValues, APictureHasSidesAndAnArea) {
   EXPECT_EQ(target.height, 0u);
   EXPECT_EQ(complaint(pixel_size(target), "800x600"), "");
   EXPECT_EQ(target.height, 600u);
-  for (const char* wrong : {"", "x", "800x", "x600", "1x1", "800X600", "99999999x99999999"})
+  EXPECT_FALSE(target.millimetres);
+  EXPECT_EQ(complaint(pixel_size(target), "297x210mm"), "");
+  EXPECT_EQ(target.width, 297u);
+  EXPECT_TRUE(target.millimetres);
+  for (const char* wrong : {"", "x", "800x", "x600", "1x1", "800X600", "99999999x99999999", "mm",
+                            "0mm", "297xmm", "9999mm", "297mmx210mm"})
     EXPECT_NE(complaint(pixel_size(target), wrong), "") << wrong;
 }
 

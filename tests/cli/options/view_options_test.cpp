@@ -38,6 +38,33 @@ TEST(ViewOptions, take_what_they_are_told) {
   EXPECT_EQ(View().refusal({"--time", ""}), "--time is empty");
 }
 
+// A4 at 300 dots to the inch is 297 / 25.4 x 300 = 3507.9 pixels wide.
+TEST(ViewOptions, a_size_on_paper_becomes_pixels_by_its_density) {
+  View view;
+  view.read({"--size", "297x210mm"});
+  EXPECT_EQ(view.block.dots_to_the_inch(), 300);
+  EXPECT_EQ(view.block.width(), 3508);
+  EXPECT_EQ(view.block.height(), 2480);
+  View coarse;
+  coarse.read({"--size", "254mm", "--dpi", "100"});
+  EXPECT_EQ(coarse.block.width(), 1000);
+  EXPECT_EQ(coarse.block.height(), 0);
+  View pixels;
+  pixels.read({"--dpi", "96"});
+  EXPECT_EQ(pixels.block.width(), 1600) << "a density changes no pixels";
+  EXPECT_EQ(pixels.block.dots_to_the_inch(), 96);
+  View view_without;
+  view_without.read({});
+  EXPECT_EQ(view_without.block.dots_to_the_inch(), 0);
+}
+
+TEST(ViewOptions, a_size_on_paper_keeps_the_limits_of_pixels) {
+  View view;
+  view.read({"--size", "2000mm", "--dpi", "600"});
+  EXPECT_NE(view.contradiction(true, true).find("is 47244 pixels at 600 dots to the inch"),
+            std::string::npos);
+}
+
 TEST(ViewOptions, a_time_is_one_of_rainfall) {
   View view;
   view.read({"--time", "2013"});

@@ -51,7 +51,7 @@ TEST(PictureOf, what_the_options_say_goes_before) {
   ViewOptions view;
   view.title = "Mine";
   view.units = "in";
-  view.size = {800, 600};
+  view.size = {800, 600, false};
   const Picture shown = picture(GivenInputs(), nullptr, view);
   EXPECT_EQ(shown.title, "Mine");
   EXPECT_EQ(shown.units, "in");

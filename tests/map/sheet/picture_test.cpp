@@ -111,6 +111,41 @@ TEST(Picture, jpeg_begins_as_one) {
   EXPECT_EQ(bytes.substr(0, 3), "\xFF\xD8\xFF");
 }
 
+std::string svg(const Picture& picture) {
+  Warnings warnings;
+  return encode_picture(picture, PictureFormat::svg, warnings);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+TEST(Picture, an_svg_marks_cells_labels_unit_and_legend) {
+  Picture picture = row_of_cells({3, 8, none});
+  for (std::size_t i = 0; i < 3; ++i) picture.gauges[i].station = "S&" + std::to_string(i);
+  const std::string text = svg(picture);
+  EXPECT_EQ(count_of(text, "class=\"cell\""), 3u);
+  EXPECT_EQ(count_of(text, "<path class=\"cell\" data-station=\"S&amp;1\" data-basin=\"B\""), 1u);
+  EXPECT_EQ(count_of(text, "<text class=\"label\" data-station=\"S&amp;2\""), 1u);
+  EXPECT_EQ(count_of(text, "(<tspan class=\"unit\">mm</tspan>)</text>"), 1u);
+  EXPECT_EQ(count_of(text, "<g class=\"legend\">"), 1u);
+  EXPECT_EQ(count_of(text, ">G1</text>"), 1u) << "text stays text";
+  EXPECT_EQ(count_of(text, "<g"), count_of(text, "</g>"));
+  EXPECT_EQ(svg(picture), text);
+}
+
+TEST(Picture, an_svg_has_its_size_on_paper_by_its_density) {
+  Picture picture = row_of_cells({1, 2});
+  picture.width = 600;
+  picture.height = 300;
+  EXPECT_NE(svg(picture).find(" width=\"600\" height=\"300\""), std::string::npos);
+  picture.dots_to_the_inch = 100;
+  EXPECT_NE(svg(picture).find(" width=\"152.4mm\" height=\"76.2mm\""), std::string::npos);
+}
+
 TEST(Picture, coordinates_that_are_not_finite_are_errors) {
   Picture picture = row_of_cells({1, 2});
   picture.cells[0].shape[0].outer[1].x = none;

@@ -23,5 +23,9 @@ TEST(XmlText, what_xml_does_not_allow_is_replaced) {
   EXPECT_EQ(xml_text("\xFFz"), "\uFFFDz");
 }
 
+TEST(XmlText, a_colour_has_two_digits_a_channel) {
+  EXPECT_EQ(hexadecimal({255, 0, 10}), "#ff000a");
+}
+
 }  // namespace
 }  // namespace thiessen
