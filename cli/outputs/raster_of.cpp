@@ -4,7 +4,9 @@
 #include <limits>
 #include <memory>
 #include <span>
+#include <utility>
 
+#include "cli/outputs/raster_style.h"
 #include "gdal/crs/crs.h"
 #include "gdal/crs/transformation.h"
 #include "gdal/output/raster_file.h"
@@ -56,7 +58,16 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
   if (readings == nullptr) {
     std::vector<std::string> ids;
     for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
-    return owners_geotiff(output, rows, ids);
+    StationStyle style(std::move(ids), output.grid.columns);
+    const auto noted_rows = [&](int row, int count) {
+      const std::span<const std::int32_t> some = rows(row, count);
+      style.note(some);
+      return some;
+    };
+    std::vector<EncodedFile> files =
+        owners_geotiff(output, noted_rows, style.ids(), [&] { return style.colours(); });
+    files.push_back(style.file(output.path));
+    return files;
   }
   const std::vector<float> by_number = values_by_number(readings->readings);
   std::vector<float> values;
@@ -66,7 +77,11 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
       values.push_back(by_number[static_cast<std::size_t>(owner)]);
     return values;
   };
-  return rainfall_geotiff(output, value_rows, {readings->label, time, output.made_by.unit});
+  const RainfallStyle style(readings->readings, output.made_by.unit);
+  std::vector<EncodedFile> files = rainfall_geotiff(
+      output, value_rows, {readings->label, time, output.made_by.unit}, style.classes());
+  files.push_back(style.file(output.path));
+  return files;
 }
 
 }  // namespace thiessen::cli

@@ -14,7 +14,8 @@ namespace thiessen::cli {
 /// pixels. Throws Error where there would be too many.
 PixelGrid raster_grid(const Inputs& inputs, double resolution);
 
-/// The GeoTIFF `output.path` and its side files. A pixel holds the number of the nearest station,
+/// The GeoTIFF `output.path` and its side files, of which one
+/// is a style for QGIS (`.qml`). A pixel holds the number of the nearest station,
 /// or where there are readings the rainfall, which is that of `time`; empty where it is a mean.
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
                                    const std::string& time, const RasterOutput& output);

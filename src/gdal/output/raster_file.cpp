@@ -34,17 +34,52 @@ void note_owners(std::span<const std::int32_t> owners, std::vector<bool>& is_own
   }
 }
 
+void add_colour_columns(GDALDefaultRasterAttributeTable& table) {
+  table.CreateColumn("red", GFT_Integer, GFU_Red);
+  table.CreateColumn("green", GFT_Integer, GFU_Green);
+  table.CreateColumn("blue", GFT_Integer, GFU_Blue);
+}
+
+/// Sets the colour in the columns from the third on.
+void set_colour(GDALDefaultRasterAttributeTable& table, int row, const RasterColour& colour) {
+  constexpr int red = 2;
+  table.SetValue(row, red, int{colour.red});
+  table.SetValue(row, red + 1, int{colour.green});
+  table.SetValue(row, red + 2, int{colour.blue});
+}
+
+/// `colours` is empty or has the colour of each station.
 GDALDefaultRasterAttributeTable table_of(const std::vector<std::string>& ids,
-                                         const std::vector<bool>& is_owner) {
+                                         const std::vector<bool>& is_owner,
+                                         const std::vector<RasterColour>& colours) {
   GDALDefaultRasterAttributeTable table;
   table.CreateColumn("value", GFT_Integer, GFU_MinMax);
   table.CreateColumn("station", GFT_String, GFU_Name);
+  if (!colours.empty()) add_colour_columns(table);
   int row = 0;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     if (!is_owner[i + 1]) continue;
     table.SetRowCount(row + 1);
     table.SetValue(row, 0, static_cast<int>(i) + 1);
     table.SetValue(row, 1, ids[i].c_str());
+    if (!colours.empty()) set_colour(table, row, colours[i]);
+    ++row;
+  }
+  return table;
+}
+
+GDALDefaultRasterAttributeTable table_of(std::span<const RasterClass> classes) {
+  GDALDefaultRasterAttributeTable table;
+  table.SetTableType(GRTT_ATHEMATIC);
+  table.CreateColumn("low", GFT_Real, GFU_Min);
+  table.CreateColumn("high", GFT_Real, GFU_Max);
+  add_colour_columns(table);
+  int row = 0;
+  for (const RasterClass& c : classes) {
+    table.SetRowCount(row + 1);
+    table.SetValue(row, 0, c.low);
+    table.SetValue(row, 1, c.high);
+    set_colour(table, row, c.colour);
     ++row;
   }
   return table;
@@ -53,7 +88,8 @@ GDALDefaultRasterAttributeTable table_of(const std::vector<std::string>& ids,
 }  // namespace
 
 std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerRows& owners,
-                                        const std::vector<std::string>& station_ids) {
+                                        const std::vector<std::string>& station_ids,
+                                        const StationColours& colours) {
   GeoTiffWriter writer(output, GeoTiffWriter::Pixels::numbers, 1);
   writer.describe(1, {"station", "", ""});
   std::vector<bool> is_owner(station_ids.size() + 1, false);
@@ -62,15 +98,18 @@ std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerR
     note_owners(some, is_owner);
     return some;
   });
-  writer.set_table(table_of(station_ids, is_owner));
+  writer.set_table(
+      table_of(station_ids, is_owner, colours ? colours() : std::vector<RasterColour>()));
   return writer.finish();
 }
 
 std::vector<EncodedFile> rainfall_geotiff(const RasterOutput& output, const ValueRows& values,
-                                          const BandText& text) {
+                                          const BandText& text,
+                                          std::span<const RasterClass> classes) {
   GeoTiffWriter writer(output, GeoTiffWriter::Pixels::rainfall, 1);
   writer.describe(1, text);
   write_band(writer, output.grid, values);
+  if (!classes.empty()) writer.set_table(table_of(classes));
   return writer.finish();
 }
 

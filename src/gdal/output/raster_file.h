@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gdal/output/encoded_file.h"
+#include "gdal/output/raster_colours.h"
 #include "gdal/output/raster_output.h"
 
 namespace thiessen {
@@ -19,17 +20,21 @@ using OwnerRows = std::function<std::span<const std::int32_t>(int row, int count
 using ValueRows = std::function<std::span<const float>(int row, int count)>;
 
 /// Encodes a GeoTIFF of the number (from 1) of each pixel's station, 0 outside, with a raster
-/// attribute table of the stations that own a pixel. GDAL keeps the table in a side file
+/// attribute table of the stations that own a pixel, with their colours where these are given. GDAL
+/// keeps the table in a side file
 /// (`.aux.xml`); the first of the files is the GeoTIFF, of the name `output.path`. `owners` is
 /// asked for 256 rows at a time, from the north. The file says of itself what `output.made_by`
 /// does, in TIFFTAG_SOFTWARE and GDAL's metadata. Throws Error where GDAL cannot write it, and
 /// Interrupted where a signal came. Memory: the file's size.
 std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerRows& owners,
-                                        const std::vector<std::string>& station_ids);
+                                        const std::vector<std::string>& station_ids,
+                                        const StationColours& colours = {});
 
-/// Encodes a GeoTIFF of the rainfall at each pixel, NaN (declared as "no data") outside. The errors
+/// Encodes a GeoTIFF of the rainfall at each pixel, NaN (declared as "no data") outside, with
+/// a raster attribute table of the classes where there are any. The errors
 /// and the order of rows are those of owners_geotiff.
 std::vector<EncodedFile> rainfall_geotiff(const RasterOutput& output, const ValueRows& values,
-                                          const BandText& text);
+                                          const BandText& text,
+                                          std::span<const RasterClass> classes = {});
 
 }  // namespace thiessen

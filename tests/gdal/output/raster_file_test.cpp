@@ -94,6 +94,36 @@ TEST(RasterFile, rainfall_has_its_time_and_unit_and_is_not_a_number_outside) {
   EXPECT_TRUE(contains(info, "TIFFTAG_SOFTWARE=thiessen 9"));
 }
 
+TEST(RasterFile, owners_have_the_colours_that_are_chosen_when_all_pixels_are_known) {
+  const std::vector<std::int32_t> owners(600, 2);
+  const TemporaryFolder folder;
+  int asked = 0;
+  const auto files =
+      owners_geotiff(output_to(folder.path("map.tif")), rows_of(owners, 300), {"A", "B"}, [&] {
+        ++asked;
+        return std::vector<RasterColour>{{1, 2, 3}, {169, 207, 226}};
+      });
+  EXPECT_EQ(asked, 1);
+  const std::string info = info_of(folder, files);
+  EXPECT_TRUE(contains(info, "<Name>red</Name>")) << info;
+  EXPECT_TRUE(contains(info, "<F>B</F>"));
+  EXPECT_TRUE(contains(info, "<F>207</F>"));
+  EXPECT_FALSE(contains(info, "<F>A</F>")) << "it owns no pixel";
+}
+
+TEST(RasterFile, rainfall_has_its_classes_and_their_colours) {
+  const std::vector<float> rainfall(600, 2.5F);
+  const TemporaryFolder folder;
+  const std::vector<RasterClass> classes{{0, 2, {1, 2, 3}}, {2.5, 7.25, {4, 5, 6}}};
+  const auto files =
+      rainfall_geotiff(output_to(folder.path("map.tif")), rows_of(rainfall, 300), {}, classes);
+  ASSERT_EQ(files.size(), 2U);
+  const std::string info = info_of(folder, files);
+  EXPECT_TRUE(contains(info, "tableType=\"athematic\"")) << info;
+  EXPECT_TRUE(contains(info, "<F>7.25</F>"));
+  EXPECT_TRUE(contains(info, "<F>6</F>"));
+}
+
 TEST(RasterFile, is_stored_as_wanted) {
   const PixelGrid large{{0, 0}, 1, 1000, 600};
   const std::vector<float> rainfall(600'000, 1);

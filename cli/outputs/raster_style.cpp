@@ -1,0 +1,130 @@
+#include "cli/outputs/raster_style.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "map/sheet/legend.h"
+#include "map/sheet/palette.h"
+#include "map/sheet/picture.h"
+#include "map/sheet/qgis_style.h"
+
+namespace thiessen::cli {
+namespace {
+
+RasterColour raster_colour(Colour colour) {
+  return {colour.red, colour.green, colour.blue};
+}
+
+/// The place at which QGIS looks for the style of a raster.
+std::string style_path(const std::string& path) {
+  return path.substr(0, path.rfind('.')) + ".qml";
+}
+
+/// A value in few digits, for a legend.
+std::string short_text(double value) {
+  constexpr int digits = 6;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
+RainfallClasses classes_over(std::span<const double> readings) {
+  Picture picture;
+  picture.by_rainfall = true;
+  for (const double reading : readings) picture.cells.push_back({{}, 0, reading});
+  return RainfallClasses(picture);
+}
+
+}  // namespace
+
+StationStyle::StationStyle(std::vector<std::string> ids, int columns)
+    : ids_(std::move(ids)),
+      columns_(static_cast<std::size_t>(columns)),
+      last_row_(columns_, 0),
+      owns_(ids_.size() + 1, false) {}
+
+void StationStyle::note(std::span<const std::int32_t> rows) {
+  for (std::size_t begin = 0; begin < rows.size(); begin += columns_) {
+    const auto row = rows.subspan(begin, columns_);
+    for (std::size_t x = 0; x < columns_; ++x) {
+      owns_[static_cast<std::size_t>(row[x])] = true;
+      touch(row[x], last_row_[x]);
+      if (x > 0) touch(row[x], row[x - 1]);
+    }
+    std::copy(row.begin(), row.end(), last_row_.begin());
+  }
+}
+
+void StationStyle::touch(std::int32_t a, std::int32_t b) {
+  if (a == b || a == 0 || b == 0) return;
+  const auto [low, high] = std::minmax(a, b);
+  const std::pair pair(static_cast<std::uint32_t>(low - 1), static_cast<std::uint32_t>(high - 1));
+  if (!pairs_.empty() && pairs_.back() == pair) return;
+  pairs_.push_back(pair);
+  if (pairs_.size() >= most_) sort_out();
+}
+
+void StationStyle::sort_out() {
+  std::sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  most_ = std::max(most_, 2 * pairs_.size());
+}
+
+std::vector<RasterColour> StationStyle::colours() {
+  sort_out();
+  const auto palette = categorical_colours();
+  colours_.clear();
+  std::vector<RasterColour> result;
+  for (const std::uint8_t chosen : colour_neighbours(ids_.size(), pairs_, palette.size())) {
+    colours_.push_back(palette[chosen]);
+    result.push_back(raster_colour(palette[chosen]));
+  }
+  return result;
+}
+
+EncodedFile StationStyle::file(const std::string& path) const {
+  std::vector<StyleEntry> entries;
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    if (owns_[i + 1]) entries.push_back({static_cast<double>(i + 1), ids_[i], colours_[i]});
+  }
+  return {style_path(path), style_of_values(entries)};
+}
+
+RainfallStyle::RainfallStyle(std::span<const double> readings, std::string unit)
+    : unit_(std::move(unit)) {
+  const RainfallClasses classes = classes_over(readings);
+  std::vector<double> sorted;
+  for (const double reading : readings) {
+    if (std::isfinite(reading)) sorted.push_back(reading);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (const double reading : sorted) {
+    const Colour colour = classes.colour(reading);
+    const auto held = static_cast<double>(static_cast<float>(reading));
+    if (classes_.empty() || classes_.back().colour != colour) {
+      classes_.push_back({held, held, colour});
+    }
+    classes_.back().high = held;
+  }
+}
+
+std::vector<RasterClass> RainfallStyle::classes() const {
+  std::vector<RasterClass> result;
+  for (const Class& c : classes_) result.push_back({c.low, c.high, raster_colour(c.colour)});
+  return result;
+}
+
+EncodedFile RainfallStyle::file(const std::string& path) const {
+  std::vector<StyleEntry> entries;
+  for (const Class& c : classes_) {
+    const std::string range =
+        c.low == c.high ? short_text(c.low) : short_text(c.low) + " to " + short_text(c.high);
+    entries.push_back({c.high, unit_.empty() ? range : range + " " + unit_, c.colour});
+  }
+  return {style_path(path), style_of_classes(entries)};
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gdal/output/encoded_file.h"
+#include "gdal/output/raster_colours.h"
+#include "map/ink/canvas.h"
+
+namespace thiessen::cli {
+
+/// Colours for the stations whose numbers a raster holds, so that neighbours differ. The pixels are
+/// noted as they are written, row by row from the north.
+class StationStyle {
+ public:
+  /// `columns` is the number of pixels in a row.
+  StationStyle(std::vector<std::string> ids, int columns);
+
+  const std::vector<std::string>& ids() const { return ids_; }
+  /// Notes which numbers lie beside each other in these rows, and in the last row before them.
+  void note(std::span<const std::int32_t> rows);
+  /// Chooses the colours of all stations. To be called when all rows are noted.
+  std::vector<RasterColour> colours();
+  /// The style for QGIS of the raster at `path`: the stations that own a pixel.
+  EncodedFile file(const std::string& path) const;
+
+ private:
+  void touch(std::int32_t a, std::int32_t b);
+  void sort_out();
+
+  std::vector<std::string> ids_;
+  std::size_t columns_;
+  std::vector<std::int32_t> last_row_;
+  std::vector<bool> owns_;  ///< by a station's number; entry 0 is of pixels outside
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
+  std::size_t most_ = 1'000'000;  ///< pairs that are kept before repeated ones are taken out
+  std::vector<Colour> colours_;
+};
+
+/// The colours of rainfall in a raster: those that a picture of the same readings has.
+class RainfallStyle {
+ public:
+  /// `readings` are by station, NaN where there is none.
+  RainfallStyle(std::span<const double> readings, std::string unit);
+
+  std::vector<RasterClass> classes() const;
+  /// The style for QGIS of the raster at `path`.
+  EncodedFile file(const std::string& path) const;
+
+ private:
+  /// The readings of one colour lie between these, as a raster of floats holds them.
+  struct Class {
+    double low;
+    double high;
+    Colour colour;
+  };
+
+  std::vector<Class> classes_;
+  std::string unit_;
+};
+
+}  // namespace thiessen::cli

@@ -1,0 +1,57 @@
+#include "cli/outputs/raster_style.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <tuple>
+
+namespace thiessen::cli {
+namespace {
+
+bool differ(const RasterColour& a, const RasterColour& b) {
+  return std::tie(a.red, a.green, a.blue) != std::tie(b.red, b.green, b.blue);
+}
+
+TEST(StationStyle, neighbours_differ_across_rows_and_across_what_is_noted_at_once) {
+  StationStyle style({"A", "B", "C", "D"}, 3);
+  style.note(std::vector<std::int32_t>{1, 2, 2, 1, 2, 0});
+  style.note(std::vector<std::int32_t>{3, 3, 4});
+  const auto colours = style.colours();
+  ASSERT_EQ(colours.size(), 4u);
+  EXPECT_TRUE(differ(colours[0], colours[1])) << "beside each other";
+  EXPECT_TRUE(differ(colours[0], colours[2])) << "above each other, noted apart";
+  EXPECT_TRUE(differ(colours[1], colours[2]));
+  EXPECT_TRUE(differ(colours[2], colours[3]));
+}
+
+TEST(StationStyle, its_file_lies_beside_the_raster_and_has_who_owns_a_pixel) {
+  StationStyle style({"A", "no pixel", "C"}, 2);
+  style.note(std::vector<std::int32_t>{1, 3});
+  style.colours();
+  const EncodedFile file = style.file("a.b/map.tif");
+  EXPECT_EQ(file.name, "a.b/map.qml");
+  EXPECT_NE(file.bytes.find("value=\"1\" label=\"A\""), std::string::npos);
+  EXPECT_NE(file.bytes.find("value=\"3\" label=\"C\""), std::string::npos);
+  EXPECT_EQ(file.bytes.find("no pixel"), std::string::npos);
+}
+
+TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const RainfallStyle style(std::vector<double>{8, none, 0.25, 0.1, 3}, "mm");
+  const auto classes = style.classes();
+  ASSERT_GE(classes.size(), 2u);
+  EXPECT_EQ(classes.front().low, static_cast<double>(0.1F)) << "as the raster holds it";
+  EXPECT_EQ(classes.back().high, 8);
+  for (std::size_t i = 1; i < classes.size(); ++i) {
+    EXPECT_GT(classes[i].low, classes[i - 1].high);
+    EXPECT_TRUE(differ(classes[i].colour, classes[i - 1].colour));
+  }
+  EXPECT_NE(style.file("map.tif").bytes.find("8 mm\""), std::string::npos);
+}
+
+TEST(RainfallStyle, of_no_readings_has_no_classes) {
+  EXPECT_TRUE(RainfallStyle(std::vector<double>{}, "mm").classes().empty());
+}
+
+}  // namespace
+}  // namespace thiessen::cli
