@@ -79,13 +79,15 @@ Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend,
   const int margin = style.em;
   const int column = legend.width() == 0 ? 0 : legend.width() + margin;
   const int foot = style.ems(3.4);
-  const int width = picture.width - 2 * margin - column;
+  const int coordinates = style.ems(1.1);  // their height below the map
+  const int left = style.ems(3.4);         // and the room for them beside it
+  const int width = picture.width - left - margin - column;
   const int least = std::max(legend.height(), style.ems(9));
-  const int height = panel_height(picture, extent, width, least, top + foot);
-  page.height = top + height + foot;
-  page.panel = {margin, top, width, height};
-  page.legend = {margin + width + margin, top, legend.width(), height};
-  page.footer = {margin, top + height, width + column, foot};
+  const int height = panel_height(picture, extent, width, least, top + coordinates + foot);
+  page.height = top + height + coordinates + foot;
+  page.panel = {left, top, width, height};
+  page.legend = {left + width + margin, top, legend.width(), height};
+  page.footer = {left, top + height + coordinates, width + column, foot};
   return page;
 }
 

@@ -26,7 +26,7 @@ struct Page {
   int width = 0;
   int height = 0;
   PageStyle style;
-  PixelBox panel;  ///< the map
+  PixelBox panel;  ///< the map; coordinates stand to the left of it and below it
   SetText title;
   SetText subtitle;
   int title_baseline = 0;
@@ -50,6 +50,10 @@ class PanelTransform {
 
   Point operator()(Point map) const {
     return {(map.x - middle_.x) * scale_ + centre_.x, (middle_.y - map.y) * scale_ + centre_.y};
+  }
+  /// The place on the map's plane of a pixel of the panel.
+  Point inverse(Point pixel) const {
+    return {(pixel.x - centre_.x) / scale_ + middle_.x, middle_.y - (pixel.y - centre_.y) / scale_};
   }
   /// The number of pixels to a map unit.
   double scale() const { return scale_; }

@@ -14,6 +14,7 @@
 #include "map/opencv/typesetter.h"
 #include "map/sheet/annotation.h"
 #include "map/sheet/footer.h"
+#include "map/sheet/graticule.h"
 #include "map/sheet/legend.h"
 #include "map/sheet/map_panel.h"
 #include "map/sheet/page.h"
@@ -46,6 +47,7 @@ void draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyVie
     if (!names_first) annotation.draw_basin_names(basins);
   }
   canvas.border(page.panel, ink::border, page.style.hairline);
+  if (!page.style.bare) draw_graticule(canvas, page, view, transform, type);
   draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, annotation.note(), type);
 }
 

@@ -20,6 +20,17 @@ double conformal_latitude(double phi) {
   return std::atan(std::sinh(std::asinh(std::tan(phi)) - e * std::atanh(e * std::sin(phi))));
 }
 
+/// The latitude of a conformal latitude: each step brings it nearer by the eccentricity's square.
+double latitude_of(double chi) {
+  constexpr int steps = 8;
+  const double e = eccentricity();
+  const double isometric = std::asinh(std::tan(chi));
+  double phi = chi;
+  for (int i = 0; i < steps; ++i)
+    phi = std::atan(std::sinh(isometric + e * std::atanh(e * std::sin(phi))));
+  return phi;
+}
+
 /// The radius of the sphere on which the conformal latitude keeps the scale at this latitude.
 double conformal_radius(double phi) {
   const double nearly_pole = 89.9 * radian;
@@ -73,6 +84,20 @@ Point MapProjection::operator()(Point study) const {
   const double scale = 2 / std::max(1 + cosine, 0.01);
   return {scale * std::cos(chi) * std::sin(lambda),
           scale * (std::sin(chi - chi_) + std::sin(chi_) * bend)};
+}
+
+Point MapProjection::inverse(Point map) const {
+  if (kind_ == Kind::plane) return {map.x + centre_.x, map.y + centre_.y};
+  if (kind_ == Kind::plate_carree) return {centre_.x + map.x / squeeze_ / radian, map.y / radian};
+  const double distance = std::hypot(map.x, map.y);
+  if (distance == 0) return centre_;
+  const double c = 2 * std::atan(distance / 2);
+  const double sine =
+      std::cos(c) * std::sin(chi_) + map.y / distance * std::sin(c) * std::cos(chi_);
+  const double lambda = std::atan2(map.x * std::sin(c), distance * std::cos(chi_) * std::cos(c) -
+                                                            map.y * std::sin(chi_) * std::sin(c));
+  return {centre_.x + lambda / radian,
+          latitude_of(std::asin(std::clamp(sine, -1.0, 1.0))) / radian};
 }
 
 double MapProjection::period() const {

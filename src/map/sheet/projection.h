@@ -28,6 +28,8 @@ class MapProjection {
   static MapProjection plate_carree(const LongitudeWindow& window, double latitude);
 
   Point operator()(Point study) const;
+  /// The study's coordinates of a place on the map. On a map that repeats, longitudes run on.
+  Point inverse(Point map) const;
   Kind kind() const { return kind_; }
   Point centre() const { return centre_; }
   /// The length of a map unit in metres at the map's centre; NaN where the plane's unit is unknown.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -68,6 +70,25 @@ TEST(Projection, plate_carree_is_true_along_its_latitude) {
   const MapProjection project = MapProjection::plate_carree({}, 60);
   EXPECT_NEAR(project({10, 60}).x - project({0, 60}).x, 10 * radian * 0.5, 1e-15);
   EXPECT_NEAR(project.period(), std::numbers::pi, 1e-15);
+}
+
+TEST(Projection, law_inverse_takes_back_what_was_projected) {
+  const std::vector<MapProjection> projections{
+      MapProjection::plane({5e5, 4e6}, 1), MapProjection::stereographic({-105.5, 39}),
+      MapProjection::stereographic({10, -60}), MapProjection::stereographic({0, 90}),
+      MapProjection::plate_carree({-180, 360}, 20)};
+  for (const MapProjection& projection : projections) {
+    for (const double dx : {-7.0, 0.0, 0.5, 20.0}) {
+      for (const double dy : {-12.0, -0.25, 0.0}) {
+        const Point study{projection.centre().x + dx, projection.centre().y + dy};
+        const Point back = projection.inverse(projection(study));
+        EXPECT_NEAR(back.y, study.y, 1e-9);
+        EXPECT_NEAR(std::remainder(back.x - study.x, 360) *
+                        std::cos(std::min(std::abs(study.y), 90.0) * 3.14159265358979 / 180),
+                    0, 1e-9);
+      }
+    }
+  }
 }
 
 }  // namespace
