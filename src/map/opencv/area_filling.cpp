@@ -50,12 +50,11 @@ cv::Mat stripes(const cv::Size& size, Point corner, const Hatch& hatch) {
   for (double x = first; x < corner.x + corner.y + width + height; x += hatch.spacing) {
     const double above = x - corner.y;
     const double below = above - height;
-    const std::vector<Point> stripe{{above, corner.y},
-                                    {above + across, corner.y},
-                                    {below + across, corner.y + height},
-                                    {below, corner.y + height}};
-    std::vector<cv::Point> corners;
-    for (const Point p : stripe) corners.push_back(fine::place(p, corner, fineness));
+    const double bottom = corner.y + height;
+    const std::vector<cv::Point> corners{fine::place({above, corner.y}, corner, fineness),
+                                         fine::place({above + across, corner.y}, corner, fineness),
+                                         fine::place({below + across, bottom}, corner, fineness),
+                                         fine::place({below, bottom}, corner, fineness)};
     cv::fillConvexPoly(drawn, corners, cv::Scalar::all(255), cv::LINE_8, fine::shift);
   }
   return drawn;
@@ -88,7 +87,8 @@ void fill_strip(cv::Mat strip, Point corner, const std::vector<Part>& parts, boo
 
 }  // namespace
 
-void fill_areas(cv::Mat pixels, Point corner, std::span<const Area> areas, const Hatch& hatch) {
+void fill_areas(const cv::Mat& pixels, Point corner, std::span<const Area> areas,
+                const Hatch& hatch) {
   const std::vector<Part> parts = parts_of(areas);
   const bool any_hatched =
       std::any_of(areas.begin(), areas.end(), [](const Area& area) { return area.hatched; });

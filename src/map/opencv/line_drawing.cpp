@@ -55,7 +55,7 @@ int thickness(double fine_width) {
 
 }  // namespace
 
-void draw_lines(cv::Mat pixels, Point corner, std::span<const Polyline> lines,
+void draw_lines(const cv::Mat& pixels, Point corner, std::span<const Polyline> lines,
                 const Stroke& stroke) {
   const int fineness = stroke.width < 4 ? 8 : 4;
   const int thick = thickness(stroke.width * fineness);

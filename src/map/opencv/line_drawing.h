@@ -11,7 +11,7 @@ namespace thiessen {
 /// a quarter of a pixel, or to four tenths where it is four pixels and more. Memory does not grow
 /// with the pixels. Cost: the vertices, and the pixels of a finer grid over all that the lines
 /// reach.
-void draw_lines(cv::Mat pixels, Point corner, std::span<const Polyline> lines,
+void draw_lines(const cv::Mat& pixels, Point corner, std::span<const Polyline> lines,
                 const Stroke& stroke);
 
 }  // namespace thiessen

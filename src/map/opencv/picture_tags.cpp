@@ -45,7 +45,8 @@ std::ptrdiff_t end_of_jpeg_header(const std::vector<unsigned char>& bytes) {
   constexpr std::ptrdiff_t mark = 2;
   constexpr std::size_t length_at = 4;
   const bool has_header = bytes.size() > length_at + 1 && bytes[2] == 0xFF && bytes[3] == 0xE0;
-  return has_header ? mark + 2 + bytes[length_at] * 256 + bytes[length_at + 1] : mark;
+  return has_header ? mark + 2 + std::ptrdiff_t{256} * bytes[length_at] + bytes[length_at + 1]
+                    : mark;
 }
 
 void insert(std::vector<unsigned char>& bytes, std::ptrdiff_t at, const std::string& text) {

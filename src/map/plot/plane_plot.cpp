@@ -78,6 +78,7 @@ class PlaneDrawing {
 
   std::vector<Segment> segments(const std::vector<EdgeIn<2>>& edges) const {
     std::vector<Segment> result;
+    result.reserve(edges.size());
     for (const EdgeIn<2>& edge : edges) {
       result.push_back(
           {plot_.pixel(edge.from, sheet_.panel()), plot_.pixel(edge.to, sheet_.panel())});
