@@ -46,6 +46,7 @@ class MapCommand : public Command {
     view_.declare_time(options());
     view_.declare_margin(options());
     view_.declare_look(options());
+    study_.declare_label(options());
     raster_.declare(options());
     output_.declare(options(), Need::required, "map.png", "where the picture or the raster goes");
     common_.declare(options());
@@ -66,6 +67,9 @@ class MapCommand : public Command {
     view_.check(rainfall_.given(), study_.has_basins());
     if (kind == Kind::tiff) {
       view_.check_raster();
+      if (const Option* label = study_.label_option())
+        throw UsageError{label->name + " is about pictures, and a .tif is a raster",
+                         "leave it out"};
     } else {
       raster_.check_picture();
     }

@@ -33,6 +33,7 @@ class RunCommand : public Command {
     format_.declare(options());
     periods_.declare(options());
     view_.declare_look(options());
+    study_.declare_label(options());
     study_.declare_attributes(options());
     output_.declare_folder(options(), "the folder; it is made if it is not there");
     common_.declare(options());
@@ -50,6 +51,7 @@ class RunCommand : public Command {
     periods_.check();
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     study_.check();
+    view_.check(true, true);
   }
 
   void run(Warnings& warnings) override {

@@ -77,6 +77,12 @@ void StudyOptions::declare_attributes(OptionList& options) {
       .add("--attributes", flag(attributes), "carry every field of the station onto its cells");
 }
 
+void StudyOptions::declare_label(OptionList& options) {
+  label_option_ = &options.group("Picture", *this)
+                       .add("--label", text(label_, "FIELD|none"),
+                            "what the stations are called in the picture; default their ids");
+}
+
 void StudyOptions::check() const {
   if (plane_option_->is_given() && metric_ == "geodesic") {
     throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
@@ -103,6 +109,7 @@ StudyRequest StudyOptions::request() const {
   request.stations.id = id_;
   request.stations.x = x_;
   request.stations.y = y_;
+  if (labels()) request.stations.label = label_;
   request.stations.attributes = attributes;
   if (basins_option_->is_given()) {
     BasinsRequest& b = request.basins.emplace();

@@ -19,6 +19,7 @@ class StudyOptions : public OptionBlock {
 
   void declare(OptionList& options, Need basins_need);
   void declare_attributes(OptionList& options);
+  void declare_label(OptionList& options);
   /// Throws UsageError for options that contradict each other.
   void check() const;
   /// The request to read the study as the options say. Throws Error where the name of a CRS is
@@ -29,6 +30,12 @@ class StudyOptions : public OptionBlock {
   bool decimal_comma() const { return decimal_comma_; }
   double tolerance() const { return tolerance_; }
   bool allow_far() const { return allow_far_; }
+  /// Whether pictures name the stations.
+  bool labels() const { return label_ != "none"; }
+  /// The option that says how pictures name the stations; nullptr where it is not given.
+  const Option* label_option() const {
+    return label_option_ != nullptr && label_option_->is_given() ? label_option_ : nullptr;
+  }
 
  private:
   void declare_fields(OptionGroup group);
@@ -36,7 +43,7 @@ class StudyOptions : public OptionBlock {
   void declare_method(OptionGroup group);
   void check_texts() const;
 
-  std::string id_, x_, y_, basin_id_;
+  std::string id_, x_, y_, basin_id_, label_;
   std::string crs_, basins_crs_, plane_, metric_;
   std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
   double tolerance_ = 0.1;
@@ -46,6 +53,7 @@ class StudyOptions : public OptionBlock {
   bool allow_far_ = false;
   const Option* basins_option_ = nullptr;
   const Option* plane_option_ = nullptr;
+  const Option* label_option_ = nullptr;
   const Option* mend_option_ = nullptr;
   std::vector<const Option*> crs_options_;
   std::vector<const Option*> of_basins_;  ///< options that are about BASINS alone

@@ -34,6 +34,7 @@ void ViewOptions::declare_look(OptionList& options) {
       &picture.add("--dpi", whole_number(dpi, 1, max_dots_to_the_inch),
                    "dots to the inch, which the picture tells a printer; default: none, or 300 for "
                    "a size in mm");
+  colours.declare(options);
 }
 
 int ViewOptions::dots_to_the_inch() const {
@@ -81,6 +82,7 @@ void ViewOptions::check(bool has_rainfall, bool has_basins) const {
     throw UsageError{"--units is about readings, and there is no RAINFALL",
                      "give RAINFALL, or leave it out"};
   }
+  colours.check(has_rainfall);
   if (has_basins && is_given(margin_option_)) {
     throw UsageError{"--margin is of a study area without BASINS, and they are given",
                      "leave one of them out"};
@@ -88,8 +90,8 @@ void ViewOptions::check(bool has_rainfall, bool has_basins) const {
 }
 
 void ViewOptions::check_raster() const {
-  for (const Option* option : {title_option_, size_option_, dpi_option_}) {
-    if (!option->is_given()) continue;
+  for (const Option* option : {title_option_, size_option_, dpi_option_, colours.first_given()}) {
+    if (option == nullptr || !option->is_given()) continue;
     throw UsageError{
         option->name + " is about pictures, and a .tif is a raster",
         option == size_option_ ? "--resolution gives the size of its pixels" : "leave it out"};

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/options/colour_options.h"
 #include "cli/options/option_list.h"
 #include "cli/options/option_values.h"
 
@@ -16,6 +17,7 @@ class ViewOptions : public OptionBlock {
   std::string title;
   PixelSize size;
   std::size_t dpi = 0;  ///< 0: none is said
+  ColourOptions colours;
 
   void declare_time(OptionList& options);
   void declare_margin(OptionList& options);
@@ -26,9 +28,9 @@ class ViewOptions : public OptionBlock {
   int height() const;
   /// What the picture tells a printer; 0: nothing. A size in millimetres has 300 unless told.
   int dots_to_the_inch() const;
-  /// Throws UsageError for options that cannot act on what is shown: a time or units where there is
-  /// no RAINFALL, a margin where there are BASINS;
-  /// and for a size in millimetres that takes too few or too many pixels.
+  /// Throws UsageError for options that cannot act on what is shown: a time, units or colours where
+  /// there is no RAINFALL, a margin where there are BASINS; and for a size in millimetres that
+  /// takes too few or too many pixels.
   void check(bool has_rainfall, bool has_basins) const;
   /// Throws UsageError for options of a picture's look: a raster has none.
   void check_raster() const;

@@ -8,6 +8,17 @@
 
 namespace thiessen::cli {
 
+namespace {
+
+/// What the picture calls a station: by the field that was asked for, where it says anything.
+std::string label_of(const Station& station, const StudyFiles& study, const StudyOptions& options) {
+  if (!options.labels()) return {};
+  const auto found = study.labels.find(station.id);
+  return found == study.labels.end() ? station.id : found->second;
+}
+
+}  // namespace
+
 Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCell>>& cells,
                    const GaugeReadings* readings, const StudyOptions& options,
                    const ViewOptions& view) {
@@ -18,7 +29,9 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
       study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
   picture.north_is_up = picture.geographic || !study.crs ||
                         north_is_up(*study.crs, inputs.weighing().frame().centre());
+  picture.has_basins = inputs.has_basins();
   picture.by_rainfall = readings != nullptr;
+  picture.classes = view.colours.rule;
   picture.title = !view.title.empty()   ? view.title
                   : readings != nullptr ? "Rainfall by Thiessen cells"
                                         : "Thiessen cells";
@@ -31,10 +44,14 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   const std::vector<Station>& stations = inputs.network().stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);
-    picture.gauges.push_back({stations[i].position, stations[i].id, reports, stations[i].id});
+    const std::string& id = stations[i].id;
+    picture.gauges.push_back(
+        {stations[i].position, label_of(stations[i], study, options), reports, id});
   }
-  for (const Station& station : inputs.never_reporting())
-    picture.gauges.push_back({station.position, station.id, false, station.id});
+  for (const Station& station : inputs.never_reporting()) {
+    picture.gauges.push_back(
+        {station.position, label_of(station, study, options), false, station.id});
+  }
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()

@@ -5,10 +5,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "map/sheet/legend.h"
 #include "map/sheet/palette.h"
-#include "map/sheet/picture.h"
 #include "map/sheet/qgis_style.h"
+#include "map/sheet/rainfall_classes.h"
 
 namespace thiessen::cli {
 namespace {
@@ -29,13 +28,6 @@ std::string short_text(double value) {
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
                                  std::chars_format::general, digits);
   return {text.data(), end.ptr};
-}
-
-RainfallClasses classes_over(std::span<const double> readings) {
-  Picture picture;
-  picture.by_rainfall = true;
-  for (const double reading : readings) picture.cells.push_back({{}, 0, reading});
-  return RainfallClasses(picture);
 }
 
 }  // namespace
@@ -95,7 +87,7 @@ EncodedFile StationStyle::file(const std::string& path) const {
 
 RainfallStyle::RainfallStyle(std::span<const double> readings, std::string unit)
     : unit_(std::move(unit)) {
-  const RainfallClasses classes = classes_over(readings);
+  const RainfallClasses classes({readings.begin(), readings.end()}, {});
   std::vector<double> sorted;
   for (const double reading : readings) {
     if (std::isfinite(reading)) sorted.push_back(reading);

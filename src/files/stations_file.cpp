@@ -86,6 +86,9 @@ class StationsReader {
     id_ = request_.id.empty() ? find_field(header, known::station_ids).value_or(0)
                               : require_field(header, request_.id, setting("id"), features_.file(),
                                               features_.header_line());
+    if (!request_.label.empty())
+      label_ = require_field(header, request_.label, setting("label"), features_.file(),
+                             features_.header_line());
     by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
     if (by_geometry_) return;
     const auto x = coordinate_field(features_, request_.x, "x", known::eastings);
@@ -129,6 +132,8 @@ class StationsReader {
       good = false;
     }
     if (!good) return;
+    if (label_ && !row.fields[*label_].empty())
+      result_.labels.emplace(station.id, std::string(row.fields[*label_]));
     result_.stations.push_back(std::move(station));
     if (request_.attributes) keep_attributes(row);
   }
@@ -220,6 +225,7 @@ class StationsReader {
   Complaints complaints_;
   StationsFile result_;
   std::size_t id_ = 0;
+  std::optional<std::size_t> label_;
   std::size_t x_ = 0;
   std::size_t y_ = 0;
   bool by_geometry_ = false;

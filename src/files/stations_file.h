@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -18,12 +19,15 @@ namespace thiessen {
 struct StationsRequest {
   Source source;
   std::string id, x, y;  ///< names of fields; empty: found by usual names
+  std::string label;     ///< name of the field with what stations are called; empty: none is read
   bool attributes = false;
 };
 
 /// The stations of a file, in its order, with coordinates as the file has them.
-struct StationsFile : StationList {              ///< positions in `crs`, or in a plane without one
-  Attributes attributes;                         ///< read only where asked for
+struct StationsFile : StationList {  ///< positions in `crs`, or in a plane without one
+  Attributes attributes;             ///< read only where asked for
+  /// What the stations are called, by their ids, where asked for; without those that have no name.
+  std::unordered_map<std::string, std::string> labels;
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;

@@ -349,6 +349,7 @@ class StudyMaker {
     study_.stations_file = stations_.file;
     study_.stations_have_lines = stations_.has_lines;
     study_.attributes = std::move(stations_.attributes);
+    study_.labels = std::move(stations_.labels);
     study_.filtered_ids = std::move(stations_.filtered_ids);
     study_.stations_crs = stations_.crs;
     if (basins_) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <unordered_set>
 #include <vector>
 
@@ -32,6 +33,8 @@ struct StudyRequest {
 /// A study read from its files, ready to be tessellated, and what the files hold beyond that.
 struct StudyFiles : StudyParts {
   Attributes attributes;
+  /// What the stations are called, by their ids: see StationsFile.
+  std::unordered_map<std::string, std::string> labels;
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::vector<MultiPolygon> native_basins;  ///< the basins, mended, in `basins_crs`, with the edges
                                             ///< that the file gives them

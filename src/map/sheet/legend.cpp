@@ -6,16 +6,19 @@
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
 #include "map/sheet/page.h"
-#include "map/sheet/palette.h"
 #include "map/sheet/picture.h"
 
 namespace thiessen {
 namespace {
 
-constexpr int most_classes = 9;
-
 const char* meaning(Legend::Sign sign) {
   switch (sign) {
+    case Legend::Sign::dry:
+      return "dry";
+    case Legend::Sign::point:
+      return "point";
+    case Legend::Sign::study_area:
+      return "study area";
     case Legend::Sign::gauge:
       return "rain gauge";
     case Legend::Sign::silent_gauge:
@@ -30,43 +33,25 @@ const char* meaning(Legend::Sign sign) {
   return "";
 }
 
-std::vector<Legend::Sign> signs_of(const Picture& picture) {
+std::vector<Legend::Sign> signs_of(const Picture& picture, const RainfallClasses& classes) {
+  using Sign = Legend::Sign;
   const auto has_reading = [](const PictureCell& c) { return std::isfinite(c.rainfall); };
   const bool all_read = !picture.cells.empty() &&
                         std::all_of(picture.cells.begin(), picture.cells.end(), has_reading);
   const auto reports = [](const PictureGauge& g) { return g.reports; };
   const auto& gauges = picture.gauges;
-  std::vector<Legend::Sign> signs;
-  if (picture.by_rainfall && !all_read) signs.push_back(Legend::Sign::no_reading);
-  if (std::any_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Legend::Sign::gauge);
-  if (!std::all_of(gauges.begin(), gauges.end(), reports)) {
-    signs.push_back(Legend::Sign::silent_gauge);
-  }
-  if (!picture.cells.empty()) signs.push_back(Legend::Sign::cell);
-  if (!picture.basins.empty()) signs.push_back(Legend::Sign::basin);
+  std::vector<Sign> signs;
+  if (classes.has_dry()) signs.push_back(Sign::dry);
+  if (picture.by_rainfall && !all_read) signs.push_back(Sign::no_reading);
+  if (std::any_of(gauges.begin(), gauges.end(), reports))
+    signs.push_back(picture.by_rainfall ? Sign::gauge : Sign::point);
+  if (!std::all_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Sign::silent_gauge);
+  if (!picture.cells.empty()) signs.push_back(Sign::cell);
+  if (!picture.basins.empty()) signs.push_back(picture.has_basins ? Sign::basin : Sign::study_area);
   return signs;
 }
 
 }  // namespace
-
-RainfallClasses::RainfallClasses(const Picture& picture) {
-  double least = HUGE_VAL;
-  double largest = -HUGE_VAL;
-  for (const PictureCell& cell : picture.cells) {
-    if (!picture.by_rainfall || !std::isfinite(cell.rainfall)) continue;
-    least = std::min(least, cell.rainfall);
-    largest = std::max(largest, cell.rainfall);
-  }
-  if (least > largest) return;
-  ticks_ = round_scale(least, largest, most_classes);
-  for (const RoundValue& tick : ticks_) values_.push_back(tick.value());
-}
-
-Colour RainfallClasses::colour(double rainfall) const {
-  const auto above = std::upper_bound(values_.begin(), values_.end(), rainfall);
-  const auto rank = std::max<std::ptrdiff_t>(above - values_.begin() - 1, 0);
-  return sequential_colour(std::min(static_cast<std::size_t>(rank), count() - 1), count());
-}
 
 Hatch hatching(int em) {
   return {ink::hatch, static_cast<double>(std::max(5, em / 2)),
@@ -85,11 +70,11 @@ Legend::Legend(const Picture& picture, const RainfallClasses& classes, const Pag
     heading_ = type.fit("Rainfall" + units, size, style.ems(0.65), most, Weight::bold);
     width_ = heading_.width();
   }
-  for (const RoundValue& tick : classes.ticks()) {
-    ticks_.push_back(type.fit(tick.text(), size, size, most - sign));
+  for (const std::string& tick : classes.ticks()) {
+    ticks_.push_back(type.fit(tick, size, size, most - sign));
     width_ = std::max(width_, sign + ticks_.back().width());
   }
-  for (const Sign kind : signs_of(picture)) {
+  for (const Sign kind : signs_of(picture, classes)) {
     entries_.push_back({kind, type.set(meaning(kind), size)});
     width_ = std::max(width_, sign + entries_.back().text.width());
   }
@@ -114,7 +99,7 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
   const int bar_width = em_ * 5 / 4;
   const int top = box.y + em_ / 2;
   for (int i = 0; i < n; ++i) {
-    const Colour colour = sequential_colour(count - 1 - static_cast<std::size_t>(i), count);
+    const Colour colour = classes.class_colour(count - 1 - static_cast<std::size_t>(i));
     canvas.fill({box.x, top + i * step, bar_width, step}, colour);
   }
   canvas.border({box.x, top, bar_width, n * step}, ink::border, std::max(1, em_ / 16));
@@ -122,6 +107,7 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
   for (int i = 0; i < static_cast<int>(ticks_.size()); i += every) {
     const SetText& text = ticks_[static_cast<std::size_t>(i)];
     const int y = ticks_.size() == 1 ? top + step / 2 : top + (n - i) * step;
+    if (text.width() == 0) continue;  // the class has no end
     if (ticks_.size() > 1) {
       canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
     }
@@ -132,8 +118,13 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
 
 void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
   const Point middle{sign.x + sign.width / 2.0, sign.y + sign.height / 2.0};
-  if (kind == Sign::gauge || kind == Sign::silent_gauge) {
-    draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind == Sign::gauge, sign);
+  if (kind == Sign::gauge || kind == Sign::silent_gauge || kind == Sign::point) {
+    draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind != Sign::silent_gauge, sign);
+    return;
+  }
+  if (kind == Sign::dry) {
+    canvas.fill(sign, ink::dry);
+    canvas.border(sign, ink::border, std::max(1, em_ / 16));
     return;
   }
   const Window window{sign, {static_cast<double>(sign.x), static_cast<double>(sign.y)}};
@@ -146,7 +137,7 @@ void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
     canvas.border(sign, ink::border, std::max(1, em_ / 16));
     return;
   }
-  const bool basin = kind == Sign::basin;
+  const bool basin = kind != Sign::cell;
   const double thickness = basin ? basin_line_width(em_) : cell_line_width(em_);
   const std::vector<Point> ends{{thickness, height / 2}, {width - thickness, height / 2}};
   const Polyline line(ends);

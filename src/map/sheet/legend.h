@@ -5,7 +5,7 @@
 
 #include "map/ink/canvas.h"
 #include "map/opencv/typesetter.h"
-#include "map/sheet/ticks.h"
+#include "map/sheet/rainfall_classes.h"
 
 namespace thiessen {
 
@@ -13,31 +13,13 @@ struct Page;
 struct Picture;
 struct PageStyle;
 
-/// The classes into which rainfall is sorted, between round values, each of one colour.
-class RainfallClasses {
- public:
-  /// Lays classes from the least to the largest reading of the cells; there are none where no cell
-  /// has a reading.
-  explicit RainfallClasses(const Picture& picture);
-
-  /// The round values between the classes; a single one where all readings are equal.
-  const std::vector<RoundValue>& ticks() const { return ticks_; }
-  std::size_t count() const { return ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1; }
-  /// The colour of a reading's class. Requires a reading between the least and the largest.
-  Colour colour(double rainfall) const;
-
- private:
-  std::vector<RoundValue> ticks_;
-  std::vector<double> values_;
-};
-
 /// The hatch of cells without a reading.
 Hatch hatching(int em);
 
 /// The column beside the map: the colour bar with its ticks, and the meaning of the signs.
 class Legend {
  public:
-  enum class Sign { gauge, silent_gauge, no_reading, cell, basin };
+  enum class Sign { dry, no_reading, gauge, silent_gauge, point, cell, basin, study_area };
 
   Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
          Typesetter& type);

@@ -7,13 +7,35 @@
 namespace thiessen {
 namespace {
 
-constexpr std::array<Colour, 7> anchors{{{242, 248, 214},
-                                         {201, 232, 190},
-                                         {140, 207, 187},
-                                         {74, 174, 186},
-                                         {38, 133, 176},
-                                         {34, 88, 152},
-                                         {26, 40, 98}}};
+constexpr std::array<Colour, 9> viridis{{{68, 1, 84},
+                                         {71, 44, 122},
+                                         {59, 81, 139},
+                                         {44, 113, 142},
+                                         {33, 144, 141},
+                                         {39, 173, 129},
+                                         {92, 200, 99},
+                                         {170, 220, 50},
+                                         {253, 231, 37}}};
+constexpr std::array<Colour, 5> blues{
+    {{222, 235, 247}, {166, 203, 229}, {96, 159, 206}, {38, 104, 172}, {10, 44, 104}}};
+constexpr std::array<Colour, 5> browns{
+    {{247, 234, 212}, {227, 191, 138}, {193, 136, 74}, {140, 84, 32}, {76, 38, 8}}};
+constexpr std::array<Colour, 5> greys{
+    {{208, 208, 208}, {164, 164, 164}, {120, 120, 120}, {76, 76, 76}, {32, 32, 32}}};
+
+std::span<const Colour> anchors_of(Palette palette) {
+  switch (palette) {
+    case Palette::viridis:
+      return viridis;
+    case Palette::blues:
+      return blues;
+    case Palette::browns:
+      return browns;
+    case Palette::greys:
+      return greys;
+  }
+  return {};
+}
 
 std::uint8_t between(std::uint8_t a, std::uint8_t b, double t) {
   return static_cast<std::uint8_t>(std::lround(a + (b - a) * t));
@@ -81,12 +103,11 @@ std::vector<std::uint32_t> smallest_first(const Adjacency& neighbours, std::size
 
 }  // namespace
 
-Colour sequential_colour(std::size_t index, std::size_t count) {
+Colour sequential_colour(Palette palette, std::size_t index, std::size_t count) {
+  const std::span<const Colour> anchors = anchors_of(palette);
   const double last = static_cast<double>(anchors.size() - 1);
-  // Where there are few classes their colours keep clear of the darkest end.
-  const double reach = count >= 6 ? 1.0 : 0.5 + 0.08 * static_cast<double>(count);
   const double share =
-      count < 2 ? 0.35 : reach * static_cast<double>(index) / static_cast<double>(count - 1);
+      count < 2 ? 0.5 : static_cast<double>(index) / static_cast<double>(count - 1);
   const double position = std::clamp(share, 0.0, 1.0) * last;
   const auto below = static_cast<std::size_t>(std::min(std::floor(position), last - 1));
   const double t = position - static_cast<double>(below);

@@ -10,9 +10,17 @@
 
 namespace thiessen {
 
-/// The colour of class `index` of `count`, from pale yellow-green through teal to dark blue. Its
-/// lightness falls evenly, so that the order is plain in grey and to colour-blind readers too.
-Colour sequential_colour(std::size_t index, std::size_t count);
+/// The colours of rainfall's classes. In each the lightness rises or falls evenly, so that the
+/// order is plain in grey and to colour-blind readers too.
+enum class Palette {
+  viridis,  ///< from dark purple through teal to yellow, after matplotlib's
+  blues,    ///< from pale to dark, as the two below
+  browns,
+  greys,
+};
+
+/// The colour of class `index` of `count` classes.
+Colour sequential_colour(Palette palette, std::size_t index, std::size_t count);
 
 /// Soft colours that can be told apart side by side.
 std::span<const Colour> categorical_colours();

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "map/ink/canvas.h"
 #include "map/ink/ink.h"
@@ -96,7 +98,7 @@ void warn_of_fonts(const Typesetter& type, Warnings& warnings) {
 struct Sheet {
   explicit Sheet(const Picture& picture)
       : view(view_study(picture)),
-        classes(picture),
+        classes(classes_of(picture)),
         legend(picture, classes, page_style(picture.width, picture.height), type),
         page(lay_out(picture, view.extent, legend, type)) {}
 
@@ -126,6 +128,17 @@ std::string description_of(const Picture& picture) {
   return text;
 }
 
+void warn_of_outside(const RainfallClasses& classes, Warnings& warnings) {
+  if (classes.outside() == 0) return;
+  const bool one = classes.outside() == 1;
+  warnings.add({{},
+                0,
+                std::to_string(classes.outside()) + (one ? " gauge's" : " gauges'") +
+                    " rainfall lies outside the range of the colours, and takes the colour at its "
+                    "end",
+                ""});
+}
+
 std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
   Sheet sheet(picture);
   std::string bytes;
@@ -142,10 +155,24 @@ std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnin
     bytes.assign(file.begin(), file.end());
   }
   warn_of_fonts(sheet.type, warnings);
+  warn_of_outside(sheet.classes, warnings);
   return bytes;
 }
 
 }  // namespace
+
+RainfallClasses classes_of(const Picture& picture) {
+  std::map<std::size_t, double> readings;
+  if (picture.by_rainfall) {
+    for (const PictureCell& cell : picture.cells) readings[cell.gauge] = cell.rainfall;
+  }
+  std::vector<double> values;
+  values.reserve(readings.size());
+  for (const auto& [gauge, rainfall] : readings) values.push_back(rainfall);
+  ClassRule rule;
+  if (picture.by_rainfall) rule = picture.classes;
+  return RainfallClasses(std::move(values), rule);
+}
 
 void check_picture_size(int width, int height) {
   const auto outside = [](int side) { return side < min_picture_side || side > max_picture_side; };

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "geometry/polygon.h"
 #include "map/opencv/picture_tags.h"
+#include "map/sheet/rainfall_classes.h"
 
 namespace thiessen {
 
@@ -49,8 +50,11 @@ struct Picture {
   double metres_per_unit = std::numeric_limits<double>::quiet_NaN();
   /// Whether north is up in a plane, so that an arrow may say so.
   bool north_is_up = true;
+  /// Whether the basins were given, and are not the surroundings of the gauges.
+  bool has_basins = true;
   /// Whether cells are filled by rainfall, with a colour bar, and not by station.
   bool by_rainfall = false;
+  ClassRule classes;
   std::string title;
   std::string subtitle;  ///< such as "mean over 120 months"; may be empty
   std::string units;     ///< of the rainfall, such as "mm"; may be empty
@@ -60,6 +64,10 @@ struct Picture {
   int width = 1600;  ///< width of the picture, in pixels
   int height = 0;    ///< in pixels; 0: chosen by the shape of the study area
 };
+
+/// The classes of the rainfall that the picture's cells show, each gauge's once; none where cells
+/// are not filled by rainfall.
+RainfallClasses classes_of(const Picture& picture);
 
 /// The limits of a picture's side, and of its area, in pixels.
 inline constexpr int min_picture_side = 64;

@@ -15,26 +15,6 @@ double power_of_ten(long long digits, int exponent) {
   return RoundValue{digits, exponent}.value();
 }
 
-/// A value rounded to nine significant digits at most, for a scale that has no width.
-RoundValue nine_digits(double value) {
-  if (value == 0) return {};
-  int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 8;
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
-                                 std::chars_format::scientific, 8);
-  std::string plain(text.data(), end.ptr);
-  const std::size_t mark = plain.find('e');
-  const char* power = plain.data() + mark + (plain[mark + 1] == '+' ? 2 : 1);
-  std::from_chars(power, plain.data() + plain.size(), exponent);
-  std::string significand = plain.substr(0, mark);
-  std::erase(significand, '.');
-  long long digits = 0;
-  std::from_chars(significand.data(), significand.data() + significand.size(), digits);
-  exponent -= 8;
-  for (; digits % 10 == 0; digits /= 10) ++exponent;
-  return {digits, exponent};
-}
-
 /// The multiples of a step, from the last at or below `least` to the first at or above `largest`.
 struct Steps {
   long long first;
@@ -79,6 +59,83 @@ std::string decimal_text(long long digits, int exponent) {
   if (-exponent >= length) text.insert(0, static_cast<std::size_t>(1 - exponent - length), '0');
   text.insert(text.size() - static_cast<std::size_t>(-exponent), ".");
   return sign + text;
+}
+
+std::vector<std::string> texts_of(const std::vector<RoundValue>& values) {
+  std::vector<std::string> texts;
+  std::size_t decimals = 0;
+  const auto decimals_of = [](const std::string& text) {
+    const std::size_t point = text.find('.');
+    return point == std::string::npos ? 0 : text.size() - point - 1;
+  };
+  for (const RoundValue& value : values) {
+    texts.push_back(value.text());
+    if (texts.back().find('e') != std::string::npos) decimals = std::string::npos;
+    if (decimals != std::string::npos) decimals = std::max(decimals, decimals_of(texts.back()));
+  }
+  if (decimals == std::string::npos) {
+    for (std::size_t i = 0; i < values.size(); ++i) texts[i] = values[i].text();
+    return texts;
+  }
+  for (std::string& text : texts) {
+    const std::size_t lacking = decimals - decimals_of(text);
+    if (lacking == decimals && decimals > 0) text += '.';
+    text.append(lacking, '0');
+  }
+  return texts;
+}
+
+RoundValue nine_digits(double value) {
+  if (value == 0) return {};
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - 8;
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::scientific, 8);
+  std::string plain(text.data(), end.ptr);
+  const std::size_t mark = plain.find('e');
+  const char* power = plain.data() + mark + (plain[mark + 1] == '+' ? 2 : 1);
+  std::from_chars(power, plain.data() + plain.size(), exponent);
+  std::string significand = plain.substr(0, mark);
+  std::erase(significand, '.');
+  long long digits = 0;
+  std::from_chars(significand.data(), significand.data() + significand.size(), digits);
+  exponent -= 8;
+  for (; digits % 10 == 0; digits /= 10) ++exponent;
+  return {digits, exponent};
+}
+
+RoundValue round_down(double value, int digits) {
+  if (value == 0) return {};
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;
+  RoundValue rounded{static_cast<long long>(std::floor(value / power_of_ten(1, exponent))),
+                     exponent};
+  // The quotient is rounded, so it may be one off.
+  while (rounded.value() > value) --rounded.digits;
+  while (power_of_ten(rounded.digits + 1, exponent) <= value) ++rounded.digits;
+  return rounded;
+}
+
+RoundValue round_up(double value, int digits) {
+  const RoundValue below = round_down(-value, digits);
+  return {-below.digits, below.exponent};
+}
+
+RoundValue roundest(double low, double wanted, double high) {
+  constexpr int finest = 9;
+  const double largest = std::max(std::abs(low), std::abs(high));
+  if (largest == 0) return {};
+  const int exponent = static_cast<int>(std::floor(std::log10(largest)));
+  for (int power = exponent; power > exponent - finest; --power) {
+    for (const long long mantissa : {10LL, 5LL, 2LL}) {
+      const RoundValue step{mantissa, power - 1};
+      const auto multiple = static_cast<long long>(std::llround(wanted / step.value()));
+      for (const long long k : {multiple, multiple - 1, multiple + 1}) {
+        const RoundValue value{k * mantissa, power - 1};
+        if (value.value() >= low && value.value() <= high) return value;
+      }
+    }
+  }
+  return nine_digits(wanted);
 }
 
 RoundValue round_below(double limit) {

@@ -19,6 +19,22 @@ struct RoundValue {
 /// Writes `digits` x 10^`exponent` as a decimal number, without trailing zeros after the point.
 std::string decimal_text(long long digits, int exponent);
 
+/// The values as texts with equally many digits after the point, unless one has an exponent.
+std::vector<std::string> texts_of(const std::vector<RoundValue>& values);
+
+/// The value rounded to at most nine significant digits.
+RoundValue nine_digits(double value);
+
+/// The largest value of so many significant digits that is not above `value`, and the smallest that
+/// is not below it. Both require a finite value.
+RoundValue round_down(double value, int digits);
+RoundValue round_up(double value, int digits);
+
+/// The roundest value from `low` to `high`: a multiple of the largest of 1, 2 and 5 x 10^n that has
+/// one there, and of several the nearest to `wanted`. Where low and high are the same to nine
+/// digits, it is that value. Requires finite values, low <= wanted <= high.
+RoundValue roundest(double low, double wanted, double high);
+
 /// The largest of 1, 2 and 5 x 10^n that is not above `limit`, which must be positive and finite.
 RoundValue round_below(double limit);
 

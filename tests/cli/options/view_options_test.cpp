@@ -92,6 +92,9 @@ TEST(ViewOptions, a_raster_has_no_title_and_no_size) {
     view.read({option, "800"});
     EXPECT_THROW(view.block.check_raster(), UsageError) << option;
   }
+  View colours;
+  colours.read({"--palette", "blues"});
+  EXPECT_THROW(colours.block.check_raster(), UsageError);
   View view;
   view.read({"--units", "mm"});
   EXPECT_NO_THROW(view.block.check_raster());

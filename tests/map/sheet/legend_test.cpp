@@ -10,42 +10,9 @@
 namespace thiessen {
 namespace {
 
-TEST(RainfallClasses, a_value_takes_the_class_that_begins_at_or_below_it) {
-  const RainfallClasses classes(row_of_cells({0, 0.1, 0.2, 1, none}));  // steps of 0.2
-  ASSERT_EQ(classes.count(), 5u);
-  EXPECT_EQ(classes.colour(0), classes.colour(0.1));
-  EXPECT_NE(classes.colour(0.1), classes.colour(0.2));
-  EXPECT_EQ(classes.colour(1), classes.colour(0.9)) << "the largest value is in the last class";
-}
-
-TEST(RainfallClasses, equal_values_make_one_class_and_none_make_none) {
-  EXPECT_EQ(RainfallClasses(row_of_cells({4, 4})).count(), 1u);
-  EXPECT_EQ(RainfallClasses(row_of_cells({none})).count(), 0u);
-}
-
-TEST(RainfallClasses, law_1_hold_every_reading_and_grow_darker_with_it) {
-  const RainfallClasses classes(row_of_cells({0.3, 12, 47.5}));
-  EXPECT_LE(classes.ticks().front().value(), 0.3);
-  EXPECT_GE(classes.ticks().back().value(), 47.5);
-  EXPECT_LE(classes.count(), 9u);
-  int before = 3 * 255;
-  for (double rainfall = 0.3; rainfall <= 47.5; rainfall += 0.1) {
-    const Colour colour = classes.colour(rainfall);
-    const int light = colour.red + colour.green + colour.blue;
-    EXPECT_LE(light, before) << rainfall;
-    before = light;
-  }
-}
-
-TEST(RainfallClasses, there_are_none_of_cells_by_station) {
-  Picture picture = row_of_cells({1, 2});
-  picture.by_rainfall = false;
-  EXPECT_EQ(RainfallClasses(picture).count(), 0u);
-}
-
 /// The legend of a picture that is large enough for texts.
 struct Drawn {
-  explicit Drawn(const Picture& shown) : picture(shown), classes(shown) {}
+  explicit Drawn(const Picture& shown) : picture(shown), classes(classes_of(shown)) {}
 
   Typesetter type;
   Picture picture;
@@ -72,11 +39,21 @@ TEST(Legend, tells_of_cells_without_a_reading_where_there_are_any) {
   EXPECT_EQ(silent - all_read, 2 * 30) << "no reading, and the gauge that is silent";
 }
 
+TEST(Legend, names_what_is_there) {
+  const int wet = Drawn(row_of_cells({2, 4, 4})).legend.height();
+  EXPECT_EQ(Drawn(row_of_cells({0, 2, 4})).legend.height() - wet, 30) << "a line for dry cells";
+  Picture picture = row_of_cells({1, 2});
+  picture.by_rainfall = false;
+  const int of_basins = Drawn(picture).legend.width();
+  picture.has_basins = false;
+  EXPECT_GT(Drawn(picture).legend.width(), of_basins) << "study area in place of basin";
+}
+
 TEST(Legend, of_a_bare_page_or_of_nothing_takes_no_width) {
   EXPECT_EQ(Drawn(Picture()).legend.width(), 0);
   const Picture picture = row_of_cells({1, 2});
   Typesetter type;
-  EXPECT_EQ(Legend(picture, RainfallClasses(picture), {.em = 20, .bare = true}, type).width(), 0);
+  EXPECT_EQ(Legend(picture, classes_of(picture), {.em = 20, .bare = true}, type).width(), 0);
 }
 
 TEST(Legend, is_drawn_within_its_column) {

@@ -110,7 +110,7 @@ PixelCanvas drawn(const Picture& picture) {
   PixelCanvas canvas(70, 50);
   const Panel panel;
   draw_cells(canvas, {2, 1, 60, 40}, {0, 0, 60, 40}, picture, panel.view, panel.cells(),
-             RainfallClasses(picture), 20);
+             classes_of(picture), 20);
   return canvas;
 }
 
@@ -127,7 +127,7 @@ bool is_hatched(PixelCanvas& canvas, int x) {
 
 TEST(MapPanel, cells_are_filled_by_rainfall_and_hatched_where_there_is_none) {
   Picture picture = row_of_cells({3, 8});
-  const RainfallClasses classes(picture);
+  const RainfallClasses classes = classes_of(picture);
   PixelCanvas canvas = drawn(picture);
   EXPECT_EQ(at(canvas, 20, 20), classes.colour(3));
   EXPECT_EQ(at(canvas, 36, 20), classes.colour(8));

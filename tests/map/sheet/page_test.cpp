@@ -24,7 +24,7 @@ TEST(Page, its_parts_do_not_overlap_and_stay_on_it) {
            {400, 0}, {400, 300}, {1600, 0}, {3000, 500}, {500, 3000}, {6000, 0}}) {
     picture.width = width;
     picture.height = height;
-    const RainfallClasses classes(picture);
+    const RainfallClasses classes = classes_of(picture);
     const Legend legend(picture, classes, page_style(width, height), type);
     const Page page = lay_out(picture, {0, 0, 3, 1}, legend, type);
     ASSERT_FALSE(page.style.bare);
@@ -49,7 +49,7 @@ TEST(Page, takes_the_shape_of_the_study_area_where_its_height_is_open) {
   Typesetter type;
   Picture picture;
   picture.width = 1000;
-  const RainfallClasses classes(picture);
+  const RainfallClasses classes = classes_of(picture);
   const Legend legend(picture, classes, page_style(1000, 0), type);
   const auto panel = [&](double width, double height) {
     return lay_out(picture, {0, 0, width, height}, legend, type).panel;
@@ -67,7 +67,7 @@ TEST(Page, that_is_too_small_for_texts_is_the_map_alone) {
   Picture picture = row_of_cells({1, 2});
   picture.width = 100;
   picture.height = 90;
-  const RainfallClasses classes(picture);
+  const RainfallClasses classes = classes_of(picture);
   const Legend legend(picture, classes, page_style(100, 90), type);
   const Page page = lay_out(picture, {0, 0, 2, 1}, legend, type);
   EXPECT_TRUE(page.style.bare);

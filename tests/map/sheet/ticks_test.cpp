@@ -77,5 +77,33 @@ TEST(Ticks, round_below_is_the_largest_of_one_two_five) {
   EXPECT_EQ(round_below(0.021).text(), "0.02");
 }
 
+TEST(TextsOf, have_equal_decimals_unless_one_has_an_exponent) {
+  EXPECT_EQ(texts_of({{0, 0}, {5, -1}, {10, -1}, {125, -2}}),
+            (std::vector<std::string>{"0.00", "0.50", "1.00", "1.25"}));
+  EXPECT_EQ(texts_of({{5, 0}, {100, -1}}), (std::vector<std::string>{"5", "10"}));
+  EXPECT_EQ(texts_of({{5, -1}, {1, 12}}), (std::vector<std::string>{"0.5", "1e12"}));
+}
+
+TEST(Rounding, down_and_up_keeps_so_many_digits) {
+  EXPECT_EQ(round_down(0.0347, 1).text(), "0.03");
+  EXPECT_EQ(round_up(0.0347, 1).text(), "0.04");
+  EXPECT_EQ(round_up(0.0347, 2).text(), "0.035");
+  EXPECT_EQ(round_up(996, 2).text(), "1000");
+  EXPECT_EQ(round_down(-996, 2).text(), "-1000");
+  for (const double exact : {0.1, 0.3, 0.7, 1e-7, 3e22}) {
+    EXPECT_EQ(round_down(exact, 1).value(), exact);
+    EXPECT_EQ(round_up(exact, 2).value(), exact);
+  }
+}
+
+TEST(Roundest, is_a_multiple_of_the_largest_step_that_has_one_there) {
+  EXPECT_EQ(roundest(1.6, 1.8, 2).text(), "2");
+  EXPECT_EQ(roundest(2.4, 2.6, 2.8).text(), "2.5");
+  EXPECT_EQ(roundest(4, 23.2, 42.4).text(), "20");
+  EXPECT_EQ(roundest(97, 98, 102).text(), "100");
+  EXPECT_EQ(roundest(0.123456, 0.123456, 0.123456).text(), "0.123456");
+  EXPECT_EQ(roundest(0, 0, 0).text(), "0");
+}
+
 }  // namespace
 }  // namespace thiessen
