@@ -85,6 +85,7 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
+            means.note(step.time);
             progress.advance();
             if (common_.quiet) return;
             error.add(step.readings);

@@ -1,10 +1,15 @@
 #include "cli/outputs/picture_of.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
 
 #include "cli/outputs/provenance_of.h"
 #include "gdal/crs/north.h"
+#include "rainfall/series/step_length.h"
 
 namespace thiessen::cli {
 
@@ -15,6 +20,16 @@ std::string label_of(const Station& station, const StudyFiles& study, const Stud
   if (!options.labels()) return {};
   const auto found = study.labels.find(station.id);
   return found == study.labels.end() ? station.id : found->second;
+}
+
+/// The unit of a value that fell within a step: "mm per hour". Units that are no depth of water may
+/// say a time of their own, and stay as they are.
+std::string unit_of(const std::string& units, const GaugeReadings* readings) {
+  constexpr std::array<std::string_view, 6> depths{"mm", "cm", "m", "in", "inch", "inches"};
+  const bool is_depth = std::find(depths.begin(), depths.end(), units) != depths.end();
+  if (!is_depth || readings == nullptr || !readings->step) return units;
+  const std::string step = text_of(*readings->step);
+  return units + " per " + (step.starts_with("1 ") ? step.substr(2) : step);
 }
 
 }  // namespace
@@ -36,7 +51,7 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
                   : readings != nullptr ? "Rainfall by Thiessen cells"
                                         : "Thiessen cells";
   picture.subtitle = readings != nullptr ? readings->label : "";
-  picture.units = view.units;
+  picture.units = unit_of(view.units, readings);
   picture.tags = items_of(provenance_of(inputs, options, readings, view.units));
   picture.width = view.width();
   picture.height = view.height();

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/interrupt.h"
+#include "base/iso_time.h"
 #include "rainfall/network/mean_reading.h"
 
 namespace thiessen {
@@ -43,6 +44,14 @@ void MeanReadings::add(std::span<const double> readings) {
   }
 }
 
+void MeanReadings::note(const std::string& time) {
+  intervals_.note(parse_iso_time(time));
+}
+
+std::optional<StepLength> MeanReadings::step() const {
+  return intervals_.step();
+}
+
 double MeanReadings::mean_at(PlaceIndex place) const {
   const std::size_t count = count_[index(place)];
   return count == 0 ? none : sum_[index(place)].value() / static_cast<double>(count);
@@ -64,6 +73,7 @@ GaugeReadings MeanReadings::of_reporting() const {
 GaugeReadings MeanReadings::of_all() const {
   GaugeReadings result;
   result.label = label();
+  result.step = step();
   for (std::uint32_t s = 0; s < heard_.size(); ++s)
     result.readings.push_back(mean_at(network_.place_of(StationIndex{s})));
   return result;
@@ -75,13 +85,16 @@ GaugeReadings read_gauges(Readings& readings, const Network& network, const std:
   TimeStep step;
   while (readings.next(step)) {
     throw_if_interrupted();
+    means.note(step.time);
     if (time.empty()) {
       means.add(step.readings);
     } else if (step.time == time) {
-      at_time = {values_of(network, step.readings), step.time};
+      at_time = {values_of(network, step.readings), step.time, {}};
     }
   }
-  return time.empty() ? means.of_reporting() : at_time;
+  if (time.empty()) return means.of_reporting();
+  at_time.step = means.step();
+  return at_time;
 }
 
 }  // namespace thiessen

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/step_intervals.h"
+#include "rainfall/series/step_length.h"
 
 namespace thiessen {
 
@@ -19,6 +22,8 @@ namespace thiessen {
 struct GaugeReadings {
   std::vector<double> readings;  ///< by station; NaN where there is none
   std::string label;             ///< what the values are: the time, or which means
+  std::optional<StepLength> step =
+      {};  ///< how long a value's rain fell; nothing where that is not known
 
   ReportingStations reports() const { return reporting_stations(readings); }
 };
@@ -31,6 +36,10 @@ class MeanReadings {
   explicit MeanReadings(const Network& network);
 
   void add(std::span<const double> readings);
+  /// Takes note of the time of a step, so that the means know the length of a step.
+  void note(const std::string& time);
+  /// The length of a step, by the times that were noted: see StepIntervals.
+  std::optional<StepLength> step() const;
   /// The means of the gauges that have a reading in some step; the others have none.
   GaugeReadings of_reporting() const;
   /// The means of all gauges of the network: one without a reading in any step has that of its
@@ -45,6 +54,7 @@ class MeanReadings {
   std::vector<LongSum> sum_;  // by place, so that the order of the steps does not matter
   std::vector<std::size_t> count_;
   ReportingStations heard_;
+  StepIntervals intervals_;
   std::size_t steps_ = 0;
 };
 

@@ -77,5 +77,16 @@ TEST(GaugeReadings, of_a_time_that_is_not_there_are_none) {
   EXPECT_TRUE(read_gauges(all, network(), "4").readings.empty());
 }
 
+// A day's rain is of a day, whichever time is shown; one time alone tells no step.
+TEST(GaugeReadings, know_the_length_of_a_step_by_the_times) {
+  MeanReadings means(network());
+  for (const char* time : {"2020-01-01", "2020-01-02"}) {
+    EXPECT_EQ(means.step(), std::nullopt);
+    means.note(time);
+  }
+  EXPECT_EQ(means.step(), (StepLength{0, 86'400}));
+  EXPECT_EQ(means.of_all().step, means.step());
+}
+
 }  // namespace
 }  // namespace thiessen
