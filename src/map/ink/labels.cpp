@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace thiessen {
 
@@ -28,6 +31,45 @@ void Occupancy::occupy(const PixelBox& box) {
   }
 }
 
+DotIndex::DotIndex(int width, int height, const std::vector<Point>& dots, double reach)
+    : reach_(std::max(1.0, reach)),
+      columns_(static_cast<int>(width / reach_) + 1),
+      rows_(static_cast<int>(height / reach_) + 1),
+      first_(square(0, rows_) + 1, 0),
+      dots_(dots.size()) {
+  const auto square_of = [&](Point p) { return square(column_of(p.x), row_of(p.y)); };
+  for (const Point p : dots) ++first_[square_of(p) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (const Point p : dots) dots_[next[square_of(p)]++] = p;
+}
+
+int DotIndex::column_of(double x) const {
+  return std::clamp(static_cast<int>(std::floor(x / reach_)), 0, columns_ - 1);
+}
+
+int DotIndex::row_of(double y) const {
+  return std::clamp(static_cast<int>(std::floor(y / reach_)), 0, rows_ - 1);
+}
+
+bool DotIndex::is_beside_another(const PixelBox& box, Point own) const {
+  const auto is_beside = [&](Point p) {
+    const double x = std::max({box.x - p.x, p.x - box.right(), 0.0});
+    const double y = std::max({box.y - p.y, p.y - box.bottom(), 0.0});
+    return std::hypot(x, y) < reach_ && std::hypot(p.x - own.x, p.y - own.y) >= 0.5;
+  };
+  const int last_row = row_of(box.bottom() + reach_);
+  const int last_column = column_of(box.right() + reach_);
+  for (int row = row_of(box.y - reach_); row <= last_row; ++row) {
+    for (int column = column_of(box.x - reach_); column <= last_column; ++column) {
+      const auto begin = dots_.begin() + static_cast<std::ptrdiff_t>(first_[square(column, row)]);
+      const auto end = dots_.begin() + static_cast<std::ptrdiff_t>(first_[square(column, row) + 1]);
+      if (std::any_of(begin, end, is_beside)) return true;
+    }
+  }
+  return false;
+}
+
 std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int width, int height) {
   const int x = static_cast<int>(std::floor(dot.x));
   const int y = static_cast<int>(std::floor(dot.y));
@@ -48,6 +90,14 @@ std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double rad
                                      int width, int height) {
   for (const PixelBox& box : boxes_beside(dot, radius, gap, width, height)) {
     if (map.is_free(box)) return box;
+  }
+  return std::nullopt;
+}
+
+std::optional<PixelBox> place_beside(const Occupancy& map, const DotIndex& dots, Point dot,
+                                     double radius, int gap, int width, int height) {
+  for (const PixelBox& box : boxes_beside(dot, radius, gap, width, height)) {
+    if (map.is_free(box) && !dots.is_beside_another(box, dot)) return box;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -24,6 +25,32 @@ class Occupancy {
   std::vector<std::uint8_t> taken_;
 };
 
+/// Tells how near the dots of the map are to a label.
+class DotIndex {
+ public:
+  /// `reach` is the largest distance that is asked for, in pixels. Memory: 24 bytes a dot, and 8
+  /// for each square of that size in the map. Cost: linear in both.
+  DotIndex(int width, int height, const std::vector<Point>& dots, double reach);
+
+  /// Whether a dot other than `own` lies within `reach` of the box. Dots less than half a pixel
+  /// from `own` count as it. Cost: the dots in the squares that the box touches, grown by `reach`.
+  bool is_beside_another(const PixelBox& box, Point own) const;
+
+ private:
+  std::size_t square(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+           static_cast<std::size_t>(column);
+  }
+  int column_of(double x) const;
+  int row_of(double y) const;
+
+  double reach_;
+  int columns_;
+  int rows_;
+  std::vector<std::size_t> first_;  ///< of the dots of each square, and the end
+  std::vector<Point> dots_;         ///< by square
+};
+
 /// The boxes of the given size beside a dot, in order of preference: to the right, left, above,
 /// below, and at its corners. `gap` is the distance from the dot in pixels.
 std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int width, int height);
@@ -32,5 +59,9 @@ std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int widt
 /// from the dot in pixels.
 std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double radius, int gap,
                                      int width, int height);
+
+/// The first of them that is also beside no other dot.
+std::optional<PixelBox> place_beside(const Occupancy& map, const DotIndex& dots, Point dot,
+                                     double radius, int gap, int width, int height);
 
 }  // namespace thiessen

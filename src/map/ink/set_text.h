@@ -37,6 +37,7 @@ struct SetText {
   int size = 0;      ///< pixels to the em
   Weight weight = Weight::regular;
   bool right_to_left = false;  ///< the direction of the whole line
+  bool is_shortened = false;   ///< whether the text goes on after what is shown
 
   int width() const { return ink.width; }
   int height() const { return ink.height; }

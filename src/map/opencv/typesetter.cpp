@@ -248,6 +248,7 @@ SetText Typesetter::fit(std::string_view text, int size, int smallest, int max_w
                                       static_cast<std::size_t>(result.width()));
     result = set_line(shortened(line, length), size, weight);
   }
+  result.is_shortened = length < line.size() || line.size() < trimmed(characters).size();
   return result.width() > max_width ? SetText{} : result;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -105,6 +106,13 @@ bool Annotation::in_sight(Point p) const {
          p.y <= page_.panel.height - rim;
 }
 
+std::vector<Point> Annotation::dots_in_sight() const {
+  std::vector<Point> dots;
+  std::copy_if(view_.gauges.begin(), view_.gauges.end(), std::back_inserter(dots),
+               [&](Point p) { return in_sight(p); });
+  return dots;
+}
+
 void Annotation::draw_gauges() {
   const Group group(canvas_, {"gauges"});
   const int reach = static_cast<int>(std::ceil(gauge_reach(radius_)));
@@ -160,17 +168,19 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
   const int size = std::max(9, page_.style.ems(label_size(seen_)));
   const int rim = std::max(1, page_.style.ems(0.13));
   const double outer = gauge_reach(radius_);
+  // Half a letter between a label and another gauge's dot, so that it is not read as that gauge's.
+  const DotIndex dots(page_.panel.width, page_.panel.height, dots_in_sight(), outer + 0.5 * size);
   for (const std::size_t i : order) {
     const Point dot = view_.gauges[i];
     if (picture_.gauges[i].label.empty() || !in_sight(dot)) continue;
     ++to_label_;
     // A label need not be set to know that it does not fit where even its least width is not free.
     const int least = least_width(picture_.gauges[i].label, size);
-    if (!place_beside(taken_, dot, outer, 1, least, size / 2)) continue;
+    if (!place_beside(taken_, dots, dot, outer, 1, least, size / 2)) continue;
     const SetText text = type_.set(picture_.gauges[i].label, size, Weight::regular, longest_label);
     if (text.width() == 0) continue;
     const auto box =
-        place_beside(taken_, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
+        place_beside(taken_, dots, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
     if (!box) continue;
     put(text, *box, ink::text, {"label", picture_.gauges[i].station});
     ++labelled_;

@@ -15,7 +15,7 @@
 namespace thiessen {
 
 /// Draws gauges, basin names and gauge labels into the panel. Only dots may overlap each other:
-/// names and labels overlap nothing.
+/// names and labels overlap nothing, and no label stands beside the dot of another gauge.
 class Annotation {
  public:
   /// `view` is in pixels of the panel.
@@ -35,6 +35,7 @@ class Annotation {
 
  private:
   bool in_sight(Point p) const;
+  std::vector<Point> dots_in_sight() const;
   void put(const SetText& text, const PixelBox& box, Colour colour, const Mark& mark);
 
   Canvas& canvas_;

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace thiessen {
 namespace {
@@ -17,16 +21,46 @@ double panel_aspect(const Extent& extent) {
   return std::clamp(extent.width() / extent.height(), tallest, widest);
 }
 
+/// The part of a text that its first words make up, as many as fit into the room; at least one.
+std::string_view words_that_fit(std::string_view text, int size, int room, Typesetter& type) {
+  std::size_t end = text.find(' ');
+  while (end < text.size()) {
+    const std::size_t next = std::min(text.find(' ', end + 1), text.size());
+    if (type.set(text.substr(0, next), size, Weight::bold).width() > room) break;
+    end = next;
+  }
+  return text.substr(0, end);
+}
+
+/// Sets the title on one line, smaller where it is somewhat too long, else on up to three. What the
+/// last has no room for ends in an ellipsis.
+std::vector<SetText> title_lines(std::string_view title, const PageStyle& style, int room,
+                                 Typesetter& type) {
+  constexpr std::size_t most = 3;
+  const int size = style.ems(1.2);
+  std::vector<SetText> lines;
+  SetText line = type.fit(title, style.ems(1.5), size, room, Weight::bold);
+  while (line.is_shortened && lines.size() + 1 < most) {
+    const std::string_view first = words_that_fit(title, size, room, type);
+    if (first.size() == title.size()) break;
+    if (!first.empty()) lines.push_back(type.fit(first, size, style.em, room, Weight::bold));
+    title.remove_prefix(first.size() + 1);
+    line = type.fit(title, size, size, room, Weight::bold);
+  }
+  if (line.is_shortened) line = type.fit(title, size, style.em, room, Weight::bold);
+  if (line.width() > 0) lines.push_back(std::move(line));
+  return lines;
+}
+
 /// Sets title and subtitle, and returns the height that they take.
 int head(const Picture& picture, Page& page, Typesetter& type) {
   const PageStyle& style = page.style;
   const int room = page.width - 2 * style.em;
   int y = style.ems(0.8);
-  page.title = type.fit(picture.title, style.ems(1.5), style.em, room, Weight::bold);
-  if (page.title.width() > 0) {
-    page.title_baseline = y + std::max(style.ems(1.3), page.title.baseline);
-    const int descent = page.title.height() - page.title.baseline;
-    y = page.title_baseline + std::max(style.ems(0.5), descent);
+  for (SetText& text : title_lines(picture.title, style, room, type)) {
+    const int baseline = y + std::max(style.ems(1.3), text.baseline);
+    y = baseline + std::max(style.ems(0.5), text.height() - text.baseline);
+    page.title.push_back({std::move(text), baseline});
   }
   page.subtitle = type.fit(picture.subtitle, style.em, style.ems(0.8), room);
   if (page.subtitle.width() > 0) {
@@ -59,18 +93,21 @@ Page bare_page(const Picture& picture, const Extent& extent, const PageStyle& st
 
 }  // namespace
 
-PageStyle page_style(int width, int height) {
+PageStyle page_style(int width, int height, int dots_to_the_inch) {
   constexpr int smallest_em = 11;
+  constexpr double largest_em = 10.0 / 72;  // inches
   const double tall = height > 0 ? height : 0.75 * width;
   PageStyle style;
-  style.em = std::max(smallest_em, static_cast<int>(std::lround(std::sqrt(width * tall) / 60)));
+  double em = std::sqrt(width * tall) / 60;
+  if (dots_to_the_inch > 0) em = std::min(em, largest_em * dots_to_the_inch);
+  style.em = std::max(smallest_em, static_cast<int>(std::lround(em)));
   style.hairline = std::max(1, style.ems(0.06));
   style.bare = width < style.ems(24) || tall < style.ems(16);
   return style;
 }
 
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type) {
-  const PageStyle style = page_style(picture.width, picture.height);
+  const PageStyle style = page_style(picture.width, picture.height, picture.dots_to_the_inch);
   if (style.bare) return bare_page(picture, extent, style);
   Page page;
   page.style = style;

@@ -21,15 +21,20 @@ struct PageStyle {
   int ems(double count) const { return static_cast<int>(std::lround(em * count)); }
 };
 
+/// A line of the title, and the row of the page on which its letters stand.
+struct TitleLine {
+  SetText text;
+  int baseline = 0;
+};
+
 /// The places of everything on the page. No two boxes overlap.
 struct Page {
   int width = 0;
   int height = 0;
   PageStyle style;
   PixelBox panel;  ///< the map; coordinates stand to the left of it and below it
-  SetText title;
+  std::vector<TitleLine> title;
   SetText subtitle;
-  int title_baseline = 0;
   int subtitle_baseline = 0;
   PixelBox legend;  ///< the column to the right of the map; no width where there is none
   /// The place of scale bar, north arrow and notes below the map; no height where there is none.
@@ -41,7 +46,9 @@ struct Page {
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type);
 
 /// The style of a picture of this size; a height of 0 counts as three quarters of the width.
-PageStyle page_style(int width, int height);
+/// Letters grow with the picture, but where its density is known (else 0) not beyond ten points, so
+/// that a larger page holds more of them.
+PageStyle page_style(int width, int height, int dots_to_the_inch = 0);
 
 /// Maps the map's plane to pixels of the panel, with the extent in the panel's middle.
 class PanelTransform {

@@ -99,7 +99,8 @@ struct Sheet {
   explicit Sheet(const Picture& picture)
       : view(view_study(picture)),
         classes(classes_of(picture)),
-        legend(picture, classes, page_style(picture.width, picture.height), type),
+        legend(picture, classes,
+               page_style(picture.width, picture.height, picture.dots_to_the_inch), type),
         page(lay_out(picture, view.extent, legend, type)) {}
 
   StudyView view;
@@ -112,8 +113,10 @@ struct Sheet {
 void draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
   const Page& page = sheet.page;
   draw_map(canvas, page, picture, std::move(sheet.view), sheet.classes, sheet.type);
-  canvas.text(page.title, page.style.em, page.title_baseline - page.title.baseline,
-              {ink::text, 0, {"title"}});
+  for (const TitleLine& line : page.title) {
+    canvas.text(line.text, page.style.em, line.baseline - line.text.baseline,
+                {ink::text, 0, {"title"}});
+  }
   canvas.text(page.subtitle, page.style.em, page.subtitle_baseline - page.subtitle.baseline,
               {ink::quiet_text, 0, {"subtitle"}});
   if (sheet.legend.width() > 0) sheet.legend.draw(canvas, page, sheet.classes);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <vector>
 
@@ -12,7 +14,12 @@ bool overlap(const PixelBox& a, const PixelBox& b) {
   return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
 }
 
-TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
+double distance(const PixelBox& box, Point p) {
+  return std::hypot(std::max({box.x - p.x, 0.0, p.x - box.right()}),
+                    std::max({box.y - p.y, 0.0, p.y - box.bottom()}));
+}
+
+TEST(Labels, never_overlap_each_other_or_the_border_and_stand_beside_no_other_dot) {
   for (unsigned seed = 1; seed <= 12; ++seed) {
     std::mt19937 random(seed);
     const int width = 300 + 40 * static_cast<int>(seed);
@@ -31,14 +38,19 @@ TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
                            2 * radius + 1});
       map.occupy(dot_boxes.back());
     }
+    const double reach = 8;
+    const DotIndex index(width, height, dots, reach);
     std::vector<PixelBox> labels;
     for (const Point dot : dots) {
-      const auto box = place_beside(map, dot, radius, 1, length(random), 11);
+      const auto box = place_beside(map, index, dot, radius, 1, length(random), 11);
       if (!box) continue;
       map.occupy(*box);
       labels.push_back(*box);
+      for (const Point other : dots) {
+        ASSERT_TRUE(other == dot || distance(*box, other) >= reach) << "seed " << seed;
+      }
     }
-    ASSERT_GT(labels.size(), 20u) << "seed " << seed;
+    ASSERT_GT(labels.size(), 15u) << "seed " << seed;
     for (std::size_t i = 0; i < labels.size(); ++i) {
       const PixelBox& box = labels[i];
       ASSERT_TRUE(box.x >= 0 && box.y >= 0 && box.right() <= width && box.bottom() <= height);
@@ -50,7 +62,7 @@ TEST(Labels, never_overlap_each_other_or_a_dot_or_the_border) {
 
 TEST(Labels, stand_right_of_a_lone_dot) {
   const Occupancy map(100, 100);
-  const auto box = place_beside(map, {50, 50}, 3, 1, 30, 10);
+  const auto box = place_beside(map, DotIndex(100, 100, {{50, 50}}, 5), {50, 50}, 3, 1, 30, 10);
   ASSERT_TRUE(box);
   EXPECT_EQ(box->x, 54);
   EXPECT_EQ(box->y, 45);
@@ -58,11 +70,24 @@ TEST(Labels, stand_right_of_a_lone_dot) {
 
 TEST(Labels, go_left_at_the_right_border_and_nowhere_in_a_full_map) {
   Occupancy map(100, 100);
-  const auto box = place_beside(map, {95, 50}, 3, 1, 30, 10);
+  const DotIndex dots(100, 100, {{95, 50}}, 5);
+  const auto box = place_beside(map, dots, {95, 50}, 3, 1, 30, 10);
   ASSERT_TRUE(box);
   EXPECT_EQ(box->right(), 91);
   map.occupy({0, 0, 100, 100});
-  EXPECT_FALSE(place_beside(map, {50, 50}, 3, 1, 30, 10));
+  EXPECT_FALSE(place_beside(map, dots, {50, 50}, 3, 1, 30, 10));
+}
+
+// The place right of the dot is beside the other one, 4 pixels below the label; left there is none.
+TEST(Labels, do_not_stand_beside_the_dot_of_another_gauge) {
+  const Occupancy map(100, 100);
+  const std::vector<Point> dots{{50, 50}, {75, 59}};
+  const auto box = place_beside(map, DotIndex(100, 100, dots, 5), dots[0], 3, 1, 30, 10);
+  ASSERT_TRUE(box);
+  EXPECT_EQ(box->right(), 46);
+  EXPECT_EQ(place_beside(map, DotIndex(100, 100, dots, 3), dots[0], 3, 1, 30, 10)->x, 54);
+  EXPECT_TRUE(place_beside(map, DotIndex(100, 100, {{50, 50}, {50, 50}}, 5), dots[0], 3, 1, 30, 10))
+      << "two gauges at one place";
 }
 
 }  // namespace

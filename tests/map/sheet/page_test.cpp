@@ -39,10 +39,41 @@ TEST(Page, its_parts_do_not_overlap_and_stay_on_it) {
     EXPECT_FALSE(overlap(page.panel, page.legend));
     EXPECT_FALSE(overlap(page.panel, page.footer));
     EXPECT_FALSE(overlap(page.legend, page.footer));
-    EXPECT_LE(page.style.em + page.title.width(), page.width - page.style.em);
+    ASSERT_EQ(page.title.size(), 1u) << "there is nowhere to part it";
+    EXPECT_LE(page.style.em + page.title[0].text.width(), page.width - page.style.em);
     EXPECT_LE(page.subtitle_baseline, page.panel.y);
-    EXPECT_LE(page.title_baseline, page.subtitle_baseline - page.subtitle.baseline);
+    EXPECT_LE(page.title[0].baseline, page.subtitle_baseline - page.subtitle.baseline);
   }
+}
+
+TEST(Page, wraps_a_long_title_between_its_words) {
+  Typesetter type;
+  Picture picture = row_of_cells({1, 2});
+  picture.width = 600;
+  const RainfallClasses classes = classes_of(picture);
+  const Legend legend(picture, classes, page_style(600, 0), type);
+  const auto lines = [&](const std::string& title) {
+    picture.title = title;
+    std::vector<std::string> texts;
+    int before = 0;
+    for (const TitleLine& line : lay_out(picture, {0, 0, 2, 1}, legend, type).title) {
+      texts.push_back(line.text.text);
+      EXPECT_GE(line.baseline - line.text.baseline, before) << "below the line before";
+      EXPECT_LE(line.text.width(), 600);
+      before = line.baseline;
+    }
+    return texts;
+  };
+  EXPECT_EQ(lines("Rain").size(), 1u);
+  std::string words;
+  for (int i = 0; i < 14; ++i) words += i == 0 ? "rainfall" : " rainfall";
+  const std::vector<std::string> two = lines(words);
+  ASSERT_EQ(two.size(), 2u);
+  EXPECT_EQ(two[0] + " " + two[1], words);
+  const std::vector<std::string> three = lines(words + " " + words + " " + words);
+  ASSERT_EQ(three.size(), 3u);
+  EXPECT_EQ(three[0], two[0]);
+  EXPECT_TRUE(three[2].ends_with("\u2026")) << three[2];
 }
 
 TEST(Page, takes_the_shape_of_the_study_area_where_its_height_is_open) {
@@ -87,6 +118,10 @@ TEST(PageStyle, law_1_letters_grow_with_the_picture_and_are_never_too_small_to_r
     before = em;
   }
   EXPECT_FALSE(page_style(1600, 0).bare);
+  // A4 and A0 at 300 dots to the inch: ten points are 41.7 dots.
+  EXPECT_EQ(page_style(3508, 2480, 300).em, 42);
+  EXPECT_EQ(page_style(14'043, 9'933, 300).em, 42);
+  EXPECT_EQ(page_style(1200, 900, 300).em, page_style(1200, 900).em);
   EXPECT_TRUE(page_style(200, 2000).bare);
   EXPECT_TRUE(page_style(2000, 150).bare);
 }
