@@ -69,6 +69,19 @@ NearestPlaces::Winner NearestPlaces::winner_of(const Ball& ball, PlaceIndex near
   return winner;
 }
 
+// This is what Winner::beats asks for, at a point instead of in a ball.
+CertainDifference NearestPlaces::certain_difference(double farthest, double off) const {
+  const double reach = off + places_rounding();
+  const Margin margin = this->margin(farthest);
+  CertainDifference certain;
+  certain.excess_ = margin.excess;
+  certain.apiece_ = 2 * reach;
+  certain.near_ = farthest / 8;
+  certain.excess_of_near_ = margin.excess_of_near;
+  certain.apiece_of_near_ = 2 * (reach + margin.apiece);
+  return certain;
+}
+
 // Refines the rivals where a smaller ball would not help: where only the margin keeps a place. As
 // long as the margin keeps fewer than half of them, smaller balls are cheaper.
 void NearestPlaces::settle(const Winner& winner, const Ball& ball,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -10,6 +12,27 @@
 #include "earth/yardstick.h"
 
 namespace thiessen {
+
+/// Tells from which difference on the squares of two places' distances in space decide which of the
+/// two is nearer, at points whose positions may be off and whose nearest place is not too far away.
+class CertainDifference {
+ public:
+  /// The difference that is certain for two places, from the square of the distance between them.
+  double at(double square_apart) const {
+    const double apart = std::sqrt(square_apart);
+    const double any = excess_ + apart * apiece_;
+    return apart <= near_ ? std::min(any, excess_of_near_ + apart * apiece_of_near_) : any;
+  }
+
+ private:
+  friend class NearestPlaces;
+
+  double excess_ = 0;
+  double apiece_ = 0;  ///< for each unit between the two places
+  double near_ = 0;    ///< up to which distance between them the smaller excess holds
+  double excess_of_near_ = 0;
+  double apiece_of_near_ = 0;
+};
 
 /// Finds the nearest of some places. For many points at once, it finds the rivals: the places that
 /// may be nearest to some point of a ball. As long as there are several rivals, the search goes on
@@ -33,6 +56,11 @@ class NearestPlaces {
   /// stay in their order.
   void keep_rivals(const Ball& ball, std::span<const PlaceIndex> among,
                    std::vector<PlaceIndex>& rivals) const;
+  /// The position of a place in space.
+  Direction place(PlaceIndex p) const { return tree_[p]; }
+  /// The certain differences at points that are known to within `off`, and whose nearest place is
+  /// no more than `farthest` away. They do not allow for the rounding of the squares.
+  CertainDifference certain_difference(double farthest, double off) const;
   /// The nearest of the rivals to p, the first of them by number where several are equally near;
   /// empty where p is not on the Earth. Planar: exact. Geodesic: by Karney's distances on WGS 84,
   /// which are right to 15 nanometres; they count as equal within 50. Cost: one distance for each
@@ -51,7 +79,6 @@ class NearestPlaces {
   };
 
   explicit NearestPlaces(std::vector<Direction> places) : tree_(std::move(places)) {}
-  Direction place(PlaceIndex p) const { return tree_[p]; }
 
  private:
   virtual Margin margin(double farthest) const = 0;

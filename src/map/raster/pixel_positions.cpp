@@ -72,6 +72,7 @@ std::optional<PixelPositions> PixelPositions::fit(const PixelGrid& grid, const P
   if (!(off <= std::max(pixels_off_at_most * pixel, 4 * rounding)) || !positions.is_even())
     return {};
   positions.off_ = off + 2 * rounding;
+  positions.bound_curvature();
   return positions;
 }
 
@@ -115,6 +116,20 @@ void PixelPositions::bound_tangents() {
   }
 }
 
+// Each term's derivatives are largest at the block's corners, where they are its factors.
+void PixelPositions::bound_curvature() {
+  for (std::size_t i = 0; i < terms; ++i) {
+    for (std::size_t j = 0; j < terms; ++j) {
+      const double size = length(terms_[i][j]);
+      const auto south = static_cast<double>(i);
+      const auto east = static_cast<double>(j);
+      bends_east_ += east * (east - 1) * size;
+      bends_across_ += east * south * size;
+      bends_south_ += south * (south - 1) * size;
+    }
+  }
+}
+
 bool PixelPositions::is_even() const {
   constexpr double share = 1.0 / 3;
   return east_varies_ + south_varies_ <= share * (length(middle_.east) + length(middle_.south));
@@ -150,6 +165,21 @@ Ball PixelPositions::ball(const PixelBlock& part) const {
   const double reach = std::max(length(along + down), length(along - down));
   return {origin_ + position(east, south),
           reach + half_width * east_varies_ + half_height * south_varies_ + off_};
+}
+
+PixelPlane PixelPositions::plane(const PixelBlock& part) const {
+  const double columns = block_.columns;
+  const double rows = block_.rows;
+  const double east = (2 * (part.column - block_.column) + part.columns) / columns - 1;
+  const double south = (2 * (part.row - block_.row) + part.rows) / rows - 1;
+  const Tangent there = tangent(east, south);
+  const double half_width = (part.columns - 1) / columns;
+  const double half_height = (part.rows - 1) / rows;
+  const double bend = half_width * half_width * bends_east_ +
+                      2 * half_width * half_height * bends_across_ +
+                      half_height * half_height * bends_south_;
+  return {origin_ + (there.position - half_width * there.east - half_height * there.south),
+          (2 / columns) * there.east, (2 / rows) * there.south, bend / 2 + off_};
 }
 
 }  // namespace thiessen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -9,6 +10,16 @@
 #include "geometry/point_mapping.h"
 
 namespace thiessen {
+
+/// Where the centres of a block's pixels lie in space, as far as that can be said by a plane.
+struct PixelPlane {
+  Direction first;  ///< the centre of the block's first pixel
+  Direction east;   ///< from a pixel's centre to that of its eastern neighbour
+  Direction south;
+  double off = 0;  ///< an upper bound on how far the centres are from the plane's points
+
+  double pixel() const { return std::max(length(east), length(south)); }
+};
 
 /// Approximates where the pixels of a block lie in space by polynomials of the fourth degree in
 /// columns and rows. They pass through the true positions at 5 x 5 Chebyshev points of the block,
@@ -26,6 +37,10 @@ class PixelPositions {
   /// fitted. Its radius allows for polynomials that are off by four times the largest difference
   /// found, and for the rounding of positions.
   Ball ball(const PixelBlock& part) const;
+  /// The plane that touches the polynomials in the middle of `part`, which must be a part of the
+  /// block fitted. It is off by half the second differences at most, and by what the balls allow
+  /// for.
+  PixelPlane plane(const PixelBlock& part) const;
 
  private:
   static constexpr std::size_t terms = 5;
@@ -42,6 +57,7 @@ class PixelPositions {
   void pass_through(const std::vector<Direction>& nodes);
   double farthest_off(const std::vector<Direction>& between) const;
   void bound_tangents();
+  void bound_curvature();
   bool is_even() const;
   Direction position(double east, double south) const;
   Tangent tangent(double east, double south) const;
@@ -54,6 +70,10 @@ class PixelPositions {
   double east_varies_ = 0;
   double south_varies_ = 0;
   double off_ = 0;
+  /// Upper bounds on the second derivatives within the block.
+  double bends_east_ = 0;
+  double bends_across_ = 0;
+  double bends_south_ = 0;
 };
 
 }  // namespace thiessen

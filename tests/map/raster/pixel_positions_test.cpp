@@ -44,6 +44,13 @@ void expect_balls_hold_their_pixels(Seeded& seeded, const PixelGrid& grid, const
     for (const Point p : centres)
       farthest = std::max(farthest, length(places.in_space(p) - ball.centre));
     ASSERT_LE(farthest, ball.radius);
+    const PixelPlane plane = positions->plane(part);
+    for (std::size_t k = 0; k < centres.size(); ++k) {
+      const auto columns = static_cast<std::size_t>(part.columns);
+      const Direction on_plane = plane.first + static_cast<double>(k % columns) * plane.east +
+                                 static_cast<double>(k / columns) * plane.south;
+      ASSERT_LE(length(places.in_space(centres[k]) - on_plane), plane.off);
+    }
     ASSERT_TRUE(part.columns <= 3 || part.rows <= 3 || ball.radius < 2 * farthest);
   }
 }
