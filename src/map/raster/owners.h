@@ -37,6 +37,8 @@ class Owners {
   std::span<const std::int32_t> rows(int row, int count);
 
  private:
+  void clear_outside(const AreaSpans& spans, int first_row, const PixelBlock& square);
+
   PixelGrid grid_;
   AreaRows areas_;
   std::function<PointMapping()> to_study_;
