@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geometry/polygon.h"
@@ -31,7 +30,6 @@ class OwnerRaster {
   /// The owner of each pixel, row by row from the top.
   std::span<const std::int32_t> owners() const { return owners_; }
   std::span<std::int32_t> owners() { return owners_; }
-  std::vector<std::int32_t> take_owners() && { return std::move(owners_); }
 
   /// Gives `owner` the pixels inside `rings`, which are in pixels, by the even-odd rule; parts
   /// outside the raster are left out. Coordinates must be finite. Cost: the rings' vertices, the
