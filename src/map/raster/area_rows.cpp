@@ -57,8 +57,8 @@ AreaRows::AreaRows(const PixelGrid& grid, const std::vector<MultiPolygon>& areas
       Ring pixels;
       pixels.reserve(ring.size());
       for (const Point p : ring) {
-        pixels.push_back(
-            {(p.x - grid.north_west.x) / grid.pixel, (grid.north_west.y - p.y) / grid.pixel});
+        pixels.push_back({(p.x - grid.north_west.x) / grid.pixel - grid.first_column,
+                          (grid.north_west.y - p.y) / grid.pixel - grid.first_row});
       }
       const Box box = box_of(pixels);
       rings.push_back({std::move(pixels), box.low.y, box.high.y});
