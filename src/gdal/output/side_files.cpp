@@ -20,6 +20,7 @@ constexpr std::array formats = {
     SideFiles{"mif", "mid", ""},
     SideFiles{"tif", "tfw qml", "aux.xml ovr msk"},
     SideFiles{"tiff", "tfw qml", "aux.xml ovr msk"},
+    SideFiles{"nc", "", "aux.xml"},
     SideFiles{"png", "pgw", "aux.xml"},
     SideFiles{"jpg", "jgw", "aux.xml"},
     SideFiles{"jpeg", "jgw", "aux.xml"},

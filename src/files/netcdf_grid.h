@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gdal/output/grid_file.h"
+#include "gdal/output/raster_output.h"
+#include "rainfall/series/time_bounds.h"
+
+namespace thiessen {
+
+/// The times of a grid's steps, in their order.
+struct GridTimes {
+  std::vector<TimeBounds> bounds;
+  bool is_utc = false;  ///< whether they are counted in UTC, because a zone is written
+};
+
+/// A grid as NetCDF-4 by the conventions CF-1.8: `rainfall(time, y, x)`, or (time, lat, lon) in a
+/// geographic CRS, `time` with its bounds, and the grid mapping `crs` where the CRS is known. A
+/// step is on its way to the disk when `add` returns, so memory does not grow with the steps.
+class NetcdfGrid : public GridFile {
+ public:
+  /// Begins the file. `file` is where it is written, `output.path` its name in messages. `output`
+  /// must outlive the grid. Throws Error where the compression is ZSTD.
+  NetcdfGrid(const std::string& file, const RasterOutput& output, const GridTimes& times);
+  ~NetcdfGrid() override;
+  NetcdfGrid(const NetcdfGrid&) = delete;
+  NetcdfGrid& operator=(const NetcdfGrid&) = delete;
+
+  void add(std::span<const float> pixels) override;
+  /// Ends the file.
+  void close();
+
+ private:
+  void define(const GridTimes& times);
+  int define_axis(const char* name, std::size_t length, bool is_east);
+  void define_mapping();
+  void define_rainfall(int time, int south, int east);
+  void define_times(int time, const GridTimes& times);
+  int variable(const char* name, int type, std::span<const int> dimensions);
+  void put_text(int variable, const char* name, const std::string& text);
+  void put_centres(int variable, bool is_east);
+  void put_times(const GridTimes& times);
+  void check(int status) const;
+
+  const RasterOutput& output_;
+  int file_ = -1;
+  int rainfall_ = -1;
+  int time_ = -1;
+  int time_bounds_ = -1;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace thiessen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gdal/output/encoded_file.h"
+#include "gdal/output/geotiff_writer.h"
+#include "gdal/output/grid_file.h"
+
+namespace thiessen {
+
+/// A GeoTIFF with a band a step. The format holds up to 65,535 of them. Memory: the file's size.
+class GeoTiffGrid : public GridFile {
+ public:
+  /// `times` are those of the steps, as RAINFALL writes them. `output` must outlive the grid.
+  /// Throws Error where there are more than the format holds.
+  GeoTiffGrid(const RasterOutput& output, std::span<const std::string> times);
+
+  void add(std::span<const float> pixels) override;
+  /// Ends the file, and gives it with its side files. Requires a band for each time.
+  std::vector<EncodedFile> finish() { return writer_.finish(); }
+
+ private:
+  const RasterOutput& output_;
+  GeoTiffWriter writer_;
+  int bands_ = 0;
+};
+
+}  // namespace thiessen

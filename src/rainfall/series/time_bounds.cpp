@@ -1,0 +1,80 @@
+#include "rainfall/series/time_bounds.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+
+namespace thiessen {
+namespace {
+
+double seconds_of(const IsoTime& time) {
+  return static_cast<double>(moment_seconds(time)) + time.nanosecond * 1e-9;
+}
+
+/// The last day of a month that is numbered as month_number does.
+int last_day(std::int64_t month) {
+  const std::chrono::year_month_day_last last{
+      std::chrono::year{static_cast<int>(month / 12)},
+      std::chrono::month_day_last{std::chrono::month{static_cast<unsigned>(month % 12 + 1)}}};
+  return static_cast<int>(static_cast<unsigned>(last.day()));
+}
+
+/// So many months later on the same day, or on the last day where the month has no such day and
+/// where it was the last before.
+IsoTime months_later(const IsoTime& time, std::int64_t months) {
+  const std::int64_t month = month_number(time) + months;
+  IsoTime later = time;
+  later.year = static_cast<int>(month / 12);
+  later.month = static_cast<int>(month % 12 + 1);
+  const int last = last_day(month);
+  later.day = is_last_of_month(time) ? last : std::min(time.day, last);
+  return later;
+}
+
+std::optional<StepLength> length_of(TimePrecision precision) {
+  switch (precision) {
+    case TimePrecision::year:
+      return StepLength{12, 0};
+    case TimePrecision::month:
+      return StepLength{1, 0};
+    case TimePrecision::day:
+      return StepLength{0, 86'400};
+    case TimePrecision::instant:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The first of the sorted times that is later; without one the time moved on by the last gap.
+double end_of_moment(double begin, std::span<const double> sorted) {
+  const auto next = std::upper_bound(sorted.begin(), sorted.end(), begin);
+  if (next != sorted.end()) return *next;
+  const auto before = std::lower_bound(sorted.begin(), sorted.end(), begin);
+  return before == sorted.begin() ? begin : begin + (begin - *(before - 1));
+}
+
+}  // namespace
+
+std::vector<TimeBounds> bounds_of(std::span<const IsoTime> times,
+                                  const std::optional<StepLength>& step) {
+  std::vector<double> sorted;
+  sorted.reserve(times.size());
+  for (const IsoTime& time : times) sorted.push_back(seconds_of(time));
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<TimeBounds> bounds;
+  bounds.reserve(times.size());
+  for (const IsoTime& time : times) {
+    const std::optional<StepLength> length = step ? step : length_of(time.precision);
+    const double begin = seconds_of(time);
+    if (!length) {
+      bounds.push_back({begin, end_of_moment(begin, sorted)});
+    } else if (length->months != 0) {
+      bounds.push_back({begin, seconds_of(months_later(time, length->months))});
+    } else {
+      bounds.push_back({begin, begin + static_cast<double>(length->seconds)});
+    }
+  }
+  return bounds;
+}
+
+}  // namespace thiessen
