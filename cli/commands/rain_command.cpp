@@ -53,9 +53,16 @@ class RainCommand : public Command {
   void check() const override {
     periods_.check();
     method_.check();
-    if (method_.methods().size() > 1 && !weights_log_.empty()) {
-      throw UsageError{"--weights-log is the account of one method, and --method says all",
-                       "give one of thiessen, arithmetic, idw and natural"};
+    if ((method_.methods().size() > 1 || method_.has_isohyets()) && !weights_log_.empty()) {
+      throw UsageError{
+          method_.has_isohyets()
+              ? "--weights-log is of methods that weigh gauges, and isohyets do not"
+              : "--weights-log is the account of one method, and --method says several",
+          "give one of thiessen, arithmetic, idw and natural"};
+    }
+    if (method_.has_isohyets() && gaps_.settings().gaps == Gaps::renormalise) {
+      throw UsageError{"--gaps renormalise scales weights, and isohyets have none",
+                       "retessellate and strict go with them"};
     }
     check_errors_can_be_had();
     study_.check();

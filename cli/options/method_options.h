@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "cli/options/option_list.h"
@@ -16,13 +15,14 @@ class MethodOptions : public OptionBlock {
   void check() const;
   /// The methods chosen, in the order of their columns.
   const std::vector<RainMethod>& methods() const { return methods_; }
-  /// The number of points in a basin over which a method averages.
-  std::size_t points() const { return points_; }
+  bool has_isohyets() const;
+  const PointSettings& points() const { return points_; }
 
  private:
   std::vector<RainMethod> methods_{RainMethod::thiessen};
-  std::size_t points_ = 2000;
+  PointSettings points_;
   const Option* points_option_ = nullptr;
+  const Option* interval_option_ = nullptr;
 };
 
 }  // namespace thiessen::cli

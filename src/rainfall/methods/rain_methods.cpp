@@ -8,6 +8,7 @@
 #include "base/utf8.h"
 #include "rainfall/methods/arithmetic_mean.h"
 #include "rainfall/methods/inverse_distance.h"
+#include "rainfall/methods/isohyetal_rainfall.h"
 #include "rainfall/methods/method_rainfall.h"
 #include "rainfall/methods/natural_neighbours.h"
 
@@ -51,6 +52,8 @@ const char* name_of(RainMethod method) {
       return InverseDistance::name;
     case RainMethod::natural:
       return NaturalNeighbours::name;
+    case RainMethod::isohyetal:
+      return IsohyetalRainfall::name;
   }
   throw std::logic_error("not a method");
 }
@@ -62,6 +65,7 @@ bool averages_points(RainMethod method) {
       return false;
     case RainMethod::idw:
     case RainMethod::natural:
+    case RainMethod::isohyetal:
       return true;
   }
   throw std::logic_error("not a method");
@@ -76,7 +80,8 @@ std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods
 }
 
 std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& methods,
-                                                const Weighing& weighing, std::size_t points,
+                                                const Weighing& weighing,
+                                                const PointSettings& points,
                                                 const ArealRainfallSettings& settings,
                                                 unsigned threads, Warnings& warnings) {
   const auto by = [&](std::unique_ptr<const AreaMethod> method) {
@@ -89,9 +94,13 @@ std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& m
       case RainMethod::arithmetic:
         return by(std::make_unique<const ArithmeticMean>(weighing));
       case RainMethod::idw:
-        return by(std::make_unique<const InverseDistance>(weighing, points, threads));
+        return by(std::make_unique<const InverseDistance>(weighing, points.points, threads));
       case RainMethod::natural:
-        return by(natural_neighbours(weighing, points, threads, warnings));
+        return by(natural_neighbours(weighing, points.points, threads, warnings));
+      case RainMethod::isohyetal:
+        return std::make_unique<const IsohyetalRainfall>(
+            weighing, by(natural_neighbours(weighing, points.points, threads, warnings)),
+            points.points, points.interval, threads);
     }
     throw std::logic_error("not a method");
   };

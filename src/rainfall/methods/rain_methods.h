@@ -13,9 +13,10 @@
 namespace thiessen {
 
 /// What areal rainfall is computed by.
-enum class RainMethod { thiessen, arithmetic, idw, natural };
+enum class RainMethod { thiessen, arithmetic, idw, natural, isohyetal };
 
-/// All methods, in the order of their columns.
+/// The methods that weigh gauges, in the order of their columns: what users mean by all. Isohyets
+/// come beside them where they are asked for.
 inline constexpr std::array all_methods{RainMethod::thiessen, RainMethod::arithmetic,
                                         RainMethod::idw, RainMethod::natural};
 
@@ -29,11 +30,18 @@ bool averages_points(RainMethod method);
 /// none.
 std::vector<std::string> names_of_methods(const std::vector<RainMethod>& methods);
 
-/// Gets ready to compute by one method, or by several in the order of their columns. `points`: how
-/// many in a basin a method takes its mean over, where it does. Warns of basins that reach beyond
-/// the gauges' hull, where natural neighbours are wanted. The weighing must outlive it.
+/// How methods that look at points of a basin do it.
+struct PointSettings {
+  std::size_t points = 2000;  ///< how many in a basin
+  double interval = 0;        ///< between isohyets; 0: a rounded step
+};
+
+/// Gets ready to compute by one method, or by several in the order of their columns. Warns of
+/// basins that reach beyond the gauges' hull, where natural neighbours are wanted. The weighing
+/// must outlive it.
 std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& methods,
-                                                const Weighing& weighing, std::size_t points,
+                                                const Weighing& weighing,
+                                                const PointSettings& points,
                                                 const ArealRainfallSettings& settings,
                                                 unsigned threads, Warnings& warnings);
 

@@ -17,14 +17,15 @@ TEST(RainCommand, DeclaresOptionsUnderTheirHeadings) {
 }
 
 TEST(RainCommand, AveragesPointsByMethodsThatHavePoints) {
-  EXPECT_EQ(refusal_with({"--grid", "500"}), "--grid is about --method idw, natural or all");
+  EXPECT_EQ(refusal_with({"--grid", "500"}),
+            "--grid is about --method idw, natural, isohyetal or all");
   EXPECT_EQ(refusal_with({"--grid", "500", "--method", "idw"}), "");
   EXPECT_EQ(refusal_with({"--grid", "500", "--method", "all"}), "");
 }
 
 TEST(RainCommand, KeepsTheAccountOfOneMethod) {
   EXPECT_EQ(refusal_with({"--method", "all", "--weights-log", "log.csv"}),
-            "--weights-log is the account of one method, and --method says all");
+            "--weights-log is the account of one method, and --method says several");
   EXPECT_EQ(refusal_with({"--method", "idw", "--weights-log", "log.csv"}), "");
 }
 

@@ -32,7 +32,7 @@ TEST(RainMethods, are_means_over_points_or_not) {
 
 std::vector<double> values_by(const std::vector<RainMethod>& methods, const Study& study) {
   Warnings warnings;
-  const auto rainfall = rainfall_by(methods, study.weighing, 300, {}, 1, warnings);
+  const auto rainfall = rainfall_by(methods, study.weighing, {300, 0}, {}, 1, warnings);
   std::vector<double> values;
   for (const BasinRainfall& basin : rainfall->at(textbook::readings()))
     values.push_back(basin.rainfall);
@@ -60,7 +60,7 @@ std::vector<std::string> warnings_of(const std::vector<RainMethod>& methods,
   const Study study({{"a", {0, -5}}, {"b", {0, 9}}, {"c", {-5, 2}}, {"d", {2, -5}}, {"e", {2, 9}}},
                     basins, plane);
   Warnings warnings;
-  rainfall_by(methods, study.weighing, 400, {}, 1, warnings);
+  rainfall_by(methods, study.weighing, {400, 0}, {}, 1, warnings);
   std::vector<std::string> sentences;
   for (const Message& message : warnings.messages()) sentences.push_back(message.sentence());
   return sentences;

@@ -1,0 +1,48 @@
+#include "rainfall/methods/isohyets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace thiessen {
+namespace {
+
+double rounded_step(double span) {
+  constexpr double levels_wanted = 8;
+  const double step = span / levels_wanted;
+  const double power = std::pow(10.0, std::floor(std::log10(step)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= step) return factor * power;
+  }
+  return 10 * power;
+}
+
+}  // namespace
+
+std::vector<double> isohyet_levels(double least, double largest, double interval) {
+  std::vector<double> levels;
+  if (!(largest > least)) return levels;
+  const double step = interval > 0 ? interval : rounded_step(largest - least);
+  if ((largest - least) / step > most_levels) throw std::length_error("too many isohyets");
+  for (double k = std::floor(least / step); k * step < largest; ++k) {
+    if (k * step > least) levels.push_back(k * step);
+  }
+  return levels;
+}
+
+double isohyetal_mean(std::span<const double> values, const ValueRange& range, double interval) {
+  std::vector<double> bounds = isohyet_levels(range.least, range.largest, interval);
+  bounds.insert(bounds.begin(), range.least);
+  bounds.push_back(range.largest);
+  std::vector<std::size_t> counts(bounds.size() - 1, 0);
+  for (const double value : values) {
+    const auto above = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, value);
+    ++counts[static_cast<std::size_t>(above - bounds.begin()) - 1];
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    sum += static_cast<double>(counts[i]) * ((bounds[i] + bounds[i + 1]) / 2);
+  return sum / static_cast<double>(values.size());
+}
+
+}  // namespace thiessen

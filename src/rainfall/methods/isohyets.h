@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace thiessen {
+
+/// The levels of isohyets strictly between the least and the largest value: multiples of the
+/// interval. Where that is 0 it is the rounded step (1, 2 or 5 times a power of ten) that makes
+/// about eight levels. None where the values are equal. Requires finite values, and an interval
+/// that makes no more than `most_levels`, else std::length_error.
+std::vector<double> isohyet_levels(double least, double largest, double interval);
+inline constexpr double most_levels = 10'000;
+
+/// The least and the largest value of some ground.
+struct ValueRange {
+  double least;
+  double largest;
+};
+
+/// The isohyetal mean of points that each stand for the same area: the areas between isohyets times
+/// their mid-levels. The outermost areas reach from the least value of the ground to the first
+/// level and from the last level to the largest. Requires at least one value, all in the range.
+double isohyetal_mean(std::span<const double> values, const ValueRange& range, double interval);
+
+}  // namespace thiessen
