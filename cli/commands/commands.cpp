@@ -10,6 +10,7 @@ Commands::Commands(std::string program) : Catalogue(std::move(program)) {
   add(make_weights_command());
   add(make_rain_command());
   add(make_map_command());
+  add(make_isohyets_command());
   add(make_check_command());
   add(make_tessel_command());
   add(make_help_command(*this));

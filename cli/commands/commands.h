@@ -12,6 +12,7 @@ std::unique_ptr<Command> make_cells_command();
 std::unique_ptr<Command> make_weights_command();
 std::unique_ptr<Command> make_rain_command();
 std::unique_ptr<Command> make_map_command();
+std::unique_ptr<Command> make_isohyets_command();
 std::unique_ptr<Command> make_check_command();
 std::unique_ptr<Command> make_tessel_command();
 /// Makes the command `help`, which explains the commands that the catalogue holds by now, and

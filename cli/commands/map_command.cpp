@@ -5,22 +5,33 @@
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
+#include "cli/options/isohyet_options.h"
 #include "cli/options/output_options.h"
+#include "cli/options/period_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/raster_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/encoded_files.h"
+#include "cli/outputs/grid_steps.h"
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
+#include "cli/terminal/progress.h"
+#include "files/netcdf_grid.h"
+#include "files/rainfall_file.h"
+#include "gdal/output/geotiff_grid.h"
 #include "gdal/output/raster_output.h"
 
 namespace thiessen::cli {
 namespace {
 
-enum class Kind { png, jpeg, svg, tiff };
+enum class Kind { png, jpeg, svg, tiff, netcdf };
+
+bool is_picture(Kind kind) {
+  return kind != Kind::tiff && kind != Kind::netcdf;
+}
 
 Kind kind_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
@@ -30,7 +41,8 @@ Kind kind_of(const std::string& path) {
   if (extension == "jpg" || extension == "jpeg") return Kind::jpeg;
   if (extension == "svg") return Kind::svg;
   if (extension == "tif" || extension == "tiff") return Kind::tiff;
-  throw UsageError{"a map is a .png, .jpg, .svg or .tif, not '" + printable(path) + "'", ""};
+  if (extension == "nc") return Kind::netcdf;
+  throw UsageError{"a map is a .png, .jpg, .svg, .tif or .nc, not '" + printable(path) + "'", ""};
 }
 
 PictureFormat format_of(Kind kind) {
@@ -44,7 +56,9 @@ class MapCommand : public Command {
     study_.declare(options(), Need::optional);
     rainfall_.declare(options(), Need::optional);
     view_.declare_time(options());
+    range_.declare_range(options());
     view_.declare_margin(options());
+    surface_.declare_surface(options());
     view_.declare_look(options());
     study_.declare_label(options());
     raster_.declare(options());
@@ -54,7 +68,7 @@ class MapCommand : public Command {
 
   const char* name() const override { return "map"; }
   const char* description() const override {
-    return "a picture (.png, .jpg, .svg), or a georeferenced raster (.tif)";
+    return "a picture (.png, .jpg, .svg), or a georeferenced raster (.tif, .nc)";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -65,33 +79,36 @@ class MapCommand : public Command {
     study_.check();
     rainfall_.check();
     view_.check(rainfall_.given(), study_.has_basins());
-    if (kind == Kind::tiff) {
-      view_.check_raster();
-      if (const Option* label = study_.label_option())
-        throw UsageError{label->name + " is about pictures, and a .tif is a raster",
-                         "leave it out"};
-    } else {
+    range_.check();
+    if (is_picture(kind)) {
       raster_.check_picture();
+    } else {
+      view_.check_raster();
+      check_label();
     }
+    if (kind == Kind::netcdf) raster_.check_netcdf();
+    check_steps();
+    check_surface(kind);
   }
 
   void run(Warnings& warnings) override {
     const Kind kind = kind_of(output_.output);
-    if (kind != Kind::tiff) {
+    if (is_picture(kind)) {
       check_picture_size(view_.width(), view_.height());
     }
     Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    if (raster_.of_steps) return write_grid(kind, outputs, warnings);
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
-    const unsigned threads = static_cast<unsigned>(common_.threads);
     if (kind == Kind::tiff) {
-      append_files(outputs, file,
-                   raster_of(inputs, shown, view_.time, raster_output(inputs, shown)));
+      append_files(
+          outputs, file,
+          raster_of(inputs, shown, view_.time, surface_.surface(), raster_output(inputs, shown)));
     } else {
-      const auto cells = cells_of(inputs, shown, threads);
+      const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
       file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_), format_of(kind),
                                  warnings));
     }
@@ -100,11 +117,85 @@ class MapCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
+  void check_label() const {
+    const Option* const label = study_.label_option();
+    if (label == nullptr) return;
+    throw UsageError{label->name + " is about pictures, and a raster is written", "leave it out"};
+  }
+
+  void check_surface(Kind kind) const {
+    if (!surface_.surface()) return;
+    if (!rainfall_.given())
+      throw UsageError{"--method is about rainfall between gauges, and there is no RAINFALL", ""};
+    if (kind == Kind::tiff && !raster_.of_steps) return;
+    const std::string name = name_of(*surface_.surface());
+    throw UsageError{
+        "--method " + name + " is of a raster of one time, a .tif",
+        raster_.of_steps ? "grids are of cells; --time shows a step" : "pictures are of cells"};
+  }
+
+  void check_steps() const {
+    if (!raster_.of_steps) {
+      const Option* const given = range_.first_given();
+      if (given == nullptr) return;
+      throw UsageError{given->name + " chooses time steps, and one raster or picture is written",
+                       "--steps writes a grid of them; --time shows one"};
+    }
+    if (!rainfall_.given()) throw UsageError{"--steps needs RAINFALL", ""};
+    if (!view_.time.empty()) {
+      throw UsageError{"--time shows one step, and --steps writes all",
+                       "--from and --to choose some; leave one of the two out"};
+    }
+    if (rainfall_.rainfall == "-") {
+      throw UsageError{"--steps reads RAINFALL twice, and standard input can be read once",
+                       "give a file"};
+    }
+  }
+
+  void write_grid(Kind kind, Outputs& outputs, Warnings& warnings) {
+    if (!can_be_read_again(rainfall_.rainfall)) {
+      throw UsageError{
+          "--steps reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
+          ""};
+    }
+    // A NetCDF is written to the disk by its library, a GeoTIFF into memory by GDAL.
+    const std::string foreign =
+        kind == Kind::netcdf ? outputs.add_foreign(output_.output) : std::string();
+    OutputFile* const file = kind == Kind::netcdf ? nullptr : &outputs.add(output_.output);
+    Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    Warnings told_later;
+    const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
+    const GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
+    const RasterOutput output = raster_output(inputs, nullptr);
+    if (kind == Kind::netcdf) {
+      NetcdfGrid grid(foreign, output, times_of(steps, rainfall_.name(), warnings));
+      fill_grid(inputs, steps, output, grid, warnings);
+      grid.close();
+      remove_side_files(outputs, output_.output);
+    } else {
+      GeoTiffGrid grid(output, steps.times);
+      fill_grid(inputs, steps, output, grid, warnings);
+      append_files(outputs, *file, grid.finish());
+    }
+    outputs.commit();
+  }
+
+  void fill_grid(Inputs& inputs, const GridSteps& steps, const RasterOutput& output, GridFile& grid,
+                 Warnings& warnings) const {
+    const auto readings = inputs.open_readings(study_, rainfall_, warnings, range_.times());
+    Progress progress("time step", common_.quiet,
+                      [&](std::size_t done) { return readings->share_of(done); });
+    write_steps(inputs, steps, *readings, output.grid, output.threads, grid,
+                [&] { progress.advance(); });
+  }
+
   RasterOutput raster_output(const Inputs& inputs, const GaugeReadings* shown) const {
     RasterOutput output;
     output.grid = raster_grid(inputs, raster_.resolution);
     output.crs = inputs.study().output_crs();
     output.made_by = provenance_of(inputs, study_, shown, view_.units);
+    if (surface_.surface()) output.made_by.method = name_of(*surface_.surface());
+    if (raster_.of_steps) output.made_by.unit = view_.units;
     output.path = output_.output;
     output.compression = raster_.compression;
     output.has_overviews = raster_.has_overviews;
@@ -114,6 +205,8 @@ class MapCommand : public Command {
 
   StudyOptions study_;
   RainfallOptions rainfall_;
+  PeriodOptions range_;
+  IsohyetOptions surface_;
   ViewOptions view_;
   RasterOptions raster_;
   OutputOptions output_;

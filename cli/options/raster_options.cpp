@@ -16,6 +16,21 @@ void RasterOptions::declare(OptionList& options) {
              "how a raster is made smaller; zstd is for programs that know it; default deflate");
   raster.add("--overviews", flag(has_overviews),
              "smaller copies within a .tif, by which viewers show large ones at once");
+  raster.add("--steps", flag(of_steps),
+             "a raster a time step, in the tessellation of the gauges that report then: the bands "
+             "of a .tif, or of a .nc (NetCDF by CF-1.8) the dimension time");
+}
+
+void RasterOptions::check_netcdf() const {
+  if (!of_steps) {
+    throw UsageError{"a .nc is a grid of time steps", "--steps writes it; a .tif holds one raster"};
+  }
+  if (compression == Compression::zstd) {
+    throw UsageError{"few programs read a NetCDF that is compressed by ZSTD",
+                     "--compress deflate is read by all"};
+  }
+  if (has_overviews)
+    throw UsageError{"--overviews are of a .tif, and a .nc is written", "leave it out"};
 }
 
 void RasterOptions::check_picture() const {

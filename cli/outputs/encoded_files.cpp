@@ -16,4 +16,8 @@ void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedF
   }
 }
 
+void remove_side_files(Outputs& outputs, const std::string& path) {
+  for (const std::string& name : side_files_of(path)) outputs.remove(name);
+}
+
 }  // namespace thiessen::cli

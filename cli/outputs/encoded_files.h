@@ -12,4 +12,7 @@ namespace thiessen::cli {
 /// files of an older output that this one lacks are removed with it.
 void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded);
 
+/// Has the side files of an older output at `path` removed with it; none is written anew.
+void remove_side_files(Outputs& outputs, const std::string& path);
+
 }  // namespace thiessen::cli

@@ -12,6 +12,7 @@
 #include "gdal/output/raster_file.h"
 #include "map/raster/owners.h"
 #include "map/raster/raster_grid.h"
+#include "map/raster/surface_rows.h"
 
 namespace thiessen::cli {
 namespace {
@@ -20,18 +21,6 @@ PointMapping mapping(const std::optional<Crs>& from, const std::optional<Crs>& t
   if (!from || !to || from->same_as(*to)) return [](std::vector<Point>&) {};
   const auto transformation = std::make_shared<Transformation>(*from, *to);
   return [transformation](std::vector<Point>& points) { transformation->apply_unproved(points); };
-}
-
-/// The shapes of the study area in the raster's coordinates.
-std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
-  const StudyFiles& study = inputs.study();
-  if (inputs.has_basins()) return study.native_basins;
-  const auto& to = study.output_crs();
-  const bool same = !study.crs || !to || study.crs->same_as(*to);
-  std::vector<MultiPolygon> areas;
-  for (const Basin& basin : study.basins)
-    areas.push_back(same ? basin.shape : mapped_extent(basin.shape, mapping(study.crs, to)));
-  return areas;
 }
 
 /// The values by a station's number; 0 stands for a pixel outside.
@@ -43,17 +32,34 @@ std::vector<float> values_by_number(std::span<const double> readings) {
 
 }  // namespace
 
+std::vector<MultiPolygon> areas_of(const Inputs& inputs) {
+  const StudyFiles& study = inputs.study();
+  if (inputs.has_basins()) return study.native_basins;
+  const auto& to = study.output_crs();
+  const bool same = !study.crs || !to || study.crs->same_as(*to);
+  std::vector<MultiPolygon> areas;
+  for (const Basin& basin : study.basins)
+    areas.push_back(same ? basin.shape : mapped_extent(basin.shape, mapping(study.crs, to)));
+  return areas;
+}
+
+PointMapping to_study(const Inputs& inputs) {
+  return mapping(inputs.study().output_crs(), inputs.study().crs);
+}
+
 PixelGrid raster_grid(const Inputs& inputs, double resolution) {
   return grid_over(areas_of(inputs), resolution);
 }
 
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   const std::string& time, const RasterOutput& output) {
+                                   const std::string& time,
+                                   const std::optional<SurfaceMethod>& surface,
+                                   const RasterOutput& output) {
   const StudyFiles& study = inputs.study();
   const ReportingStations reports = readings == nullptr ? inputs.all_report() : readings->reports();
   Owners owners(
       output.grid, areas_of(inputs), inputs.network(), study.metric, reports,
-      [&] { return mapping(study.output_crs(), study.crs); }, output.threads);
+      [&] { return to_study(inputs); }, output.threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings == nullptr) {
     std::vector<std::string> ids;
@@ -69,6 +75,19 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
     files.push_back(style.file(output.path));
     return files;
   }
+  const BandText text{readings->label, time, output.made_by.unit};
+  const RainfallStyle style(readings->readings, output.made_by.unit);
+  if (surface && reports.any()) {
+    SurfaceRows values(
+        output.grid, SurfaceRows::Extent::all,
+        [&] { return surface_of(*surface, inputs.network(), study.metric, readings->readings); },
+        [&] { return to_study(inputs); }, output.threads);
+    std::vector<EncodedFile> files = rainfall_geotiff(
+        output, [&](int row, int count) { return values.rows(row, count, rows(row, count)); }, text,
+        {});
+    files.push_back(style.file(output.path));
+    return files;
+  }
   const std::vector<float> by_number = values_by_number(readings->readings);
   std::vector<float> values;
   const auto value_rows = [&](int row, int count) -> std::span<const float> {
@@ -77,9 +96,7 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* re
       values.push_back(by_number[static_cast<std::size_t>(owner)]);
     return values;
   };
-  const RainfallStyle style(readings->readings, output.made_by.unit);
-  std::vector<EncodedFile> files = rainfall_geotiff(
-      output, value_rows, {readings->label, time, output.made_by.unit}, style.classes());
+  std::vector<EncodedFile> files = rainfall_geotiff(output, value_rows, text, style.classes());
   files.push_back(style.file(output.path));
   return files;
 }

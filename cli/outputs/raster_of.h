@@ -1,23 +1,36 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/inputs/inputs.h"
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/raster_output.h"
+#include "geometry/point_mapping.h"
+#include "geometry/polygon.h"
+#include "rainfall/methods/rain_surface.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
+
+/// The shapes of the study area, in the raster's coordinates.
+std::vector<MultiPolygon> areas_of(const Inputs& inputs);
+
+/// A mapping from the raster's coordinates to the study's, for use by one thread.
+PointMapping to_study(const Inputs& inputs);
 
 /// The pixels over the study area. `resolution` is a pixel's side; 0 gives the longer side 2,000
 /// pixels. Throws Error where there would be too many.
 PixelGrid raster_grid(const Inputs& inputs, double resolution);
 
-/// The GeoTIFF `output.path` and its side files, of which one
-/// is a style for QGIS (`.qml`). A pixel holds the number of the nearest station,
-/// or where there are readings the rainfall, which is that of `time`; empty where it is a mean.
+/// The GeoTIFF `output.path` and its side files, of which one is a style for QGIS (`.qml`). A pixel
+/// holds the number of the nearest station, or where there are readings the rainfall, which is that
+/// of `time`; empty where it is a mean. The rainfall is that of the cells, or of the surface if
+/// there is one.
 std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   const std::string& time, const RasterOutput& output);
+                                   const std::string& time,
+                                   const std::optional<SurfaceMethod>& surface,
+                                   const RasterOutput& output);
 
 }  // namespace thiessen::cli

@@ -40,7 +40,8 @@ NetcdfGrid::NetcdfGrid(const std::string& file, const RasterOutput& output, cons
     throw Error(Message{output.path, 0, "few programs read a NetCDF that is compressed by ZSTD",
                         setting("compress", "deflate") + " is read by all"});
   }
-  // Where the disk was full, HDF5 would crash as the program ends: it tries to close the file again.
+  // Where the disk was full, HDF5 would crash as the program ends: it tries to close the file
+  // again.
   H5dont_atexit();
   check(nc_create(file.c_str(), NC_NETCDF4 | NC_NOCLOBBER, &file_));
   define(times);

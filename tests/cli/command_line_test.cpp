@@ -42,8 +42,8 @@ TEST(CommandLine, TellsAnUnknownOptionBeforeAllElse) {
 }
 
 TEST(CommandLine, NamesTheCommandsThatHaveAnOption) {
-  EXPECT_TRUE(
-      error_of({"weights", "--resolution", "5"}).hint.starts_with("it is an option of map;"));
+  EXPECT_TRUE(error_of({"weights", "--resolution", "5"})
+                  .hint.starts_with("it is an option of map and isohyets;"));
 }
 
 TEST(CommandLine, SaysWhereTheHelpIs) {

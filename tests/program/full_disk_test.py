@@ -5,8 +5,10 @@ A limit on the size of files stands for the disk: a write beyond it fails as on 
 
 import errno
 import os
+import pathlib
 import resource
 import signal
+import tempfile
 import unittest
 
 from thiessen import SAMPLES, ProgramTest
@@ -55,6 +57,15 @@ class FullDisk(ProgramTest):
 
     def test_picture(self):
         self.assert_fails_cleanly(9973, "map.png", "map", *INPUTS)
+
+    def test_grid(self):
+        dated = INPUTS[2].read_text(encoding="utf-8").replace("storm", "2020-01-01")
+        scratch = tempfile.TemporaryDirectory(prefix="thiessen-test-")
+        self.addCleanup(scratch.cleanup)
+        rainfall = pathlib.Path(scratch.name) / "rainfall.csv"
+        rainfall.write_text(dated, encoding="utf-8")
+        self.assert_fails_cleanly(9973, "map.nc", "map", *INPUTS[:2], rainfall, "--resolution", "0.02", "--steps",
+                                  "--metric", "planar")
 
     def test_raster(self):
         self.assert_fails_cleanly(200_003, "map.tif", "map", *INPUTS[:2], "--resolution", "0.02")

@@ -1,6 +1,5 @@
 #include "gdal/output/cells_layer.h"
 
-#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -18,6 +17,7 @@
 #include "gdal/crs/crs_definition.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
+#include "gdal/output/fixed_date.h"
 #include "gdal/output/layer_readback.h"
 #include "gdal/output/memory_files.h"
 #include "gdal/output/written_validity.h"
@@ -26,16 +26,6 @@ namespace thiessen {
 namespace {
 
 constexpr const char* layer_name = "cells";
-
-/// Fixes the date that GDAL writes for as long as it lives, so that the same cells make the same
-/// bytes on any day.
-class FixedDate {
- public:
-  FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "1970-01-01T00:00:00.000Z"); }
-  ~FixedDate() { CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr); }
-  FixedDate(const FixedDate&) = delete;
-  FixedDate& operator=(const FixedDate&) = delete;
-};
 
 /// Which texts a driver's files hold without a limit of their length, names and letters.
 bool holds_any_text(std::string_view driver) {

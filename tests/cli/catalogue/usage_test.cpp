@@ -23,8 +23,10 @@ TEST_F(Usage, an_unknown_option_is_answered_with_the_nearest_of_the_command) {
 }
 
 TEST_F(Usage, an_option_of_other_commands_is_answered_with_these) {
-  EXPECT_TRUE(unknown("weights", "--resolution").hint.starts_with("it is an option of map;"));
-  EXPECT_TRUE(unknown("tessel", "--time").hint.starts_with("it is an option of cells and map;"));
+  EXPECT_TRUE(
+      unknown("weights", "--resolution").hint.starts_with("it is an option of map and isohyets;"));
+  EXPECT_TRUE(
+      unknown("tessel", "--time").hint.starts_with("it is an option of cells, map and isohyets;"));
 }
 
 TEST_F(Usage, without_a_command_the_options_of_all_are_compared) {

@@ -13,7 +13,7 @@ TEST(MapCommand, KnowsAMapByItsExtension) {
   for (const char* file : {"map.png", "map.JPG", "map.jpeg", "map.tif", "MAP.TIFF"})
     EXPECT_EQ(refusal({"map", "stations", "-o", file}), "");
   EXPECT_EQ(refusal({"map", "stations", "-o", "map"}),
-            "a map is a .png, .jpg, .svg or .tif, not 'map'");
+            "a map is a .png, .jpg, .svg, .tif or .nc, not 'map'");
   EXPECT_EQ(refusal({"map", "stations"}), "-o map.png is missing");
 }
 

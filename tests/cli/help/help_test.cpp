@@ -53,9 +53,9 @@ TEST_F(HelpTest, the_usage_line_has_arguments_and_what_is_required) {
 
 TEST_F(HelpTest, begins_with_what_the_command_does_and_ends_with_an_example_that_runs) {
   const std::string text = help("map");
-  EXPECT_TRUE(
-      text.starts_with("A picture (.png, .jpg, .svg), or a georeferenced raster (.tif)\n\nUsage: "
-                       "thiessen map "));
+  EXPECT_TRUE(text.starts_with(
+      "A picture (.png, .jpg, .svg), or a georeferenced raster (.tif, .nc)\n\nUsage: "
+      "thiessen map "));
   EXPECT_TRUE(contains(text, "\nExample, in the folder of the clone:\n  ./build/thiessen map "));
   EXPECT_TRUE(text.ends_with("\n"));
 }

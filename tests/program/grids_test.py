@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Grids of time steps: every band is the raster of its step alone, and GDAL, xarray and R's terra read the right times."""
+
+import json
+import shutil
+import subprocess
+import sys
+import unittest
+
+import thiessen
+
+COLORADO = thiessen.SAMPLES / "colorado"
+INPUTS = (COLORADO / "stations.csv", COLORADO / "counties.geojson", COLORADO / "rainfall.csv")
+PIXELS = ("--resolution", "0.1", "-q")
+
+STATIONS = "id,x,y\na,0.5,0.5\nb,2.5,0.5\nc,1.5,3.5\n"
+BASIN = 'basin,wkt\nB,"POLYGON((0 0,3 0,3 4,0 4,0 0))"\n'
+
+
+def lines_of(*command):
+    return subprocess.run(command, check=True, text=True, capture_output=True).stdout.splitlines()
+
+
+def python_with(module):
+    """A Python that has the module: this one, or the system's."""
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", f"import {module}"], capture_output=True).returncode == 0:
+            return python
+    return None
+
+
+class GridsTest(thiessen.ProgramTest):
+    def pixels_of(self, file, band):
+        """The pixels of a band, as GDAL writes them in an ASCII grid."""
+        subprocess.run(["gdal_translate", "-q", "-b", str(band), "-of", "XYZ", self.folder / file, self.folder / "x"],
+                       check=True)
+        return (self.folder / "x").read_text()
+
+    def test_a_band_is_the_raster_of_its_step(self):
+        span = ("--from", "1990-01", "--to", "1990-04")
+        self.output("map", *INPUTS, "-o", "g.tif", "--steps", *span, *PIXELS)
+        self.output("map", *INPUTS, "-o", "g.nc", "--steps", *span, *PIXELS)
+        for band, time in enumerate(("1990-01", "1990-02", "1990-03", "1990-04"), 1):
+            self.output("map", *INPUTS, "-o", f"{time}.tif", "--time", time, *PIXELS)
+            alone = self.pixels_of(f"{time}.tif", 1)
+            self.assertTrue(alone == self.pixels_of("g.tif", band), time)
+            # GDAL's grid of the NetCDF has its coordinates from the pixels' centres: compare the values.
+            values = [line.split()[2] for line in alone.splitlines()]
+            self.assertTrue(values == [line.split()[2] for line in self.pixels_of("g.nc", band).splitlines()], time)
+
+    def textbook_grid(self, output, *options, times=("2020-02-28", "2020-02-29", "2020-03-01")):
+        self.write("s.csv", STATIONS)
+        self.write("b.csv", BASIN)
+        readings = ("1,2,3", "1,,3", "4,5,6")
+        self.write("r.csv", "time,a,b,c\n" + "".join(f"{t},{r}\n" for t, r in zip(times, readings)))
+        return self.run_program("map", "s.csv", "b.csv", "r.csv", "-o", output, "--steps", "--metric", "planar",
+                                "--resolution", "1", "--units", "mm/d", *options)
+
+    def test_gdalinfo_shows_the_bands_with_their_times_and_unit(self):
+        ran = self.textbook_grid("g.tif")
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        info = json.loads("\n".join(lines_of("gdalinfo", "-json", self.folder / "g.tif")))
+        self.assertEqual([band["description"] for band in info["bands"]], ["2020-02-28", "2020-02-29", "2020-03-01"])
+        for band in info["bands"]:
+            self.assertEqual(band["unit"], "mm/d")
+            self.assertEqual(band["metadata"][""], {"time": band["description"], "units": "mm/d"})
+        self.assertTrue(info["metadata"][""]["TIFFTAG_SOFTWARE"].startswith("thiessen"))
+        # By hand: the pixels' centres from the north; b is silent on the second day, and (2.5, 1.5) is then as near to a
+        # as to c, so that the lower number has it.
+        first = "3 3 3  3 3 3  1 1 2  1 1 2".split()
+        self.assertEqual([line.split()[2] for line in self.pixels_of("g.tif", 1).splitlines()], first)
+        second = "3 3 3  3 3 3  1 1 1  1 1 1".split()
+        self.assertEqual([line.split()[2] for line in self.pixels_of("g.tif", 2).splitlines()], second)
+
+    def test_gdalinfo_shows_the_times_of_a_netcdf(self):
+        self.assertEqual(self.textbook_grid("g.nc").returncode, 0)
+        info = "\n".join(lines_of("gdalinfo", self.folder / "g.nc"))
+        self.assertIn("time#units=seconds since 1970-01-01 00:00:00", info)
+        self.assertIn("NETCDF_DIM_time_VALUES={1582848000,1582934400,1583020800}", info)
+        self.assertIn("Unit Type: mm/d", info)
+        self.assertIn("Origin = (0.000000000000000,4.000000000000000)", info)
+
+    def test_a_netcdf_has_its_crs(self):
+        self.output("map", *INPUTS, "-o", "g.nc", "--steps", "--from", "1990-01", "--to", "1990-01", *PIXELS)
+        info = "\n".join(lines_of("gdalinfo", self.folder / "g.nc"))
+        self.assertIn('ID["EPSG",4326]', info)
+        self.assertIn("rainfall#grid_mapping=crs", info)
+        self.assertIn("crs#grid_mapping_name=latitude_longitude", info)
+
+    def test_xarray_opens_it_with_times_and_their_bounds(self):
+        python = python_with("xarray")
+        if python is None:
+            self.skipTest("python3-xarray is not installed")
+        self.assertEqual(self.textbook_grid("g.nc").returncode, 0)
+        script = """import sys, xarray
+grid = xarray.open_dataset(sys.argv[1])
+print(grid.rainfall.dims, grid.rainfall.dtype, grid.rainfall.attrs["units"], grid.attrs["Conventions"])
+print(*grid.time.values.astype("datetime64[m]"))
+print(*grid.time_bnds.values.astype("datetime64[m]").ravel())
+print(*grid.x.values, *grid.y.values)
+print(*grid.rainfall.sel(time="2020-02-29").values.ravel())
+"""
+        self.assertEqual(lines_of(python, "-c", script, self.folder / "g.nc"), [
+            "('time', 'y', 'x') float32 mm/d CF-1.8",
+            "2020-02-28T00:00 2020-02-29T00:00 2020-03-01T00:00",
+            "2020-02-28T00:00 2020-02-29T00:00 2020-02-29T00:00 2020-03-01T00:00 2020-03-01T00:00 2020-03-02T00:00",
+            "0.5 1.5 2.5 3.5 2.5 1.5 0.5",
+            "3.0 3.0 3.0 3.0 3.0 3.0 1.0 1.0 1.0 1.0 1.0 1.0",
+        ])
+
+    def test_terra_opens_it_with_times(self):
+        has_terra = shutil.which("Rscript") and subprocess.run(
+            ["Rscript", "-e", "library(terra)"], capture_output=True).returncode == 0
+        if not has_terra:
+            self.skipTest("R's terra (r-cran-terra) is not installed")
+        self.assertEqual(self.textbook_grid("g.nc").returncode, 0)
+        script = 'suppressMessages(library(terra)); g <- rast(commandArgs(TRUE)[1], "rainfall"); ' \
+                 'cat(format(time(g), "%Y-%m-%d", tz="UTC"), nlyr(g), values(g)[, 2], units(g)[1])'
+        self.assertEqual(lines_of("Rscript", "-e", script, self.folder / "g.nc"),
+                         ["2020-02-28 2020-02-29 2020-03-01 3 3 3 3 3 3 3 1 1 1 1 1 1 mm/d"])
+
+    def test_times_of_no_calendar_are_an_error_that_says_to_use_a_tif(self):
+        labels = ("first", "second", "third")
+        ran = self.textbook_grid("g.nc", times=labels)
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("'first' is no time of the calendar", ran.stderr)
+        self.assertIn("hint: a .tif takes any times", ran.stderr)
+        self.assertFalse((self.folder / "g.nc").exists())
+        self.assertEqual(self.textbook_grid("g.tif", times=labels).returncode, 0)
+
+    def test_a_grid_is_the_same_whatever_the_threads_and_leaves_nothing_else(self):
+        for output in ("g.tif", "g.nc"):
+            bytes_ = set()
+            for threads in ("1", "2"):
+                self.assertEqual(self.textbook_grid(output, "--threads", threads, "--overwrite").returncode, 0)
+                bytes_.add((self.folder / output).read_bytes())
+            self.assertEqual(len(bytes_), 1, output)
+        names = sorted(path.name for path in self.folder.iterdir())
+        self.assertEqual(names, ["b.csv", "g.nc", "g.tif", "r.csv", "s.csv"])
+
+
+if __name__ == "__main__":
+    unittest.main()
