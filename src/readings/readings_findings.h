@@ -12,10 +12,10 @@
 
 #include "base/error.h"
 #include "rainfall/series/readings.h"
-#include "readings/mixed_steps.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_reader.h"
 #include "readings/readings_stations.h"
+#include "readings/steps/mixed_steps.h"
 
 namespace thiessen {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "rainfall/network/network.h"
-#include "readings/mixed_steps.h"
 #include "readings/readings_grammar.h"
+#include "readings/steps/mixed_steps.h"
 
 namespace thiessen {
 namespace {

@@ -12,8 +12,8 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/step_intervals.h"
-#include "readings/monthly_readings.h"
-#include "readings/spaced_readings.h"
+#include "readings/steps/monthly_readings.h"
+#include "readings/steps/spaced_readings.h"
 
 namespace thiessen {
 

@@ -1,4 +1,4 @@
-#include "readings/monthly_readings.h"
+#include "readings/steps/monthly_readings.h"
 
 #include <gtest/gtest.h>
 

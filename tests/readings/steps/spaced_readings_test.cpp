@@ -1,4 +1,4 @@
-#include "readings/spaced_readings.h"
+#include "readings/steps/spaced_readings.h"
 
 #include <gtest/gtest.h>
 

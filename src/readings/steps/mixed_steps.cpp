@@ -1,4 +1,4 @@
-#include "readings/mixed_steps.h"
+#include "readings/steps/mixed_steps.h"
 
 #include <algorithm>
 #include <cmath>

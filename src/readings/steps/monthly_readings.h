@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "base/iso_time.h"
-#include "readings/spaced_readings.h"
+#include "readings/steps/spaced_readings.h"
 
 namespace thiessen {
 
