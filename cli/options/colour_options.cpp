@@ -1,38 +1,16 @@
 #include "cli/options/colour_options.h"
 
-#include <algorithm>
-#include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
-#include "base/number.h"
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
 namespace {
-
-/// Numbers with commas between them; nothing where one of them is none.
-std::optional<std::vector<double>> numbers_in(const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto number = parse_number(std::string_view(text).substr(begin, end - begin));
-    if (!number) return std::nullopt;
-    numbers.push_back(number.value);
-    begin = end + 1;
-  }
-  return numbers;
-}
-
-bool is_ascending(const std::vector<double>& numbers) {
-  return std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) ==
-         numbers.end();
-}
 
 OptionValue breaks(ClassRule& rule) {
   OptionValue value;
@@ -44,8 +22,8 @@ OptionValue breaks(ClassRule& rule) {
     } else if (text == "equal") {
       rule.kind = ClassRule::Kind::equal;
     } else {
-      auto numbers = numbers_in(text);
-      if (!numbers || !is_ascending(*numbers))
+      auto numbers = rising_numbers_in(text);
+      if (!numbers)
         throw WrongValue{"wants rising numbers with commas between them, quantile or equal, not '" +
                          printable(text) + "'"};
       rule.kind = ClassRule::Kind::breaks;
@@ -59,8 +37,8 @@ OptionValue range(std::optional<ClassRule::Range>& target) {
   OptionValue value;
   value.kind = "A,B";
   value.read = [&target](const std::string& text) {
-    const auto numbers = numbers_in(text);
-    if (!numbers || numbers->size() != 2 || !is_ascending(*numbers))
+    const auto numbers = rising_numbers_in(text);
+    if (!numbers || numbers->size() != 2)
       throw WrongValue{"wants two rising numbers with a comma between them, not '" +
                        printable(text) + "'"};
     target = {numbers->front(), numbers->back()};
@@ -72,7 +50,7 @@ OptionValue range(std::optional<ClassRule::Range>& target) {
 
 void ColourOptions::declare(OptionList& options) {
   OptionGroup picture = options.group("Picture", *this);
-  breaks_option_ = &picture.add(
+  picture.add(
       "--breaks", breaks(rule),
       "where classes of rainfall meet; default quantile where the largest value is over four times "
       "the median, else equal; 0 is a class of its own");

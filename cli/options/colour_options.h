@@ -14,9 +14,6 @@ class ColourOptions : public OptionBlock {
   /// Throws UsageError where an option cannot act: without RAINFALL, or where two say different
   /// things of the same classes.
   void check(bool has_rainfall) const;
-
- private:
-  const Option* breaks_option_ = nullptr;
 };
 
 }  // namespace thiessen::cli

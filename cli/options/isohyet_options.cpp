@@ -1,9 +1,8 @@
 #include "cli/options/isohyet_options.h"
 
-#include <algorithm>
 #include <string>
+#include <utility>
 
-#include "base/number.h"
 #include "base/utf8.h"
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
@@ -23,17 +22,11 @@ OptionValue rising_numbers(std::vector<double>& target) {
   OptionValue value;
   value.kind = "A,B,...";
   value.read = [&target](const std::string& text) {
-    target.clear();
-    for (std::size_t at = 0; at <= text.size();) {
-      const std::size_t comma = std::min(text.find(',', at), text.size());
-      const auto number = parse_number(text.substr(at, comma - at));
-      if (!number || (!target.empty() && !(number.value > target.back()))) {
-        throw WrongValue{"is not a list of rising numbers such as 10,20,50, but " +
-                         quoted(text, 80)};
-      }
-      target.push_back(number.value);
-      at = comma + 1;
+    auto numbers = rising_numbers_in(text);
+    if (!numbers) {
+      throw WrongValue{"is not a list of rising numbers such as 10,20,50, but " + quoted(text, 80)};
     }
+    target = *std::move(numbers);
   };
   return value;
 }

@@ -147,6 +147,18 @@ OptionValue pixel_size(PixelSize& target) {
   return value_of("WxH", [&target](const std::string& text) { target = read_pixel_size(text); });
 }
 
+std::optional<std::vector<double>> rising_numbers_in(const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto number = parse_number(text.substr(begin, end - begin));
+    if (!number || (!numbers.empty() && !(number.value > numbers.back()))) return std::nullopt;
+    numbers.push_back(number.value);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
 std::string listed_choices(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : "|") + name;

@@ -48,6 +48,10 @@ OptionValue folder(std::string& target, const std::string& kind);
 OptionValue iso_time(std::optional<IsoTime>& target);
 /// Points of an option that may be repeated: each is two numbers with a comma between them.
 OptionValue points(std::vector<Point>& target);
+/// Numbers with commas between them, each larger than the one before, as A,B,... is read; nothing
+/// where the text is anything else.
+std::optional<std::vector<double>> rising_numbers_in(const std::string& text);
+
 /// One character, or `tab`.
 OptionValue separator(char& target);
 
