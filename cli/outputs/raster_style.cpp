@@ -5,16 +5,11 @@
 #include <charconv>
 #include <cmath>
 
-#include "map/sheet/palette.h"
 #include "map/sheet/qgis_style.h"
 #include "map/sheet/rainfall_classes.h"
 
 namespace thiessen::cli {
 namespace {
-
-RasterColour raster_colour(Colour colour) {
-  return {colour.red, colour.green, colour.blue};
-}
 
 /// The place at which QGIS looks for the style of a raster.
 std::string style_path(const std::string& path) {
@@ -52,29 +47,16 @@ void StationStyle::note(std::span<const std::int32_t> rows) {
 
 void StationStyle::touch(std::int32_t a, std::int32_t b) {
   if (a == b || a == 0 || b == 0) return;
-  const auto [low, high] = std::minmax(a, b);
-  const std::pair pair(static_cast<std::uint32_t>(low - 1), static_cast<std::uint32_t>(high - 1));
-  if (!pairs_.empty() && pairs_.back() == pair) return;
-  pairs_.push_back(pair);
-  if (pairs_.size() >= most_) sort_out();
+  pairs_.add(static_cast<std::uint32_t>(a - 1), static_cast<std::uint32_t>(b - 1));
 }
 
-void StationStyle::sort_out() {
-  std::sort(pairs_.begin(), pairs_.end());
-  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
-  most_ = std::max(most_, 2 * pairs_.size());
-}
-
-std::vector<RasterColour> StationStyle::colours() {
-  sort_out();
+const std::vector<Colour>& StationStyle::colours() {
   const auto palette = categorical_colours();
   colours_.clear();
-  std::vector<RasterColour> result;
-  for (const std::uint8_t chosen : colour_neighbours(ids_.size(), pairs_, palette.size())) {
+  for (const std::uint8_t chosen : colour_neighbours(ids_.size(), pairs_.pairs(), palette.size())) {
     colours_.push_back(palette[chosen]);
-    result.push_back(raster_colour(palette[chosen]));
   }
-  return result;
+  return colours_;
 }
 
 EncodedFile StationStyle::file(const std::string& path) const {
@@ -103,15 +85,9 @@ RainfallStyle::RainfallStyle(std::span<const double> readings, std::string unit)
   }
 }
 
-std::vector<RasterClass> RainfallStyle::classes() const {
-  std::vector<RasterClass> result;
-  for (const Class& c : classes_) result.push_back({c.low, c.high, raster_colour(c.colour)});
-  return result;
-}
-
 EncodedFile RainfallStyle::file(const std::string& path) const {
   std::vector<StyleEntry> entries;
-  for (const Class& c : classes_) {
+  for (const RasterClass& c : classes_) {
     const std::string range =
         c.low == c.high ? short_text(c.low) : short_text(c.low) + " to " + short_text(c.high);
     entries.push_back({c.high, unit_.empty() ? range : range + " " + unit_, c.colour});

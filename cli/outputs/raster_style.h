@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "base/colour.h"
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/raster_colours.h"
-#include "map/ink/canvas.h"
+#include "map/sheet/palette.h"
 
 namespace thiessen::cli {
 
@@ -24,20 +24,18 @@ class StationStyle {
   /// Notes which numbers lie beside each other in these rows, and in the last row before them.
   void note(std::span<const std::int32_t> rows);
   /// Chooses the colours of all stations. To be called when all rows are noted.
-  std::vector<RasterColour> colours();
+  const std::vector<Colour>& colours();
   /// The style for QGIS of the raster at `path`: the stations that own a pixel.
   EncodedFile file(const std::string& path) const;
 
  private:
   void touch(std::int32_t a, std::int32_t b);
-  void sort_out();
 
   std::vector<std::string> ids_;
   std::size_t columns_;
   std::vector<std::int32_t> last_row_;
   std::vector<bool> owns_;  ///< by a station's number; entry 0 is of pixels outside
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::size_t most_ = 1'000'000;  ///< pairs that are kept before repeated ones are taken out
+  TouchingPairs pairs_;
   std::vector<Colour> colours_;
 };
 
@@ -47,19 +45,13 @@ class RainfallStyle {
   /// `readings` are by station, NaN where there is none.
   RainfallStyle(std::span<const double> readings, std::string unit);
 
-  std::vector<RasterClass> classes() const;
+  /// The readings of one colour lie between a class's ends, as a raster of floats holds them.
+  const std::vector<RasterClass>& classes() const { return classes_; }
   /// The style for QGIS of the raster at `path`.
   EncodedFile file(const std::string& path) const;
 
  private:
-  /// The readings of one colour lie between these, as a raster of floats holds them.
-  struct Class {
-    double low;
-    double high;
-    Colour colour;
-  };
-
-  std::vector<Class> classes_;
+  std::vector<RasterClass> classes_;
   std::string unit_;
 };
 

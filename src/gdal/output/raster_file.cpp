@@ -41,7 +41,7 @@ void add_colour_columns(GDALDefaultRasterAttributeTable& table) {
 }
 
 /// Sets the colour in the columns from the third on.
-void set_colour(GDALDefaultRasterAttributeTable& table, int row, const RasterColour& colour) {
+void set_colour(GDALDefaultRasterAttributeTable& table, int row, const Colour& colour) {
   constexpr int red = 2;
   table.SetValue(row, red, int{colour.red});
   table.SetValue(row, red + 1, int{colour.green});
@@ -51,7 +51,7 @@ void set_colour(GDALDefaultRasterAttributeTable& table, int row, const RasterCol
 /// `colours` is empty or has the colour of each station.
 GDALDefaultRasterAttributeTable table_of(const std::vector<std::string>& ids,
                                          const std::vector<bool>& is_owner,
-                                         const std::vector<RasterColour>& colours) {
+                                         const std::vector<Colour>& colours) {
   GDALDefaultRasterAttributeTable table;
   table.CreateColumn("value", GFT_Integer, GFU_MinMax);
   table.CreateColumn("station", GFT_String, GFU_Name);
@@ -98,8 +98,7 @@ std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerR
     note_owners(some, is_owner);
     return some;
   });
-  writer.set_table(
-      table_of(station_ids, is_owner, colours ? colours() : std::vector<RasterColour>()));
+  writer.set_table(table_of(station_ids, is_owner, colours ? colours() : std::vector<Colour>()));
   return writer.finish();
 }
 

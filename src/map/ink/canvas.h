@@ -1,24 +1,15 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "base/colour.h"
 #include "geometry/point.h"
 #include "geometry/polygon.h"
 #include "map/ink/set_text.h"
 
 namespace thiessen {
-
-/// A colour in the three channels of a pixel, each from 0 to 255.
-struct Colour {
-  std::uint8_t red = 0;
-  std::uint8_t green = 0;
-  std::uint8_t blue = 0;
-
-  friend bool operator==(const Colour&, const Colour&) = default;
-};
 
 /// A rectangle of whole pixels: (x, y) is its upper left, and it reaches `width` to the right and
 /// `height` down.

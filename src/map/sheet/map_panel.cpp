@@ -12,28 +12,14 @@
 namespace thiessen {
 namespace {
 
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-void sort_out(std::vector<Pair>& pairs) {
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-}
-
-/// The pairs of gauges whose cells touch in the raster of pixels. Memory does not grow with the
-/// pixels.
-std::vector<Pair> touching_gauges(const Picture& picture, const LabelImage& cells) {
-  std::vector<Pair> pairs;
-  std::size_t most = 1'000'000;
+/// The pairs of gauges whose cells touch in the raster of pixels.
+TouchingPairs touching_gauges(const Picture& picture, const LabelImage& cells) {
+  TouchingPairs pairs;
+  const auto gauge_of = [&](std::int32_t cell) {
+    return static_cast<std::uint32_t>(picture.cells[static_cast<std::size_t>(cell)].gauge);
+  };
   const auto touch = [&](std::int32_t a, std::int32_t b) {
-    if (a == b || a < 0 || b < 0) return;
-    const auto i = static_cast<std::uint32_t>(picture.cells[static_cast<std::size_t>(a)].gauge);
-    const auto j = static_cast<std::uint32_t>(picture.cells[static_cast<std::size_t>(b)].gauge);
-    const Pair pair = std::minmax(i, j);
-    if (i == j || (!pairs.empty() && pairs.back() == pair)) return;
-    pairs.push_back(pair);
-    if (pairs.size() < most) return;
-    sort_out(pairs);
-    most = std::max(most, 2 * pairs.size());
+    if (a != b && a >= 0 && b >= 0) pairs.add(gauge_of(a), gauge_of(b));
   };
   for (int y = 0; y < cells.height(); ++y) {
     for (int x = 0; x < cells.width(); ++x) {
@@ -41,7 +27,6 @@ std::vector<Pair> touching_gauges(const Picture& picture, const LabelImage& cell
       if (y + 1 < cells.height()) touch(cells.at(x, y), cells.at(x, y + 1));
     }
   }
-  sort_out(pairs);
   return pairs;
 }
 
@@ -54,8 +39,8 @@ std::size_t gauge_count(const Picture& picture) {
 /// The colour of each cell by station.
 std::vector<Colour> station_colours(const Picture& picture, const LabelImage& cells) {
   const auto palette = categorical_colours();
-  const std::vector<std::uint8_t> chosen =
-      colour_neighbours(gauge_count(picture), touching_gauges(picture, cells), palette.size());
+  const std::vector<std::uint8_t> chosen = colour_neighbours(
+      gauge_count(picture), touching_gauges(picture, cells).pairs(), palette.size());
   std::vector<Colour> colours;
   for (const PictureCell& cell : picture.cells) colours.push_back(palette[chosen[cell.gauge]]);
   return colours;

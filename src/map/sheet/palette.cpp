@@ -103,6 +103,16 @@ std::vector<std::uint32_t> smallest_first(const Adjacency& neighbours, std::size
 
 }  // namespace
 
+void TouchingPairs::add(std::uint32_t a, std::uint32_t b) {
+  const Pair pair = std::minmax(a, b);
+  if (a == b || (!pairs_.empty() && pairs_.back() == pair)) return;
+  pairs_.push_back(pair);
+  if (pairs_.size() < most_) return;
+  std::sort(pairs_.begin(), pairs_.end());
+  pairs_.erase(std::unique(pairs_.begin(), pairs_.end()), pairs_.end());
+  most_ = std::max(most_, 2 * pairs_.size());
+}
+
 Colour sequential_colour(Palette palette, std::size_t index, std::size_t count) {
   const std::span<const Colour> anchors = anchors_of(palette);
   const double last = static_cast<double>(anchors.size() - 1);

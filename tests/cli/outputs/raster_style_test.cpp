@@ -8,7 +8,7 @@
 namespace thiessen::cli {
 namespace {
 
-bool differ(const RasterColour& a, const RasterColour& b) {
+bool differ(const Colour& a, const Colour& b) {
   return std::tie(a.red, a.green, a.blue) != std::tie(b.red, b.green, b.blue);
 }
 

@@ -101,7 +101,7 @@ TEST(RasterFile, owners_have_the_colours_that_are_chosen_when_all_pixels_are_kno
   const auto files =
       owners_geotiff(output_to(folder.path("map.tif")), rows_of(owners, 300), {"A", "B"}, [&] {
         ++asked;
-        return std::vector<RasterColour>{{1, 2, 3}, {169, 207, 226}};
+        return std::vector<Colour>{{1, 2, 3}, {169, 207, 226}};
       });
   EXPECT_EQ(asked, 1);
   const std::string info = info_of(folder, files);
