@@ -62,7 +62,7 @@ Command* CommandLine::parse(std::vector<std::string> arguments) {
   try {
     read_options(command->options(), said);
   } catch (UsageError& error) {
-    error.hint = where_help_is(*command);
+    if (error.hint.empty()) error.hint = where_help_is(*command);
     throw;
   }
   require_file_names(command->options());

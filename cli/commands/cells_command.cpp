@@ -22,7 +22,7 @@ class CellsCommand : public Command {
  public:
   CellsCommand() {
     study_.declare(options(), Need::optional);
-    rainfall_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional, study_.stations);
     view_.declare_time(options());
     view_.declare_margin(options());
     study_.declare_attributes(options());
@@ -56,6 +56,7 @@ class CellsCommand : public Command {
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
+    if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
     const CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
     if (to_stream) {

@@ -23,7 +23,7 @@ class CheckCommand : public Command {
  public:
   CheckCommand() {
     study_.declare(options(), Need::optional);
-    rainfall_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional, study_.stations);
     common_.declare(options());
   }
 

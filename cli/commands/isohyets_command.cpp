@@ -27,16 +27,17 @@ class IsohyetsCommand : public Command {
  public:
   IsohyetsCommand() {
     study_.declare(options(), Need::required);
-    rainfall_.declare(options(), Need::required);
+    rainfall_.declare(options(), Need::required, study_.stations);
     view_.declare_time(options());
     isohyets_.declare(options());
     OptionGroup method = options().group("Method");
     method.add("--resolution", number(resolution_, above_zero),
                "the pixel of the raster on which lines are drawn, in units of the basins' CRS; "
                "default: the longer side in 1000 pixels");
-    options()
-        .group("Readings")
-        .add("--units", any_text(units_, "U"), "what the readings are in; default mm");
+    units_option_ = &options()
+                         .group("Readings")
+                         .add("--units", any_text(units_, "U"),
+                              "what the readings are in where nothing else says it; default mm");
     output_.declare(options(), Need::optional, "lines.geojson",
                     "where the lines go; the extension tells the format; default GeoJSON on "
                     "standard output");
@@ -53,6 +54,7 @@ class IsohyetsCommand : public Command {
   }
   void check() const override {
     study_.check();
+    rainfall_.check();
     isohyets_.check();
   }
 
@@ -63,6 +65,7 @@ class IsohyetsCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, 0, common_.threads, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
+    units_ = unit_shown(readings->unit, units_, units_option_->is_given(), rainfall_.name());
     const auto isohyets = isohyets_in(inputs, *readings, isohyets_, resolution_,
                                       static_cast<unsigned>(common_.threads));
     if (isohyets.empty()) {
@@ -91,6 +94,7 @@ class IsohyetsCommand : public Command {
   IsohyetOptions isohyets_;
   double resolution_ = 0;
   std::string units_ = "mm";
+  const Option* units_option_ = nullptr;
   OutputOptions output_;
   CommonOptions common_;
 };

@@ -54,7 +54,7 @@ class MapCommand : public Command {
  public:
   MapCommand() {
     study_.declare(options(), Need::optional);
-    rainfall_.declare(options(), Need::optional);
+    rainfall_.declare(options(), Need::optional, study_.stations);
     view_.declare_time(options());
     range_.declare_range(options());
     view_.declare_margin(options());
@@ -103,6 +103,7 @@ class MapCommand : public Command {
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
+    if (shown != nullptr) settle_unit(shown->unit);
     if (kind == Kind::tiff) {
       append_files(
           outputs, file,
@@ -152,6 +153,10 @@ class MapCommand : public Command {
     }
   }
 
+  void settle_unit(const std::string& known) {
+    view_.units = unit_shown(known, view_.units, view_.are_units_given(), rainfall_.name());
+  }
+
   void write_grid(Kind kind, Outputs& outputs, Warnings& warnings) {
     if (!can_be_read_again(rainfall_.rainfall)) {
       throw UsageError{
@@ -165,6 +170,7 @@ class MapCommand : public Command {
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     Warnings told_later;
     const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
+    settle_unit(first->unit());
     const GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
     const RasterOutput output = raster_output(inputs, nullptr);
     if (kind == Kind::netcdf) {

@@ -32,7 +32,7 @@ class RainCommand : public Command {
  public:
   RainCommand() {
     study_.declare(options(), Need::required);
-    rainfall_.declare(options(), Need::required);
+    rainfall_.declare(options(), Need::required, study_.stations);
     method_.declare(options());
     gaps_.declare(options());
     declare_errors();
@@ -66,6 +66,7 @@ class RainCommand : public Command {
     }
     check_errors_can_be_had();
     study_.check();
+    rainfall_.check();
   }
 
   void run(Warnings& warnings) override {

@@ -3,6 +3,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
@@ -28,7 +29,7 @@ class RunCommand : public Command {
  public:
   RunCommand() {
     study_.declare(options(), Need::required);
-    rainfall_.declare(options(), Need::required);
+    rainfall_.declare(options(), Need::required, study_.stations);
     gaps_.declare(options());
     format_.declare(options());
     periods_.declare(options());
@@ -51,6 +52,7 @@ class RunCommand : public Command {
     periods_.check();
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     study_.check();
+    rainfall_.check();
     view_.check(true, true);
   }
 
@@ -67,6 +69,8 @@ class RunCommand : public Command {
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    view_.units =
+        unit_shown(readings->unit(), view_.units, view_.are_units_given(), rainfall_.name());
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
     const ArealRainfall rainfall(inputs.weighing(), settings, threads);
@@ -93,7 +97,8 @@ class RunCommand : public Command {
           });
     }
     series.finish(warnings);
-    const GaugeReadings mean = means.of_all();
+    GaugeReadings mean = means.of_all();
+    if (rainfall_.is_event()) mean.label = rainfall_.event();
     if (!common_.quiet) {
       if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
       std::vector<double> errors = error.result(threads);

@@ -56,6 +56,7 @@ class WeightsCommand : public Command {
     } else {
       refuse_options_of_readings();
     }
+    rainfall_.check_units();
     changes_.check();
     range_.check();
     study_.check();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/utf8.h"
+
 namespace thiessen::cli {
 
 std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
@@ -11,6 +13,7 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
   if (!rainfall.given()) return {};
   const auto readings = inputs.open_readings(study, rainfall, warnings);
   GaugeReadings shown = read_gauges(*readings, inputs.network(), time);
+  if (rainfall.is_event() && time.empty()) shown.label = rainfall.event();
   if (shown.readings.empty()) {
     throw Error({rainfall.name(), 0, "there is no time step '" + time + "'",
                  "a time is written just as in the file"});
@@ -20,6 +23,14 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
   if (silent && !time.empty())
     warnings.add({rainfall.name(), 0, "no gauge reports in the time step '" + time + "'", ""});
   return shown;
+}
+
+std::string unit_shown(const std::string& known, const std::string& said, bool is_said,
+                       const std::string& file) {
+  if (known.empty() || (is_said && known == said)) return said;
+  if (!is_said) return known;
+  throw Error({file, 0, "the readings are in " + known + ", and --units says " + quoted(said, 40),
+               "--to-unit brings them to another unit; --units is for what has none"});
 }
 
 }  // namespace thiessen::cli

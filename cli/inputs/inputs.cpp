@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "files/event_readings.h"
 #include "files/full_network.h"
 #include "files/rainfall_file.h"
 #include "rainfall/series/watched_readings.h"
@@ -39,7 +40,12 @@ std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const Rainfa
                                        Warnings& warnings) {
   std::shared_ptr<StudyFiles> files = read_files(options, warnings);
   const std::size_t count = files->stations.size();
-  if (!rainfall.given()) {
+  if (rainfall.is_event()) {
+    const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
+    const ReportingStations report = stations_in_event(
+        options.request().stations, files->stations, filtered, readings_options(options, rainfall));
+    keep_full_network(*files, report, rainfall.name(), warnings);
+  } else if (!rainfall.given()) {
     note_whole_network(files->stations_file, count, without_rainfall(), warnings);
   } else if (!can_be_read_again(rainfall.rainfall)) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
@@ -84,8 +90,12 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
                                                        const RainfallOptions& rainfall,
                                                        Warnings& warnings,
                                                        const std::optional<StepTimes>& wanted) {
-  auto readings = open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
-                                passed_over_, readings_options(study, rainfall), warnings);
+  const ReadingsOptions options = readings_options(study, rainfall);
+  auto readings = rainfall.is_event()
+                      ? open_event(study.request().stations, network().stations(), passed_over_,
+                                   options, warnings)
+                      : open_rainfall(rainfall.rainfall, study.separator(), network().stations(),
+                                      passed_over_, options, warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

@@ -1,17 +1,36 @@
 #include "cli/options/rainfall_options.h"
 
+#include <optional>
+#include <utility>
+#include <vector>
+
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
+#include "readings/rain_unit.h"
 
 namespace thiessen::cli {
 
-void RainfallOptions::declare(OptionList& options, Need need) {
-  options.group("Files", *this)
-      .add("RAINFALL", file(rainfall),
-           "readings, wide or long: CSV or any of these as a table; - reads standard input; or "
-           "GHCN-Daily: a .dly file, or a folder of them")
-      .need = need;
+namespace {
+
+OptionValue rain_unit_of(std::optional<RainUnit>& target) {
+  std::vector<std::pair<std::string, std::optional<RainUnit>>> units;
+  for (const char* name : {"mm", "cm", "m", "in", "ft", "0.1mm", "0.01in"})
+    units.emplace_back(name, rain_unit(name));
+  return choice<std::optional<RainUnit>>(target, std::move(units));
+}
+
+}  // namespace
+
+void RainfallOptions::declare(OptionList& options, Need need, const std::string& stations) {
+  Option& argument =
+      options.group("Files", *this)
+          .add("RAINFALL", file(rainfall),
+               "readings, wide or long: CSV or any of these as a table; - reads standard input; or "
+               "GHCN-Daily: a .dly file, or a folder of them");
+  argument.need = need;
+  stations_ = &stations;
   declare_meaning(options);
+  argument.instead = options.find("--value-field");
 }
 
 void RainfallOptions::declare_as_option(OptionList& options, const std::string& group,
@@ -28,29 +47,77 @@ void RainfallOptions::declare_meaning(OptionList& options) {
                "a further text or number that means no reading; may be repeated");
   readings.add("--trace", texts(readings_.trace, "V"),
                "a further text or number that means 0; may be repeated");
-  readings.add("--time-field", text(readings_.time_field, "FIELD"), "the time's column");
-  readings.add("--station-field", text(readings_.station_field, "FIELD"),
-               "the station's column in a long table");
+  of_tables_.push_back(
+      &readings.add("--time-field", text(readings_.time_field, "FIELD"), "the time's column"));
+  of_tables_.push_back(&readings.add("--station-field", text(readings_.station_field, "FIELD"),
+                                     "the station's column in a long table"));
   readings.add("--value-field", text(readings_.value_field, "FIELD"),
-               "the reading's column in a long table");
-  readings.add("--ignore-unknown", flag(readings_.ignore_unknown),
-               "pass over readings of stations that STATIONS lacks, with a warning");
-  readings.add("--ids-as-numbers", flag(readings_.ids_as_numbers),
-               "ids of digits that differ by leading zeros are one: 52220 and 052220");
-  readings.add("--keep-flagged", flag(readings_.keep_flagged),
-               "of .dly files, also the values that failed a check of quality");
+               stations_ == nullptr ? "the reading's column in a long table"
+                                    : "the reading's column in a long table; without RAINFALL: "
+                                      "the field of STATIONS that holds the readings of one event");
+  of_tables_.push_back(
+      &readings.add("--ignore-unknown", flag(readings_.ignore_unknown),
+                    "pass over readings of stations that STATIONS lacks, with a warning"));
+  of_tables_.push_back(
+      &readings.add("--ids-as-numbers", flag(readings_.ids_as_numbers),
+                    "ids of digits that differ by leading zeros are one: 52220 and 052220"));
+  of_tables_.push_back(
+      &readings.add("--keep-flagged", flag(readings_.keep_flagged),
+                    "of .dly files, also the values that failed a check of quality"));
+  declare_amounts(readings);
+}
+
+void RainfallOptions::declare_amounts(OptionGroup& readings) {
+  readings.add("--from-unit", rain_unit_of(readings_.from_unit),
+               "what the readings are in; else the unit in their column's name (prcp_in) is "
+               "believed");
+  readings.add("--to-unit", rain_unit_of(readings_.to_unit),
+               "what they are brought to where their unit is known; default mm");
+  scale_option_ =
+      &readings.add("--scale", number(scale_, above_zero), "multiply the readings by this instead");
+  of_tables_.push_back(&readings.add(
+      "--cumulative", flag(readings_.cumulative),
+      "readings are counters: a step is the difference, the first has none, a fall is a reset"));
 }
 
 void RainfallOptions::check() const {
   const Option* option = first_given();
-  if (given() || option == nullptr) return;
-  throw UsageError{option->name + " is about readings, and there is no RAINFALL",
-                   "give RAINFALL, or leave it out"};
+  if (!given() && option != nullptr) {
+    throw UsageError{option->name + " is about readings, and there is no RAINFALL",
+                     "give RAINFALL, or leave it out"};
+  }
+  if (is_event()) check_event();
+  check_units();
+}
+
+/// Refuses what an event has no use for.
+void RainfallOptions::check_event() const {
+  for (const Option* option : of_tables_) {
+    if (!option->is_given()) continue;
+    throw UsageError{option->name +
+                         " is about RAINFALL, and with --value-field alone the readings "
+                         "stand in STATIONS",
+                     "give RAINFALL, or leave it out"};
+  }
+}
+
+void RainfallOptions::check_units() const {
+  if (!scale_option_->is_given() || (!readings_.from_unit && !readings_.to_unit)) return;
+  throw UsageError{"--scale multiplies whatever the unit is, and " +
+                       std::string(readings_.from_unit ? "--from-unit" : "--to-unit") +
+                       " names one",
+                   "leave one of them out"};
+}
+
+std::string RainfallOptions::name() const {
+  if (is_event()) return *stations_;
+  return rainfall == "-" ? "standard input" : rainfall;
 }
 
 ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
   ReadingsOptions options = readings_;
   options.decimal_comma = decimal_comma;
+  if (scale_option_->is_given()) options.scale = scale_;
   return options;
 }
 

@@ -1,18 +1,21 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/options/option_list.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen::cli {
 
-/// The argument RAINFALL, and the options that say how to read it.
+/// The argument RAINFALL, or a field of STATIONS in its place, and the options that say how to read
+/// it.
 class RainfallOptions : public OptionBlock {
  public:
   std::string rainfall;
 
-  void declare(OptionList& options, Need need);
+  /// `stations` is the argument STATIONS, where the readings of one event may stand.
+  void declare(OptionList& options, Need need, const std::string& stations);
   /// Declares RAINFALL as the value of an option under the given heading, and not as an argument.
   void declare_as_option(OptionList& options, const std::string& group, const std::string& name,
                          const std::string& help);
@@ -20,14 +23,29 @@ class RainfallOptions : public OptionBlock {
   ReadingsOptions readings(bool decimal_comma) const;
   /// Throws UsageError for options that are about readings where there are none.
   void check() const;
-  bool given() const { return !rainfall.empty(); }
-  /// The name of RAINFALL in messages.
-  std::string name() const { return rainfall == "-" ? "standard input" : rainfall; }
+  /// Throws UsageError for a factor beside a unit.
+  void check_units() const;
+  bool given() const { return !rainfall.empty() || is_event(); }
+  /// Whether the readings are those of one event, in a field of STATIONS.
+  bool is_event() const {
+    return rainfall.empty() && stations_ != nullptr && !readings_.value_field.empty();
+  }
+  /// What the readings of an event are called: their field.
+  const std::string& event() const { return readings_.value_field; }
+  /// The name of the file of readings in messages.
+  std::string name() const;
 
  private:
   void declare_meaning(OptionList& options);
+  void declare_amounts(OptionGroup& readings);
+
+  void check_event() const;
 
   ReadingsOptions readings_;
+  double scale_ = 1;
+  const std::string* stations_ = nullptr;
+  const Option* scale_option_ = nullptr;
+  std::vector<const Option*> of_tables_;  ///< what an event in STATIONS has no use for
 };
 
 }  // namespace thiessen::cli

@@ -30,13 +30,19 @@ void read(const Option& option) {
 
 void refuse_missing(const OptionList& options) {
   std::vector<std::string> names;
+  std::string hint;
   for (const Option& option : options.options()) {
     if (option.need == Need::optional || option.is_given()) continue;
+    if (option.instead != nullptr) {
+      if (option.instead->is_given()) continue;
+      hint = option.instead->name + " may stand in place of " + option.name;
+    }
     names.push_back(option.short_name() +
                     (option.value.kind.empty() ? "" : " " + option.value.kind));
   }
   if (names.empty()) return;
-  throw UsageError{and_list(names) + (names.size() == 1 ? " is missing" : " are missing"), ""};
+  throw UsageError{and_list(names) + (names.size() == 1 ? " is missing" : " are missing"),
+                   names.size() == 1 ? hint : ""};
 }
 
 }  // namespace

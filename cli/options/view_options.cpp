@@ -24,8 +24,8 @@ void ViewOptions::declare_margin(OptionList& options) {
 
 void ViewOptions::declare_look(OptionList& options) {
   OptionGroup picture = options.group("Picture", *this);
-  units_option_ =
-      &picture.add("--units", any_text(units, "U"), "what the readings are in; default mm");
+  units_option_ = &picture.add("--units", any_text(units, "U"),
+                               "what the readings are in where nothing else says it; default mm");
   title_option_ = &picture.add("--title", any_text(title, "T"), "what stands over the picture");
   size_option_ =
       &picture.add("--size", pixel_size(size),

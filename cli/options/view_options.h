@@ -28,6 +28,7 @@ class ViewOptions : public OptionBlock {
   int height() const;
   /// What the picture tells a printer; 0: nothing. A size in millimetres has 300 unless told.
   int dots_to_the_inch() const;
+  bool are_units_given() const { return units_option_ != nullptr && units_option_->is_given(); }
   /// Throws UsageError for options that cannot act on what is shown: a time, units or colours where
   /// there is no RAINFALL, a margin where there are BASINS; and for a size in millimetres that
   /// takes too few or too many pixels.

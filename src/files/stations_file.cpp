@@ -83,9 +83,7 @@ class StationsReader {
     const auto& header = features_.header();
     if (header.empty())
       throw Error(Message{features_.file(), 0, "has no field that could be the id", {}});
-    id_ = request_.id.empty() ? find_field(header, known::station_ids).value_or(0)
-                              : require_field(header, request_.id, setting("id"), features_.file(),
-                                              features_.header_line());
+    id_ = station_id_field(features_, request_);
     if (!request_.label.empty())
       label_ = require_field(header, request_.label, setting("label"), features_.file(),
                              features_.header_line());
@@ -235,6 +233,12 @@ class StationsReader {
 };
 
 }  // namespace
+
+std::size_t station_id_field(const Features& features, const StationsRequest& request) {
+  const auto& header = features.header();
+  if (request.id.empty()) return find_field(header, known::station_ids).value_or(0);
+  return require_field(header, request.id, setting("id"), features.file(), features.header_line());
+}
 
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings) {
   return StationsReader(request, warnings).read();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -14,6 +15,8 @@
 #include "text/attributes.h"
 
 namespace thiessen {
+
+class Features;
 
 /// A file of stations to be read, and the fields of their ids and coordinates.
 struct StationsRequest {
@@ -40,6 +43,11 @@ struct StationsFile : StationList {  ///< positions in `crs`, or in a plane with
 /// coordinate that is no finite number, a geometry that is no point), and where there are no
 /// stations. Cost: linear in the file's length, memory linear in the number of stations.
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings);
+
+/// The field of the stations' ids: the one that is asked for, else the first with a usual name,
+/// else the first. Requires a header that is not empty. Throws Error where the named one is not
+/// there.
+std::size_t station_id_field(const Features& features, const StationsRequest& request);
 
 /// Finds the field of the stations' file, other than that of the ids, in which a station has this
 /// text; empty where there is none, and where the file cannot be read a second time. Cost: linear

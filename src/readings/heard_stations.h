@@ -31,6 +31,10 @@ class HeardStations {
   /// Looks through a table, wide or long, as open_readings reads it. Throws Error where it cannot
   /// be read so, or not to its end; what has been heard until then counts.
   void look_through(Table& table, const ReadingsOptions& options);
+  /// The same of a long table whose columns are known.
+  void look_through(Table& table, const ReadingsLayout& layout, const ReadingsOptions& options) {
+    look_through_long(table, layout, grammar_of(options));
+  }
   /// Looks through `.dly` files of GHCN-Daily, as open_dly_readings reads them. Throws as above.
   void look_through_dly(const std::vector<std::string>& files, bool keep_flagged);
 

@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "readings/converted_readings.h"
 #include "readings/dly_files.h"
 
 namespace thiessen {
@@ -27,7 +28,9 @@ void refuse_table_options(const std::string& rainfall, const ReadingsOptions& op
                                                 {"station_field", !options.station_field.empty()},
                                                 {"value_field", !options.value_field.empty()},
                                                 {"missing", !options.missing.empty()},
-                                                {"trace", !options.trace.empty()}};
+                                                {"trace", !options.trace.empty()},
+                                                {"from_unit", options.from_unit.has_value()},
+                                                {"cumulative", options.cumulative}};
   for (const auto& [name, is_given] : given) {
     if (is_given) {
       throw Error({rainfall, 0, setting(name) + " is for tables, not for .dly files", ""});
@@ -266,8 +269,9 @@ std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
   auto known = std::make_unique<const ReadingsStations>(
       stations, passed_over, IdJoin{options.ids_as_numbers, options.column_of});
   ReadingsFindings findings(rainfall, *known, options.ignore_unknown, warnings);
-  return std::make_unique<DlyReadings>(DlySource{rainfall, dly_files(rainfall), std::move(known),
-                                                 std::move(findings), options.keep_flagged});
+  auto readings = std::make_unique<DlyReadings>(DlySource{
+      rainfall, dly_files(rainfall), std::move(known), std::move(findings), options.keep_flagged});
+  return converted(std::move(readings), conversion_from(*rain_unit("mm"), options));
 }
 
 }  // namespace thiessen

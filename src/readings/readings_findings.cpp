@@ -61,8 +61,8 @@ void ReadingsFindings::note_amount(double amount, const Place& place, std::strin
     code.file = file_;
     return;
   }
-  const bool above_year = amount > more_than_a_year;
-  if (!above_year && amount <= more_than_a_day) return;
+  const bool above_year = amount * millimetres_ > more_than_a_year;
+  if (!above_year && amount * millimetres_ <= more_than_a_day) return;
   Absurd& absurd = above_year ? above_year_ : above_day_;
   if (++absurd.count > 1) return;
   absurd.first = {file_, place.line,

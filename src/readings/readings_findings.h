@@ -19,6 +19,9 @@
 
 namespace thiessen {
 
+/// The readings are of counters, which say nothing of a step by themselves.
+inline constexpr double counted = 0;
+
 /// Gathers what is wrong or odd in a file of readings, and reports it at the end of the file.
 class ReadingsFindings {
  public:
@@ -30,6 +33,10 @@ class ReadingsFindings {
   void now_in(const std::string& file) { file_ = file; }
   const std::string& file() const { return file_; }
   void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
+
+  /// Says how many millimetres a reading of 1 stands for, without which it is one. A number that is
+  /// `counted` stands for none: no single one of a counter's readings is much or little.
+  void amounts_are_in(double millimetres) { millimetres_ = millimetres; }
 
   /// The line and the station of a field, for messages.
   struct Place {
@@ -94,6 +101,7 @@ class ReadingsFindings {
   std::string file_;
   const ReadingsStations& stations_;
   bool ignore_unknown_;
+  double millimetres_ = 1;  ///< that a reading of 1 stands for
   Warnings& warnings_;
   Complaints complaints_;
   /// Whether a station has an amount at some time. The type is no char, for the compiler must

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/utf8.h"
+#include "readings/rain_unit.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -15,33 +16,12 @@ using Names = std::span<const std::string_view>;
 
 constexpr std::size_t names_told = 7;
 
-constexpr std::string_view units[] = {"mm",    "cm",     "m",      "in",    "inch",  "inches",
-                                      "ft",    "mm/h",   "mm_h",   "mm/hr", "mm_hr", "mm/d",
-                                      "mm_d",  "mm/day", "mm_day", "in/h",  "in_h",  "in/hr",
-                                      "in_hr", "l/m2",   "l_m2",   "kg/m2", "kg_m2"};
-
-bool is_one_of(std::string_view text, Names names) {
-  return std::any_of(names.begin(), names.end(),
-                     [&](std::string_view name) { return equal_ignoring_case(text, name); });
-}
-
-/// Whether this text, at the end of a name, is a unit: "_mm", " (mm)", "[in]".
-bool is_unit_suffix(std::string_view rest) {
-  constexpr std::string_view opening = "_-. ([";
-  if (rest.empty() || opening.find(rest.front()) == std::string_view::npos) return false;
-  const std::size_t begin = rest.find_first_not_of(opening);
-  if (begin == std::string_view::npos) return false;
-  rest.remove_prefix(begin);
-  if (rest.back() == ')' || rest.back() == ']') rest.remove_suffix(1);
-  return is_one_of(trimmed(rest), units);
-}
-
 bool means(std::string_view header, std::string_view name, bool with_unit) {
   header = trimmed(header);
   if (same_name(header, name)) return true;
   return with_unit && header.size() > name.size() &&
          same_name(header.substr(0, name.size()), name) &&
-         is_unit_suffix(header.substr(name.size()));
+         unit_in_suffix(header.substr(name.size())).has_value();
 }
 
 std::string list(const std::vector<std::string>& header) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "readings/rain_unit.h"
 #include "readings/readings_grammar.h"
 #include "text/table.h"
 
@@ -23,12 +25,19 @@ struct ReadingsOptions {
   std::vector<std::string> missing;  ///< further texts and numbers that mean "no reading"
   std::vector<std::string> trace;    ///< texts and numbers that mean 0
   bool decimal_comma = false;
-  bool keep_flagged = false;    ///< GHCN-Daily: readings that failed a check of quality count
-  bool ignore_unknown = false;  ///< unknown stations are passed over, with a warning
-  bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
+  std::optional<double> scale;        ///< readings are multiplied by it, whatever they are in
+  std::optional<RainUnit> from_unit;  ///< what they are in; else as their column's name says
+  std::optional<RainUnit> to_unit;    ///< what they are brought to, where their unit is known;
+                                      ///< else millimetres
+  bool cumulative = false;            ///< readings are counters: see CounterReadings
+  bool keep_flagged = false;          ///< GHCN-Daily: readings that failed a check of quality count
+  bool ignore_unknown = false;        ///< unknown stations are passed over, with a warning
+  bool ids_as_numbers = false;        ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;
 };
+
+struct ReadingsLayout;
 
 /// The grammar of the fields of readings that the options ask for.
 ReadingGrammar grammar_of(const ReadingsOptions& options);
@@ -63,5 +72,11 @@ std::unique_ptr<Readings> open_readings(std::unique_ptr<Table> table,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings);
+/// The same of a long table whose columns are known.
+std::unique_ptr<Readings> open_long_readings(std::unique_ptr<Table> table,
+                                             const ReadingsLayout& layout,
+                                             std::span<const Station> stations,
+                                             std::span<const std::string> passed_over,
+                                             const ReadingsOptions& options, Warnings& warnings);
 
 }  // namespace thiessen

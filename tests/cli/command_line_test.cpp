@@ -47,8 +47,9 @@ TEST(CommandLine, NamesTheCommandsThatHaveAnOption) {
 }
 
 TEST(CommandLine, SaysWhereTheHelpIs) {
-  EXPECT_EQ(error_of({"rain", "s"}).hint,
-            "thiessen rain --help shows the files, the options and an example");
+  EXPECT_EQ(error_of({"weights", "s"}).hint,
+            "thiessen weights --help shows the files, the options and an example");
+  EXPECT_EQ(error_of({"rain", "s", "b"}).hint, "--value-field may stand in place of RAINFALL");
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ class DatedReadings : public Readings {
                 Warnings& warnings);
 
   bool next(TimeStep& step) override;
+  std::string unit() const override { return all_->unit(); }
   double share_read() const override { return all_->share_read(); }
 
  private:

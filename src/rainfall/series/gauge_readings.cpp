@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/iso_time.h"
@@ -92,9 +93,10 @@ GaugeReadings read_gauges(Readings& readings, const Network& network, const std:
       at_time = {values_of(network, step.readings), step.time, {}};
     }
   }
-  if (time.empty()) return means.of_reporting();
-  at_time.step = means.step();
-  return at_time;
+  GaugeReadings shown = time.empty() ? means.of_reporting() : std::move(at_time);
+  shown.step = means.step();
+  shown.unit = readings.unit();
+  return shown;
 }
 
 }  // namespace thiessen

@@ -23,7 +23,8 @@ struct GaugeReadings {
   std::vector<double> readings;  ///< by station; NaN where there is none
   std::string label;             ///< what the values are: the time, or which means
   std::optional<StepLength> step =
-      {};  ///< how long a value's rain fell; nothing where that is not known
+      {};                 ///< how long a value's rain fell; nothing where that is not known
+  std::string unit = {};  ///< what the values are in; empty where that is not known
 
   ReportingStations reports() const { return reporting_stations(readings); }
 };

@@ -23,6 +23,8 @@ class Readings {
   /// Reads the next step into `step`; returns false at the end. Throws Error where the input is
   /// bad.
   virtual bool next(TimeStep& step) = 0;
+  /// What the readings are in, such as mm; empty where that is not known.
+  virtual std::string unit() const { return {}; }
   /// The share of the input that has been read, from 0 to 1; NaN where its length is not known.
   /// Only the thread that reads may ask; other threads ask WatchedReadings.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "rainfall/series/readings.h"
@@ -23,6 +24,7 @@ class WatchedReadings : public Readings {
     share_.store(all_->share_read(), std::memory_order_relaxed);
     return more;
   }
+  std::string unit() const override { return all_->unit(); }
   double share_read() const override { return share_.load(std::memory_order_relaxed); }
   /// The share of the input that the first `steps` steps make up, if steps are of equal length.
   double share_of(std::size_t steps) const {

@@ -6,7 +6,8 @@ namespace thiessen::cli {
 namespace {
 
 struct Rainfall : Given<RainfallOptions> {
-  explicit Rainfall(Need need = Need::optional) { block.declare(options, need); }
+  std::string stations = "s.csv";
+  explicit Rainfall(Need need = Need::optional) { block.declare(options, need, stations); }
 };
 
 TEST(RainfallOptions, are_an_argument_that_may_be_required) {
@@ -35,6 +36,42 @@ TEST(RainfallOptions, may_be_an_option_under_another_heading) {
   EXPECT_EQ(influence.options.find("--influence")->group, "What if");
   EXPECT_EQ(influence.options.find("--influence")->value.completion, Completion::file);
   EXPECT_TRUE(influence.options.arguments().empty());
+}
+
+TEST(RainfallOptions, may_name_a_field_of_the_stations_in_place_of_a_file) {
+  Rainfall event(Need::required);
+  event.read({"--value-field", "rain"});
+  EXPECT_TRUE(event.block.given());
+  EXPECT_TRUE(event.block.is_event());
+  EXPECT_EQ(event.block.name(), "s.csv");
+  Rainfall table;
+  table.read({"r.csv", "--value-field", "rain"});
+  EXPECT_FALSE(table.block.is_event());
+}
+
+TEST(RainfallOptions, of_tables_have_no_use_beside_an_event) {
+  Rainfall event;
+  event.read({"--value-field", "rain", "--cumulative"});
+  EXPECT_EQ(event.contradiction(),
+            "--cumulative is about RAINFALL, and with --value-field alone the readings stand in "
+            "STATIONS");
+}
+
+TEST(RainfallOptions, multiply_or_convert) {
+  Rainfall scaled;
+  scaled.read({"r.csv", "--scale", "0.1"});
+  EXPECT_EQ(scaled.block.readings(false).scale, 0.1);
+  Rainfall converted;
+  converted.read({"r.csv", "--from-unit", "0.01in", "--to-unit", "in"});
+  EXPECT_FALSE(converted.block.readings(false).scale);
+  EXPECT_EQ(converted.block.readings(false).from_unit->name(), "0.01in");
+  EXPECT_EQ(converted.block.readings(false).to_unit->name(), "in");
+  Rainfall both;
+  both.read({"r.csv", "--scale", "2", "--to-unit", "in"});
+  EXPECT_EQ(both.contradiction(),
+            "--scale multiplies whatever the unit is, and --to-unit names one");
+  EXPECT_EQ(Rainfall().refusal({"r.csv", "--scale", "0"}),
+            "--scale wants a number above 0, to 1e9, not '0'");
 }
 
 TEST(RainfallOptions, say_how_readings_are_read) {

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/iso_time.h"
+#include "rainfall/network/network.h"
+#include "rainfall/series/readings.h"
+
+namespace thiessen {
+
+/// Readings of counters, which go on rising, taken to what fell in each step.
+///
+/// A step's rain is what the counter reads less what it read in the step before; the first has
+/// none. Where a counter falls it was reset in between, and what it reads then is the step's rain.
+/// Where it was silent in the step before, what it has counted since fell in more than one step,
+/// and is no step's rain unless it is nothing. Resets and what was left out so are said in one line
+/// each when the last step has been read. Memory: two numbers a gauge.
+class CounterReadings : public Readings {
+ public:
+  /// The stations and `warnings` must outlive this object. `file` is for messages.
+  CounterReadings(std::unique_ptr<Readings> all, std::string file,
+                  std::span<const Station> stations, Warnings& warnings);
+
+  /// Throws Error where a step's time is before that of the step before, as differences would be
+  /// taken backwards.
+  bool next(TimeStep& step) override;
+  double share_read() const override { return all_->share_read(); }
+
+ private:
+  /// What the counter of a gauge read last, and whether that was in the step before.
+  struct Counter {
+    double last;
+    bool is_of_last_step = false;
+  };
+  /// What happened to counters: how often, and where and when first.
+  struct Event {
+    std::size_t count = 0;
+    std::size_t line = 0;
+    std::string first;
+    double largest = 0;
+  };
+
+  void require_order(const TimeStep& step);
+  double rain_of(std::size_t station, double reading, const TimeStep& step);
+  void note(Event& event, std::size_t station, double amount, const TimeStep& step);
+  void conclude();
+
+  std::unique_ptr<Readings> all_;
+  std::string file_;
+  std::span<const Station> stations_;
+  Warnings& warnings_;
+  std::vector<Counter> counters_;
+  std::vector<double> amounts_;
+  std::optional<ParsedTime> time_before_;
+  std::string text_before_;
+  Event resets_;
+  Event left_out_;
+};
+
+}  // namespace thiessen
