@@ -4,74 +4,89 @@
 
 namespace thiessen {
 
-// Does one operation while its changes are recorded. An operation that fails half-way is taken
-// back, so that the tessellation stays as it was.
+// Does one operation while its changes are recorded. An operation that fails half-way, or that the
+// witness does not let pass, is taken back, so that the tessellation stays as it was. Its changes
+// are recorded behind those of undone operations, which are forgotten only once it is sure to stay.
 template <int Dimension>
 template <typename Work>
-auto History<Dimension>::recorded(Work&& work) {
-  forget_undone();
+void History<Dimension>::recorded(Work&& work) {
+  reserve_more(operations_, 1);
   Operation operation{changes_.extent(), {}, tessellation_.moment(), nullptr};
-  tessellation_.record_in(&changes_);
   const auto end = [&] {
     operation.end = changes_.extent();
     tessellation_.record_in(nullptr);
   };
+  tessellation_.record_in(&changes_);
   try {
-    auto result = work();
-    end();
-    operations_.push_back(std::move(operation));
-    ++done_;
-    return result;
+    work(end);
   } catch (...) {
     end();
     exchange(operation, true);
     changes_.cut(operation.first);
     throw;
   }
+  keep(std::move(operation));
+}
+
+// Puts an operation in the place of those that were undone.
+template <int Dimension>
+void History<Dimension>::keep(Operation operation) {
+  if (redoable() > 0) {
+    const Extent first = operations_[done_].first;
+    changes_.erase(first, operation.first);
+    operation.first = first;
+    operation.end = changes_.extent();
+    operations_.erase(operations_.begin() + static_cast<std::ptrdiff_t>(done_), operations_.end());
+  }
+  operations_.push_back(std::move(operation));
+  ++done_;
 }
 
 template <int Dimension>
-PointId History<Dimension>::add(const Position& position, std::optional<PointId> hint) {
-  return recorded([&] { return tessellation_.add(position, hint); });
+PointId History<Dimension>::add(const Position& position, std::optional<PointId> hint,
+                                const Witness& witness) {
+  PointId p = no_point;
+  recorded([&](const auto& end) {
+    p = tessellation_.add(position, hint);
+    end();
+    if (witness) witness({&p, 1});
+  });
+  return p;
 }
 
 template <int Dimension>
-void History<Dimension>::remove(PointId p) {
-  recorded([&] {
+void History<Dimension>::remove(PointId p, const Witness& witness) {
+  recorded([&](const auto& end) {
     tessellation_.remove(p);
-    return 0;
+    end();
+    if (witness) witness({});
   });
 }
 
 template <int Dimension>
-std::vector<PointId> History<Dimension>::add_all(std::span<const Position> points) {
-  if (changes_a_copy * points.size() < tessellation_.count())
-    return recorded([&] { return tessellation_.add_all(points); });
-  forget_undone();
-  operations_.push_back({changes_.extent(),
-                         changes_.extent(),
-                         {},
-                         std::make_unique<Tessellation<Dimension>>(tessellation_)});
-  try {
-    const std::size_t before = tessellation_.count();
-    std::vector<PointId> numbers = tessellation_.add_all(points);
-    Operation& operation = operations_.back();
-    if (tessellation_.count() == before) operation.whole = nullptr;
-    operation.moment = tessellation_.moment();
-    ++done_;
+std::vector<PointId> History<Dimension>::add_all(std::span<const Position> points,
+                                                 const Witness& witness) {
+  std::vector<PointId> numbers;
+  if (changes_a_copy * points.size() < tessellation_.count()) {
+    recorded([&](const auto& end) {
+      numbers = tessellation_.add_all(points);
+      end();
+      if (witness) witness(numbers);
+    });
     return numbers;
+  }
+  reserve_more(operations_, 1);
+  auto whole = std::make_unique<Tessellation<Dimension>>(tessellation_);
+  try {
+    numbers = tessellation_.add_all(points);
+    if (witness) witness(numbers);
   } catch (...) {
-    tessellation_ = std::move(*operations_.back().whole);
-    operations_.pop_back();
+    tessellation_ = std::move(*whole);
     throw;
   }
-}
-
-template <int Dimension>
-void History<Dimension>::forget_undone() {
-  if (redoable() == 0) return;
-  changes_.cut(operations_[done_].first);
-  operations_.erase(operations_.begin() + static_cast<std::ptrdiff_t>(done_), operations_.end());
+  if (tessellation_.count() == whole->count()) whole = nullptr;
+  keep({changes_.extent(), changes_.extent(), tessellation_.moment(), std::move(whole)});
+  return numbers;
 }
 
 template <int Dimension>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -11,8 +12,8 @@ namespace thiessen {
 /// A tessellation whose operations can be undone and redone, without limit and bit for bit. Each
 /// operation keeps what it overwrote, so undoing it costs as much as the operation did. Where many
 /// points are added at once, a copy of the tessellation before them is kept instead, because that
-/// takes less memory. An operation that fails half-way (out of memory) is taken back before its
-/// exception is passed on.
+/// takes less memory. An operation that fails half-way (out of memory, Ctrl-C) is taken back before
+/// its exception is passed on: then all is as it was, and what was undone can still be redone.
 ///
 /// Memory: about 800 bytes for each insertion or deletion in the plane and 4 kB in space, not
 /// counting the spare capacity of a growing vector.
@@ -20,16 +21,20 @@ template <int Dimension>
 class History {
  public:
   using Position = PositionIn<Dimension>;
+  /// Sees the tessellation when an operation is done but not kept yet, with the points that it
+  /// added or found there. Where it throws, the operation is taken back.
+  using Witness = std::function<void(std::span<const PointId> points)>;
 
   const Tessellation<Dimension>& tessellation() const { return tessellation_; }
 
   /// Adds one point, as Tessellation::add. Each of add, add_all and remove is one operation, and
   /// makes operations that were undone before it impossible to redo.
-  PointId add(const Position& position, std::optional<PointId> hint = {});
+  PointId add(const Position& position, std::optional<PointId> hint = {},
+              const Witness& witness = {});
   /// Adds points, as Tessellation::add_all, in one operation.
-  std::vector<PointId> add_all(std::span<const Position> points);
+  std::vector<PointId> add_all(std::span<const Position> points, const Witness& witness = {});
   /// Deletes a point, as Tessellation::remove, in one operation.
-  void remove(PointId p);
+  void remove(PointId p, const Witness& witness = {});
 
   /// How many operations can be undone.
   std::size_t undoable() const { return done_; }
@@ -54,9 +59,9 @@ class History {
   // changes of one added point take. add_all compares the two by it.
   static constexpr std::size_t changes_a_copy = Dimension == 2 ? 9 : 12;
 
-  void forget_undone();
   template <typename Work>
-  auto recorded(Work&& work);
+  void recorded(Work&& work);
+  void keep(Operation operation);
   void exchange(Operation& operation, bool backward);
 
   Tessellation<Dimension> tessellation_;

@@ -22,29 +22,34 @@ std::uint64_t TessellationSession<Dimension>::add(const Position& position) {
            " already");
   }
   make_room(1);
-  const PointId p = history_.add(position);
-  begin_step();
-  change_number(p, next_++);
+  history_.add(position, {}, [this](std::span<const PointId> points) {
+    take_step([&] { change_number(points.front(), next_++); });
+  });
   return next_ - 1;
 }
 
 template <int Dimension>
 auto TessellationSession<Dimension>::add_all(std::span<const Position> positions) -> Added {
   make_room(positions.size());
-  const std::vector<PointId> points = history_.add_all(positions);
-  begin_step();
   Added added;
   added.first = next_;
-  for (const PointId p : points) {
-    const std::uint64_t number = index(p) < numbers_.size() ? numbers_[index(p)] : 0;
-    if (number == 0) {
-      change_number(p, next_++);
-      ++added.points;
-    } else {
-      ++(number >= added.first ? added.repeated : added.there_already);
-    }
-  }
+  history_.add_all(positions, [&](std::span<const PointId> points) {
+    take_step([&] {
+      for (const PointId p : points) number_one_of_many(p, added);
+    });
+  });
   return added;
+}
+
+template <int Dimension>
+void TessellationSession<Dimension>::number_one_of_many(PointId p, Added& added) {
+  const std::uint64_t number = index(p) < numbers_.size() ? numbers_[index(p)] : 0;
+  if (number == 0) {
+    change_number(p, next_++);
+    ++added.points;
+  } else {
+    ++(number >= added.first ? added.repeated : added.there_already);
+  }
 }
 
 template <int Dimension>
@@ -52,22 +57,44 @@ std::uint64_t TessellationSession<Dimension>::remove(const Position& position) {
   const PointId p = point_at(position);
   const std::uint64_t number = number_of(p);
   make_room(1);
-  history_.remove(p);
-  begin_step();
-  change_number(p, 0);
+  history_.remove(p, [&](std::span<const PointId>) { take_step([&] { change_number(p, 0); }); });
   return number;
 }
 
 template <int Dimension>
 void TessellationSession<Dimension>::undo() {
-  if (!history_.undo()) refuse("there is nothing to undo");
-  exchange(history_.undoable());
+  if (!step_back()) refuse("there is nothing to undo");
+  try {
+    if (watcher_) watcher_();
+  } catch (...) {
+    step_forward();
+    throw;
+  }
 }
 
 template <int Dimension>
 void TessellationSession<Dimension>::redo() {
-  if (!history_.redo()) refuse("there is nothing to redo");
+  if (!step_forward()) refuse("there is nothing to redo");
+  try {
+    if (watcher_) watcher_();
+  } catch (...) {
+    step_back();
+    throw;
+  }
+}
+
+template <int Dimension>
+bool TessellationSession<Dimension>::step_back() {
+  if (!history_.undo()) return false;
+  exchange(history_.undoable());
+  return true;
+}
+
+template <int Dimension>
+bool TessellationSession<Dimension>::step_forward() {
+  if (!history_.redo()) return false;
   exchange(history_.undoable() - 1);
+  return true;
 }
 
 template <int Dimension>
@@ -99,17 +126,38 @@ void TessellationSession<Dimension>::make_room(std::size_t points) {
   if (limit > numbers_.size()) reserve_more(numbers_, limit - numbers_.size());
 }
 
-// Begins the step of the operation just done. Steps that were undone before it are forgotten, as
-// History forgets their operations.
+// Numbers the points of the operation just done, and shows it to the watcher. The changes of
+// numbers stand behind those of undone steps until the watcher has let the operation pass; where he
+// has not, the numbers are as before, and History takes back the operation.
 template <int Dimension>
-void TessellationSession<Dimension>::begin_step() {
-  const std::size_t before = history_.undoable() - 1;
-  if (before < steps_.size()) {
-    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(steps_[before].first),
-                   changes_.end());
-    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(before), steps_.end());
+template <typename Numbering>
+void TessellationSession<Dimension>::take_step(Numbering&& numbering) {
+  const Step step{changes_.size(), next_};
+  try {
+    numbering();
+    if (watcher_) watcher_();
+  } catch (...) {
+    for (std::size_t i = step.first; i < changes_.size(); ++i)
+      numbers_[index(changes_[i].point)] = changes_[i].number;
+    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(step.first), changes_.end());
+    next_ = step.next;
+    throw;
   }
-  steps_.push_back({changes_.size(), next_});
+  keep(step);
+}
+
+// Puts a step in the place of those that were undone, as History does with the operation.
+template <int Dimension>
+void TessellationSession<Dimension>::keep(Step step) {
+  const std::size_t before = history_.undoable();
+  if (before < steps_.size()) {
+    const std::size_t first = steps_[before].first;
+    changes_.erase(changes_.begin() + static_cast<std::ptrdiff_t>(first),
+                   changes_.begin() + static_cast<std::ptrdiff_t>(step.first));
+    steps_.erase(steps_.begin() + static_cast<std::ptrdiff_t>(before), steps_.end());
+    step.first = first;
+  }
+  steps_.push_back(step);
 }
 
 template <int Dimension>

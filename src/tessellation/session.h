@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -13,8 +15,8 @@ namespace thiessen {
 /// A tessellation that commands change, undo and redo, and the numbers by which its user knows the
 /// points. Numbers count from 1 in the order in which points are added, and none is used twice;
 /// undo takes a number back too, and redo gives it again. A command that cannot be carried out
-/// throws Error with a sentence, and leaves everything as it was. Requires positions in the exact
-/// range.
+/// throws Error with a sentence, and leaves everything as it was, what can be redone included; so
+/// does one that Ctrl-C interrupts. Requires positions in the exact range.
 template <int Dimension>
 class TessellationSession {
  public:
@@ -30,6 +32,10 @@ class TessellationSession {
   const Tessellation<Dimension>& tessellation() const { return history_.tessellation(); }
   /// The user's number of a point. Requires that the point is there.
   std::uint64_t number_of(PointId p) const { return numbers_[index(p)]; }
+
+  /// Has `watcher` see the tessellation after each change, and before the change is kept: where the
+  /// watcher throws, the change is taken back, and the exception passed on. None: nobody watches.
+  void watch(std::function<void()> watcher) { watcher_ = std::move(watcher); }
 
   /// Adds a point and returns its number. Error: there is a point at this position already.
   std::uint64_t add(const Position& position);
@@ -60,7 +66,12 @@ class TessellationSession {
   };
 
   void make_room(std::size_t points);
-  void begin_step();
+  template <typename Numbering>
+  void take_step(Numbering&& numbering);
+  void keep(Step step);
+  void number_one_of_many(PointId p, Added& added);
+  bool step_back();
+  bool step_forward();
   void change_number(PointId p, std::uint64_t number);
   void exchange(std::size_t step);
 
@@ -69,6 +80,7 @@ class TessellationSession {
   std::uint64_t next_ = 1;
   std::vector<NumberChange> changes_;
   std::vector<Step> steps_;
+  std::function<void()> watcher_;
 };
 
 }  // namespace thiessen

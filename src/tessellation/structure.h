@@ -38,11 +38,12 @@ class Structure {
     std::vector<PositionChange> positions;
 
     Extent extent() const { return {topology.extent(), positions.size()}; }
-    void cut(const Extent& extent) {
-      topology.cut(extent.topology);
-      positions.erase(positions.begin() + static_cast<std::ptrdiff_t>(extent.positions),
-                      positions.end());
+    void erase(const Extent& first, const Extent& end) {
+      topology.erase(first.topology, end.topology);
+      positions.erase(positions.begin() + static_cast<std::ptrdiff_t>(first.positions),
+                      positions.begin() + static_cast<std::ptrdiff_t>(end.positions));
     }
+    void cut(const Extent& extent) { erase(extent, this->extent()); }
   };
   template <int d>
   using Simplex = std::array<PointId, static_cast<std::size_t>(d) + 1>;

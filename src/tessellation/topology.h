@@ -94,11 +94,15 @@ class Topology {
     std::vector<PointChange> points;
 
     Extent extent() const { return {rows.size(), points.size()}; }
-    /// Drops the changes that were recorded after the extent.
-    void cut(const Extent& extent) {
-      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(extent.rows), rows.end());
-      points.erase(points.begin() + static_cast<std::ptrdiff_t>(extent.points), points.end());
+    /// Drops the changes that were recorded between two extents.
+    void erase(const Extent& first, const Extent& end) {
+      rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(first.rows),
+                 rows.begin() + static_cast<std::ptrdiff_t>(end.rows));
+      points.erase(points.begin() + static_cast<std::ptrdiff_t>(first.points),
+                   points.begin() + static_cast<std::ptrdiff_t>(end.points));
     }
+    /// Drops the changes that were recorded after the extent.
+    void cut(const Extent& extent) { erase(extent, this->extent()); }
   };
 
   Topology() : vertex_of_(1, absent) {}

@@ -307,5 +307,50 @@ TYPED_TEST(TrialOf, a_million_times_needs_no_more_memory) {
   EXPECT_EQ(bits_of(tessellation), before);
 }
 
+struct Refusal {};
+
+// Whatever the witness sees, nothing is left of an operation that he does not let pass: of one
+// point, of a few (recorded as changes) and of many (a copy is kept), of a deletion.
+TYPED_TEST(HistoryOf, operations_that_the_witness_refuses_leaves_nothing_behind) {
+  constexpr int d = TestFixture::dimension;
+  Seeded seeded;
+  for (const FamilyIn<d>& family : families::all_in<d>(seeded, 40)) {
+    SCOPED_TRACE(family.name);
+    History<d> history;
+    const Tessellation<d>& tessellation = history.tessellation();
+    history.add_all(family.points);
+    const PointId first = any_point(seeded, tessellation);
+    const auto place = tessellation.position(first);
+    history.remove(first);
+    const Bits redone = bits_of(tessellation);
+    history.undo();
+    const Bits before = bits_of(tessellation);
+    std::size_t seen = 0;
+    const auto refuse = [&](std::span<const PointId> points) {
+      seen += points.size();
+      throw Refusal();
+    };
+    const PositionIn<d> fresh{0.123456, 0.654321};
+    EXPECT_THROW(history.add(fresh, {}, refuse), Refusal);
+    EXPECT_EQ(bits_of(tessellation), before);
+    EXPECT_THROW(history.add_all(std::vector{fresh}, refuse), Refusal);
+    EXPECT_EQ(bits_of(tessellation), before);
+    EXPECT_THROW(history.add_all(std::vector(1000, fresh), refuse), Refusal);
+    EXPECT_EQ(bits_of(tessellation), before);
+    EXPECT_EQ(seen, 1002u);
+    EXPECT_THROW(history.remove(*tessellation.find(place), refuse), Refusal);
+    EXPECT_EQ(bits_of(tessellation), before);
+    ASSERT_TRUE(history.redo()) << "what was undone is not forgotten";
+    EXPECT_EQ(bits_of(tessellation), redone);
+    history.undo();
+    history.add(fresh);
+    EXPECT_EQ(history.redoable(), 0u);
+    history.undo();
+    EXPECT_EQ(bits_of(tessellation), before);
+    history.undo();
+    EXPECT_TRUE(tessellation.empty());
+  }
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -266,5 +266,42 @@ TEST(Session, follows_a_list_of_its_states) {
   }
 }
 
+// The watcher sees the change, numbers included; where he throws, it never was.
+TEST(Session, takes_back_what_its_watcher_refuses) {
+  TessellationSession<2> session;
+  session.add({0, 0});
+  session.add({4, 0});
+  session.add({9, 9});
+  session.undo();
+  const std::string before = table_of(session);
+  std::vector<std::string> seen;
+  session.watch([&] {
+    seen.push_back(table_of(session));
+    throw Error(Message{"", 0, "refused", {}});
+  });
+  EXPECT_THROW(session.add({0, 3}), Error);
+  EXPECT_THROW(session.remove({0, 0}), Error);
+  EXPECT_THROW(session.add_all(std::vector<Point>{{0, 3}, {4, 0}, {5, 5}}), Error);
+  EXPECT_THROW(session.undo(), Error);
+  EXPECT_THROW(session.redo(), Error);
+  EXPECT_EQ(table_of(session), before);
+  ASSERT_EQ(seen.size(), 5u);
+  EXPECT_TRUE(seen[0].starts_with("point 1 0 0\npoint 2 4 0\npoint 3 0 3\nvertex 1 ")) << seen[0];
+  EXPECT_EQ(seen[1], "point 2 4 0\n");
+  EXPECT_TRUE(seen[2].starts_with("point 1 0 0\npoint 2 4 0\npoint 3 0 3\npoint 4 5 5\n"));
+  EXPECT_EQ(seen[3], "point 1 0 0\n");
+  EXPECT_TRUE(seen[4].starts_with("point 1 0 0\npoint 2 4 0\npoint 3 9 9\n"));
+  session.watch({});
+  session.redo();
+  EXPECT_EQ(session.number_of(session.point_at({9, 9})), 3u) << "what was undone is still there";
+  session.undo();
+  EXPECT_EQ(session.add({0, 3}), 3u);
+  EXPECT_EQ(complaint_of([&] { session.redo(); }), "there is nothing to redo");
+  for (int i = 0; i < 3; ++i) session.undo();
+  EXPECT_TRUE(session.tessellation().empty());
+  for (int i = 0; i < 3; ++i) session.redo();
+  EXPECT_EQ(session.number_of(session.point_at({0, 3})), 3u);
+}
+
 }  // namespace
 }  // namespace thiessen
