@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "geometry/hilbert.h"
 
 namespace thiessen {
@@ -55,6 +56,7 @@ std::span<Entry> sorted(std::span<Entry> entries, std::span<Entry> spare, int bi
   const int width = (bits + digits - 1) / digits;
   const Entry mask = (Entry{1} << width) - 1;
   for (int digit = 0; digit < digits; ++digit) {
+    throw_if_interrupted();
     const int shift = index_bits + digit * width;
     std::array<std::uint32_t, std::size_t{1} << widest_digit> next{};
     for (const Entry entry : entries) ++next[entry >> shift & mask];
@@ -81,6 +83,7 @@ class CurveOrder {
   std::vector<std::uint32_t> result() && {
     sort_in_rounds();
     while (!crowded_.empty()) {
+      throw_if_interrupted();
       const Stretch cell = crowded_.back();
       crowded_.pop_back();
       sort_cell(cell);

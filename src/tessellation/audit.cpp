@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "base/interrupt.h"
 #include "tessellation/at_dimension.h"
 #include "tessellation/id_table.h"
 #include "tessellation/parity.h"
@@ -23,6 +24,7 @@ class Inspection {
 
   Findings links() && {
     topology_.for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       inspect_points(v);
       for (std::size_t side = 0; side <= d; ++side) inspect_link(v, side);
     });
@@ -35,6 +37,7 @@ class Inspection {
   Findings hull() && {
     VertexId outside = no_vertex;
     topology_.for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       if (topology_.is_infinite(v)) {
         inspect_hull_facet(v);
         outside = v;
@@ -53,6 +56,7 @@ class Inspection {
 
   Findings spheres() && {
     topology_.for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       if (topology_.is_infinite(v)) return;
       for (std::size_t side = 0; side <= d; ++side) {
         const PointId across = point_across(v, side);
@@ -140,6 +144,7 @@ class Inspection {
   std::size_t count_edges() const {
     IdTable<2> edges;
     topology_.for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       for (std::size_t i = 0; i <= d; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           const auto [low, high] = std::minmax(topology_.forming(v)[i], topology_.forming(v)[j]);
@@ -156,6 +161,7 @@ class Inspection {
     reached[index(first)] = true;
     std::size_t count = 0;
     while (!open.empty()) {
+      throw_if_interrupted();
       const VertexId v = open.back();
       open.pop_back();
       ++count;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/interrupt.h"
 #include "geometry/space_predicates.h"
 
 namespace thiessen {
@@ -40,6 +41,7 @@ template <typename Visit>
 void CoincidingVertices::for_each_pair(PointId p, Visit visit) const {
   const auto& topology = tessellation_.topology();
   for (const VertexId v : star_.vertices()) {
+    throw_if_interrupted();
     for (std::size_t side = 0; side < 4; ++side) {
       const VertexId w = topology.neighbour(v, side);
       if (topology.forming(v)[side] == p || index(w) < index(v)) continue;
@@ -75,6 +77,7 @@ void CoincidingVertices::unite_circles(PointId p) {
 void CoincidingVertices::find_first() {
   first_.assign(star_.vertices().size(), no_vertex);
   for (const VertexId v : star_.vertices()) {
+    throw_if_interrupted();
     VertexId& first = first_[group_of(v)];
     if (first == no_vertex || in_order(tessellation_, v) < in_order(tessellation_, first))
       first = v;

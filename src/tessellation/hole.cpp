@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "tessellation/parity.h"
 #include "tessellation/tessellation.h"
 
@@ -29,6 +30,7 @@ void Hole<Dimension>::open(const Topology<Dimension>& topology, PointId p,
   facet_of_.clear();
   new_vertices_.clear();
   for (const VertexId v : star.vertices()) {
+    throw_if_interrupted();
     const std::size_t side = topology.corner_of(v, p);
     const VertexId outside = topology.neighbour(v, side);
     facet_of_.insert(key_of(topology.forming(v), side), static_cast<std::uint32_t>(facets_.size()));
@@ -105,6 +107,7 @@ bool Hole<Dimension>::may_complete(const Structure<Dimension>& structure, const 
 template <int Dimension>
 template <int d>
 void Hole<Dimension>::add_simplex(Topology<Dimension>& topology, const Forming& forming) {
+  throw_if_interrupted();
   const VertexId v = next_vertex(topology);
   auto& row = topology.fill(v);
   row.forming = forming;
@@ -196,6 +199,7 @@ const std::vector<VertexId>& Hole<Dimension>::fill_from_tessellation(
     within.push_back(v);
   };
   there.for_each_vertex([&](VertexId v) {
+    throw_if_interrupted();
     const Forming forming = our_forming(v);
     for (std::size_t side = 0; side <= d; ++side) {
       const Facet* facet = rim_facet(forming, side);
@@ -203,6 +207,7 @@ const std::vector<VertexId>& Hole<Dimension>::fill_from_tessellation(
     }
   });
   for (std::size_t next = 0; next < within.size(); ++next) {
+    throw_if_interrupted();
     const Forming forming = our_forming(within[next]);
     for (std::size_t side = 0; side <= d; ++side) {
       if (rim_facet(forming, side) == nullptr) take(there.neighbour(within[next], side));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "geometry/determinants.h"
 #include "geometry/space_predicates.h"
 #include "geometry/voronoi_measures.h"
@@ -50,6 +51,7 @@ class SpaceCellFinder {
         cell_.vertices.push_back(voronoi_vertex(tessellation_.structure(), v));
     }
     std::sort(cell_.vertices.begin(), cell_.vertices.end(), [&](const auto& v, const auto& w) {
+      throw_if_interrupted();
       if (v.centre != w.centre) return v.centre < w.centre;
       return in_order(tessellation_, v.vertex) < in_order(tessellation_, w.vertex);
     });
@@ -92,6 +94,7 @@ class SpaceCellFinder {
   }
 
   void add_face(EdgeRing ring, PointId q) {
+    throw_if_interrupted();
     CellFace face;
     face.neighbour = q;
     face.is_bounded = begin_well(ring);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/interrupt.h"
 #include "geometry/coordinates.h"
 #include "geometry/insertion_order.h"
 #include "tessellation/audit.h"
@@ -27,6 +28,7 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
   std::vector<PointId> numbers(points.size());
   constexpr std::size_t ahead = 16;  // points are fetched early: the order jumps in the input
   for (std::size_t k = 0; k < order.size(); ++k) {
+    throw_if_interrupted();
     if (k + ahead < order.size()) __builtin_prefetch(&points[order[k + ahead]]);
     const Position& position = points[order[k]];
     numbers[order[k]] = insert(position, few ? start(position, {}) : last_);
@@ -80,9 +82,14 @@ void Tessellation<Dimension>::note_changes(std::size_t changes) {
   changes_since_audit_ += changes;
   if (changes_since_audit_ * points_a_change < count()) return;
   changes_since_audit_ = 0;
-  for (const auto& finding : audit(*this)) {
-    throw std::logic_error("the tessellation is broken: " + std::string(name_of(finding.fault)) +
-                           " at vertex " + std::to_string(index(finding.vertex)));
+  try {
+    for (const auto& finding : audit(*this)) {
+      throw std::logic_error("the tessellation is broken: " + std::string(name_of(finding.fault)) +
+                             " at vertex " + std::to_string(index(finding.vertex)));
+    }
+  } catch (const Interrupted&) {
+    // What is changed here may be a change that is taken back because of Ctrl-C, which has to go on
+    // to its end; whoever does long work hears the signal himself.
   }
 #endif
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "geometry/coordinates.h"
 #include "tessellation/voronoi_vertex.h"
@@ -75,6 +76,7 @@ template <typename Cell>
 std::string vertices_and_rays(const Cell& cell) {
   std::string text;
   for (const auto& vertex : cell.vertices) {
+    throw_if_interrupted();
     append_vertex(text, vertex);
     text += '\n';
   }
@@ -145,6 +147,7 @@ std::string cell_text(const Tessellation<3>& tessellation, const NumberOf& numbe
   std::sort(faces.begin(), faces.end());
   std::string neighbours;
   for (const auto& [number, face] : faces) {
+    throw_if_interrupted();
     append_count(neighbours, number);
     text += "face neighbor";
     append_count(text, number);

@@ -62,6 +62,7 @@ void draw_lines(const cv::Mat& pixels, Point corner, std::span<const Polyline> l
   std::vector<Reach> reaches;
   Reach all;
   for (const Polyline line : lines) {
+    throw_if_interrupted();
     reaches.push_back(reach_of(line));
     if (line.empty()) continue;
     all.add({reaches.back().left, reaches.back().top});
@@ -71,11 +72,11 @@ void draw_lines(const cv::Mat& pixels, Point corner, std::span<const Polyline> l
   if (box.empty()) return;
   const int rows = fine::rows_at_once(box.width, fineness, 1);
   for (int row = box.y; row < box.y + box.height; row += rows) {
-    throw_if_interrupted();
     const cv::Rect strip(box.x, row, box.width, std::min(rows, box.y + box.height - row));
     const Point upper_left{corner.x + strip.x, corner.y + strip.y};
     cv::Mat grid(strip.size() * fineness, CV_8UC1, cv::Scalar::all(0));
     for (std::size_t i = 0; i < lines.size(); ++i) {
+      throw_if_interrupted();
       if ((touched(reaches[i], corner, stroke.width, pixels) & strip).empty()) continue;
       const std::vector<cv::Point> line = fine::places(lines[i], upper_left, fineness);
       cv::polylines(grid, line, false, cv::Scalar::all(255), thick, cv::LINE_8, fine::shift);

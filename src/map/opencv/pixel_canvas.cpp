@@ -7,6 +7,7 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "map/ink/dashes.h"
 #include "map/ink/ink.h"
 #include "map/opencv/area_filling.h"
@@ -87,6 +88,7 @@ void PixelCanvas::lines(std::span<const Polyline> lines, const Stroke& stroke,
   }
   std::vector<std::vector<Point>> parts;
   for (const Polyline line : lines) {
+    throw_if_interrupted();
     for (std::vector<Point>& part : dashed(line, stroke.dash, stroke.gap)) {
       parts.push_back(std::move(part));
     }

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "map/ink/dashes.h"
 #include "map/ink/ink.h"
 #include "map/plot/box_cut.h"
@@ -62,6 +63,7 @@ void draw_stroke(Canvas& canvas, const PixelBox& panel, Point from, Point to, do
 }  // namespace
 
 void DepthDrawing::add_line(const SceneVector& from, const SceneVector& to, const Pen& pen) {
+  throw_if_interrupted();
   const auto ahead = ahead_of(camera_.near_plane(), camera_.seen(from), camera_.seen(to));
   if (!ahead) return;
   const auto& [a, b] = *ahead;
@@ -99,13 +101,16 @@ const std::vector<DepthDrawing::Piece>& DepthDrawing::in_order() {
   const auto key = [](const Piece& p) {
     return std::tuple(-p.ahead, p.is_ball, p.from, p.to, p.width, p.colour.red, p.colour.blue);
   };
-  std::sort(pieces_.begin(), pieces_.end(),
-            [&](const Piece& a, const Piece& b) { return key(a) < key(b); });
+  std::sort(pieces_.begin(), pieces_.end(), [&](const Piece& a, const Piece& b) {
+    throw_if_interrupted();
+    return key(a) < key(b);
+  });
   return pieces_;
 }
 
 void DepthDrawing::draw(Canvas& canvas) {
   for (const Piece& piece : in_order()) {
+    throw_if_interrupted();
     if (piece.is_ball) {
       draw_ball(canvas, piece);
     } else {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/interrupt.h"
 #include "geometry/predicates.h"
 #include "geometry/space_predicates.h"
 #include "map/plot/box_cut.h"
@@ -33,6 +34,7 @@ class EdgeFinder {
   void find_delaunay_edges() {
     Star<Dimension> star;
     tessellation_.for_each_point([&](PointId p) {
+      throw_if_interrupted();
       tessellation_.for_each_neighbour(p, star, [&](PointId q) {
         if (position(p) < position(q)) edges.delaunay.push_back({place(p), place(q)});
       });
@@ -52,6 +54,7 @@ class EdgeFinder {
   void place_vertices(Centre&& centre) {
     vertices_.resize(topology().size());
     topology().for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       if (!topology().is_infinite(v)) vertices_[index(v)] = centre(topology().forming(v));
     });
   }
@@ -62,6 +65,7 @@ class EdgeFinder {
   template <int d, typename Visit>
   void for_each_facet(Visit&& visit) const {
     topology().for_each_vertex([&](VertexId v) {
+      throw_if_interrupted();
       for (std::size_t i = 0; i <= d; ++i) {
         const VertexId w = topology().neighbour(v, i);
         if (w < v) continue;
