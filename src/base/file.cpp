@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/spool.h"
@@ -149,6 +150,16 @@ void OutputFile::finish() {
     copy_spool(spool_, [&](std::string_view text) { write_whole(file_.number(), text, name_); });
   if (care_ == Care::synced) sync_to_disk(file_.number(), name_);
   if (!file_.close()) throw system_error(name_, "cannot close", errno);
+}
+
+void OutputFile::discard() {
+  buffer_.clear();
+}
+
+OutputFile OutputFile::held() const {
+  Descriptor copy(::fcntl(file_.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+  if (!copy.is_open()) throw system_error(name_, "cannot write", errno);
+  return {name_, std::move(copy), Care::held};
 }
 
 OutputFile standard_output(OutputFile::Care care) {

@@ -67,6 +67,11 @@ class OutputFile {
   void flush();
   /// Writes the rest, syncs and closes the file. The bytes are safe only when this does not throw.
   void finish();
+  /// Drops what is not handed over yet.
+  void discard();
+  /// Another output to the same place, none of whose bytes go there until it is finished. What this
+  /// one holds has to be flushed first. Throws Error where the system has no more descriptors.
+  OutputFile held() const;
 
  private:
   void write(std::string_view text);

@@ -43,4 +43,9 @@ void forget_interrupt() noexcept {
   noted_signal.store(0, std::memory_order_relaxed);
 }
 
+bool forget_ctrl_c() noexcept {
+  int expected = SIGINT;
+  return noted_signal.compare_exchange_strong(expected, 0, std::memory_order_relaxed);
+}
+
 }  // namespace thiessen

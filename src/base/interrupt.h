@@ -32,7 +32,11 @@ int interrupt_signal() noexcept;
 /// Throws Interrupted if a signal has come. Long loops call it every so often, from any thread.
 void throw_if_interrupted();
 
-/// Forgets the signal that has come, for an interactive session that goes on after Ctrl-C.
+/// Forgets the signal that has come.
 void forget_interrupt() noexcept;
+
+/// Forgets Ctrl-C, for an interactive session that goes on after it. Returns false where no signal
+/// has come, or one that ends the session.
+bool forget_ctrl_c() noexcept;
 
 }  // namespace thiessen

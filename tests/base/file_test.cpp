@@ -215,5 +215,27 @@ TEST(StandardStreams, closed_ones_are_not_taken_by_the_next_file) {
       ::testing::ExitedWithCode(0), "");
 }
 
+TEST(OutputFile, hands_held_text_over_when_it_is_finished_and_drops_what_is_discarded) {
+  const TemporaryFolder folder;
+  OutputFile output("out", open_descriptor(folder.path("out"), O_WRONLY | O_CREAT, 0600),
+                    OutputFile::Care::closed);
+  output.append("first ");
+  output.flush();
+  {
+    OutputFile never = output.held();
+    never.append(std::string(1'000'000, 'x'));
+  }
+  OutputFile held = output.held();
+  held.append("second ");
+  held.flush();
+  EXPECT_EQ(folder.read("out"), "first ");
+  held.finish();
+  output.append("dropped ");
+  output.discard();
+  output.append("third");
+  output.finish();
+  EXPECT_EQ(folder.read("out"), "first second third");
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -38,6 +38,16 @@ TEST_F(Interrupt, has_the_exit_status_that_shells_expect) {
   }
 }
 
+TEST_F(Interrupt, ctrl_c_alone_is_forgotten_as_such) {
+  EXPECT_FALSE(forget_ctrl_c()) << "nothing has come";
+  std::raise(SIGINT);
+  EXPECT_TRUE(forget_ctrl_c());
+  EXPECT_NO_THROW(throw_if_interrupted());
+  std::raise(SIGTERM);
+  EXPECT_FALSE(forget_ctrl_c());
+  EXPECT_THROW(throw_if_interrupted(), Interrupted);
+}
+
 TEST_F(Interrupt, does_not_come_of_a_signal_that_was_ignored) {
   std::signal(SIGHUP, SIG_IGN);
   watch_for_interrupts();
