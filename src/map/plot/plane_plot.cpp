@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "map/ink/ink.h"
 #include "map/plot/axis_ticks.h"
+#include "map/plot/box_cut.h"
 #include "map/plot/number_labels.h"
 #include "map/plot/plot_sheet.h"
 #include "map/plot/tessellation_edges.h"
@@ -18,6 +21,24 @@ namespace thiessen {
 namespace {
 
 constexpr int smallest_numerals = 11;
+
+/// The points that lie in the panel, its border included.
+std::vector<PointId> points_in_sight(const Tessellation<2>& tessellation, const PlanePlot& plot) {
+  std::vector<PointId> points;
+  tessellation.for_each_point([&](PointId p) {
+    if (is_in_box<2>(plot.scene()(tessellation.position(p)), plot.half())) points.push_back(p);
+  });
+  return points;
+}
+
+/// The part of the edge that lies in the panel; none where it passes by.
+std::optional<EdgeIn<2>> cut_to_panel(const EdgeIn<2>& edge, const CoordinatesIn<2>& half) {
+  const Line<2> line{edge.from, {edge.to[0] - edge.from[0], edge.to[1] - edge.from[1]}};
+  const auto seen = cut_to_box<2>(line, {0, 1}, half);
+  if (!seen) return std::nullopt;
+  return EdgeIn<2>{seen->from > 0 ? line.at(seen->from) : edge.from,
+                   seen->to < 1 ? line.at(seen->to) : edge.to};
+}
 
 /// Sizes, in pixels, that suit the distance between the points.
 struct Strokes {
@@ -50,19 +71,22 @@ CoordinatesIn<2> stretch_of(const CoordinateRange<2>& range) {
 
 class PlaneDrawing {
  public:
-  PlaneDrawing(const Tessellation<2>& tessellation, const PlanePlot& plot)
+  PlaneDrawing(const Tessellation<2>& tessellation, const PlanePlot& plot, const PlotSize& size)
       : tessellation_(tessellation),
         plot_(plot),
-        sheet_(plot.aspect(), PlotSheet::Margins::for_axes),
+        sheet_(plot.aspect(), PlotSheet::Margins::for_axes, size),
+        in_sight_(points_in_sight(tessellation, plot)),
         strokes_(apart(), sheet_.style().em) {}
 
   void draw(const NumberOf& number_of) {
     draw_edges();
     draw_dots();
-    write_numbers(number_of);
-    draw_axes();
+    const bool has_text = !sheet_.style().bare;
+    if (has_text) write_numbers(number_of);
+    if (has_text) draw_axes();
     sheet_.draw_border();
-    sheet_.write_legend(tessellation_.count());
+    if (!has_text) return;
+    sheet_.write_legend(in_sight_.size(), tessellation_.count());
     write_notes();
   }
   PixelCanvas take_canvas() { return std::move(sheet_.canvas()); }
@@ -71,7 +95,10 @@ class PlaneDrawing {
   double apart() const {
     const PixelBox& panel = sheet_.panel();
     const double pixels = static_cast<double>(panel.width) * panel.height;
-    return std::sqrt(pixels / 2 / static_cast<double>(tessellation_.count()));
+    return std::sqrt(pixels / 2 / static_cast<double>(std::max<std::size_t>(in_sight_.size(), 1)));
+  }
+  Point dot_of(PointId p) const {
+    return plot_.pixel(plot_.scene()(tessellation_.position(p)), sheet_.panel());
   }
 
   using Segment = std::array<Point, 2>;
@@ -79,9 +106,11 @@ class PlaneDrawing {
   std::vector<Segment> segments(const std::vector<EdgeIn<2>>& edges) const {
     std::vector<Segment> result;
     result.reserve(edges.size());
-    for (const EdgeIn<2>& edge : edges) {
+    for (const EdgeIn<2>& whole : edges) {
+      const auto edge = cut_to_panel(whole, plot_.half());
+      if (!edge) continue;
       result.push_back(
-          {plot_.pixel(edge.from, sheet_.panel()), plot_.pixel(edge.to, sheet_.panel())});
+          {plot_.pixel(edge->from, sheet_.panel()), plot_.pixel(edge->to, sheet_.panel())});
     }
     return result;
   }
@@ -101,10 +130,10 @@ class PlaneDrawing {
 
   void draw_dots() {
     const auto all_discs = [this](double radius, Colour colour) {
-      tessellation_.for_each_point([&](PointId p) {
-        sheet_.canvas().disc(plot_.pixel(plot_.scene()(tessellation_.position(p)), sheet_.panel()),
-                             radius, colour, sheet_.panel());
-      });
+      for (const PointId p : in_sight_) {
+        throw_if_interrupted();
+        sheet_.canvas().disc(dot_of(p), radius, colour, sheet_.panel());
+      }
     };
     if (rim() > strokes_.dot) all_discs(rim(), ink::white);
     all_discs(strokes_.dot, ink::text);
@@ -124,11 +153,10 @@ class PlaneDrawing {
     }
     NumberLabels labels(sheet_.canvas(), sheet_.panel(), sheet_.type(), strokes_.numerals);
     std::vector<Numbered> points;
-    tessellation_.for_each_point([&](PointId p) {
-      const Point dot = plot_.pixel(plot_.scene()(tessellation_.position(p)), sheet_.panel());
-      points.push_back({number_of(p), dot});
-      labels.keep_clear(dot, strokes_.dot);
-    });
+    for (const PointId p : in_sight_) {
+      points.push_back({number_of(p), dot_of(p)});
+      labels.keep_clear(points.back().dot, strokes_.dot);
+    }
     std::sort(points.begin(), points.end(),
               [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
     std::size_t written = 0;
@@ -167,7 +195,7 @@ class PlaneDrawing {
       const int at = static_cast<int>(std::floor(tick_pixel(0, tick).x));
       sheet_.canvas().fill({at, panel.bottom(), style.hairline, tick_length}, ink::border);
       const SetText text = sheet_.type().set(tick.text, size);
-      const int middle = std::min(at, PlotSheet::width - text.width() / 2 - style.hairline);
+      const int middle = std::min(at, sheet_.canvas().width() - text.width() / 2 - style.hairline);
       sheet_.write(text, middle, panel.bottom() + style.ems(1.1), PlotSheet::Align::centre,
                    ink::text);
     }
@@ -203,14 +231,16 @@ class PlaneDrawing {
   const Tessellation<2>& tessellation_;
   const PlanePlot& plot_;
   PlotSheet sheet_;
+  std::vector<PointId> in_sight_;
   Strokes strokes_;
   std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-PlanePlot::PlanePlot(const CoordinateRange<2>& range)
-    : stretch_(stretch_of(range)), scene_(range, stretch_) {
+PlanePlot::PlanePlot(const CoordinateRange<2>& range, Surroundings surroundings)
+    : stretch_(stretch_of(range)), scene_(range, stretch_), half_(scene_.half()) {
+  if (surroundings == Surroundings::none) return;
   constexpr double margin = 0.14;
   constexpr double least_aspect = 1;
   constexpr double largest_aspect = 2.4;
@@ -220,22 +250,40 @@ PlanePlot::PlanePlot(const CoordinateRange<2>& range)
   half_[1] = std::max(half_[1], half_[0] / largest_aspect);
 }
 
+PlanePlot PlanePlot::of_window(const PlaneWindow& window) {
+  CoordinateRange<2> range;
+  range.low = coordinates(window.low);
+  range.high = coordinates(window.high);
+  return {range, Surroundings::none};
+}
+
+void PlanePlot::widen_to(double aspect) {
+  half_[0] = std::max(half_[0], aspect * half_[1]);
+  half_[1] = std::max(half_[1], half_[0] / aspect);
+}
+
 Point PlanePlot::pixel(const CoordinatesIn<2>& place, const PixelBox& panel) const {
   const double scale = panel.width / (2 * half_[0]);
   return {panel.x + panel.width / 2.0 + place[0] * scale,
           panel.y + panel.height / 2.0 - place[1] * scale};
 }
 
-PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of) {
+PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of,
+                       const std::optional<PlaneWindow>& window, const PlotSize& size) {
   if (tessellation.empty()) {
-    PlotSheet sheet(1.5, PlotSheet::Margins::plain);
+    const bool is_tall = size.height > 0;
+    constexpr auto plain = PlotSheet::Margins::plain;
+    PlotSheet sheet(is_tall ? PlotSheet::aspect_of_room(plain, size) : 1.5, plain, size);
     sheet.draw_border();
-    sheet.write_legend(0);
+    sheet.write_legend(0, 0);
     sheet.write_sentence("There are no points, and so there is nothing to tessellate.");
     return std::move(sheet.canvas());
   }
-  const PlanePlot plot{CoordinateRange<2>(tessellation)};
-  PlaneDrawing drawing(tessellation, plot);
+  PlanePlot plot =
+      window ? PlanePlot::of_window(*window) : PlanePlot(CoordinateRange<2>(tessellation));
+  if (!window && size.height > 0)
+    plot.widen_to(PlotSheet::aspect_of_room(PlotSheet::Margins::for_axes, size));
+  PlaneDrawing drawing(tessellation, plot, size);
   drawing.draw(number_of);
   return drawing.take_canvas();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "map/opencv/pixel_canvas.h"
 #include "map/plot/scene_coordinates.h"
@@ -13,7 +14,11 @@ class PlanePlot {
  public:
   /// Shows the points and a margin on equal scales, but for needles: where the range is more than
   /// `longest_shown` times as long as it is wide, the short side is stretched. Requires a point.
-  explicit PlanePlot(const CoordinateRange<2>& range);
+  explicit PlanePlot(const CoordinateRange<2>& range) : PlanePlot(range, Surroundings::margin) {}
+  /// Shows this range and nothing beyond it. Requires sides longer than 0.
+  static PlanePlot of_window(const PlaneWindow& window);
+  /// Shows more of the plane, so that the panel has this aspect.
+  void widen_to(double aspect);
 
   static constexpr double longest_shown = 30;
 
@@ -28,12 +33,16 @@ class PlanePlot {
   Point pixel(const CoordinatesIn<2>& place, const PixelBox& panel) const;
 
  private:
+  enum class Surroundings { none, margin };
+  PlanePlot(const CoordinateRange<2>& range, Surroundings surroundings);
+
   CoordinatesIn<2> stretch_;
   SceneCoordinates<2> scene_;
   CoordinatesIn<2> half_;
 };
 
 /// Draws the picture of a plane tessellation; see plane_picture.
-PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of);
+PixelCanvas plot_plane(const Tessellation<2>& tessellation, const NumberOf& number_of,
+                       const std::optional<PlaneWindow>& window = {}, const PlotSize& size = {});
 
 }  // namespace thiessen

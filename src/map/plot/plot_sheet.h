@@ -6,19 +6,24 @@
 
 #include "map/opencv/pixel_canvas.h"
 #include "map/opencv/typesetter.h"
+#include "map/plot/tessellation_picture.h"
 #include "map/sheet/page.h"
 
 namespace thiessen {
 
-/// A page with a bordered panel, a legend above it and notes below.
+/// A page with a bordered panel, a legend above it and notes below. A page too small for any text
+/// is the panel alone.
 class PlotSheet {
  public:
-  static constexpr int width = 1600;
-
   enum class Margins { plain, for_axes };
 
-  /// `aspect` is the width of the panel divided by its height.
-  PlotSheet(double aspect, Margins margins);
+  /// `aspect` is the width of the panel divided by its height. The panel is as large as the page
+  /// lets it be, in the middle of the room for it; a page without a height gets one that fits, but
+  /// not beyond a square panel's.
+  PlotSheet(double aspect, Margins margins, const PlotSize& size = {});
+
+  /// The aspect of a panel that takes all the room of a page whose height is given.
+  static double aspect_of_room(Margins margins, const PlotSize& size);
 
   PixelCanvas& canvas() { return canvas_; }
   Typesetter& type() { return type_; }
@@ -29,8 +34,8 @@ class PlotSheet {
   enum class Align { left, centre, right };
   void write(const SetText& text, int x, int baseline, Align align, Colour colour);
 
-  /// Writes what red and blue lines stand for, and how many points there are.
-  void write_legend(std::size_t points);
+  /// Writes what red and blue lines stand for, and how many of how many points are in sight.
+  void write_legend(std::size_t in_sight, std::size_t points);
   /// Writes a note on the lowest line, to the right of the notes written before.
   void write_note(const std::string& note);
   /// Writes a sentence in the middle of the panel.
@@ -39,6 +44,7 @@ class PlotSheet {
 
  private:
   PageStyle style_;
+  PixelBox room_;
   PixelBox panel_;
   PixelCanvas canvas_;
   Typesetter type_;

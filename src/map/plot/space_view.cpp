@@ -21,7 +21,13 @@
 namespace thiessen {
 namespace {
 
-constexpr double aspect = 1.35;
+/// The panel's aspect where no height of the page is given.
+constexpr double usual_aspect = 1.35;
+
+PlotSheet sheet_of(const PlotSize& size) {
+  constexpr auto plain = PlotSheet::Margins::plain;
+  return {size.height > 0 ? PlotSheet::aspect_of_room(plain, size) : usual_aspect, plain, size};
+}
 
 /// The place and the direction of the look, in units of the scene.
 struct Sight {
@@ -74,31 +80,33 @@ Sight sight_of(const View& view, const SceneCoordinates<3>& scene) {
 
 class SpaceDrawing {
  public:
-  SpaceDrawing(const Tessellation<3>& tessellation, const std::optional<View>& view)
+  SpaceDrawing(const Tessellation<3>& tessellation, const std::optional<View>& view,
+               const PlotSize& size)
       : tessellation_(tessellation),
         scene_(CoordinateRange<3>(tessellation), {1, 1, 1}),
         half_(half_of_box()),
         sight_(view ? sight_of(*view, scene_) : default_sight(half_)),
-        sheet_(aspect, PlotSheet::Margins::plain),
+        sheet_(sheet_of(size)),
         camera_(sight_.eye, sight_.direction, half_, sheet_.panel(),
                 view ? Camera::Middle::straight_ahead : Camera::Middle::box),
         drawing_(camera_, sheet_.panel()) {}
 
   void draw(const NumberOf& number_of, const std::optional<View>& view) {
-    sheet_.write_legend(tessellation_.count());
+    sheet_.write_legend(tessellation_.count(), tessellation_.count());
     const SceneBox box(scene_, half_, camera_, sight_.eye);
     box.add_edges(drawing_, {ink::border, hairline(), 0, 0, 0});
     add_edges();
     add_balls();
     drawing_.draw(sheet_.canvas());
-    if (camera_.is_outside()) box.write_coordinates(sheet_);
+    const bool has_text = !sheet_.style().bare;
+    if (camera_.is_outside() && has_text) box.write_coordinates(sheet_);
     if (camera_.sees_box()) {
-      write_numbers(number_of);
+      if (has_text) write_numbers(number_of);
     } else {
       sheet_.write_sentence("None of the points lies ahead.");
     }
     sheet_.draw_border();
-    write_notes(view);
+    if (has_text) write_notes(view);
   }
   PixelCanvas take_canvas() { return std::move(sheet_.canvas()); }
 
@@ -247,16 +255,16 @@ class SpaceDrawing {
 }  // namespace
 
 PixelCanvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
-                       const std::optional<View>& view) {
+                       const std::optional<View>& view, const PlotSize& size) {
   if (view) check(*view);
   if (tessellation.empty()) {
-    PlotSheet sheet(aspect, PlotSheet::Margins::plain);
+    PlotSheet sheet = sheet_of(size);
     sheet.draw_border();
-    sheet.write_legend(0);
+    sheet.write_legend(0, 0);
     sheet.write_sentence("There are no points, and so there is nothing to tessellate.");
     return std::move(sheet.canvas());
   }
-  SpaceDrawing drawing(tessellation, view);
+  SpaceDrawing drawing(tessellation, view, size);
   drawing.draw(number_of, view);
   return drawing.take_canvas();
 }

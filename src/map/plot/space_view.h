@@ -9,6 +9,6 @@ namespace thiessen {
 
 /// Draws the picture of a tessellation in space; see space_picture.
 PixelCanvas view_space(const Tessellation<3>& tessellation, const NumberOf& number_of,
-                       const std::optional<View>& view);
+                       const std::optional<View>& view, const PlotSize& size = {});
 
 }  // namespace thiessen

@@ -12,10 +12,11 @@ namespace thiessen {
 namespace {
 
 template <typename Plot>
-std::vector<unsigned char> picture_of(Plot&& plot) {
+std::vector<unsigned char> picture_of(const PlotSize& size, Plot&& plot) {
   try {
     PixelCanvas canvas = plot();
-    return encoded(canvas, PixelFormat::png, {{"software", std::string("thiessen ") + version()}});
+    return encoded(canvas, PixelFormat::png, {{"software", std::string("thiessen ") + version()}},
+                   size.dots_to_the_inch);
   } catch (...) {
     throw_drawing_error();
   }
@@ -24,14 +25,16 @@ std::vector<unsigned char> picture_of(Plot&& plot) {
 }  // namespace
 
 std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
-                                         const NumberOf& number_of) {
-  return picture_of([&] { return plot_plane(tessellation, number_of); });
+                                         const NumberOf& number_of,
+                                         const std::optional<PlaneWindow>& window,
+                                         const PlotSize& size) {
+  return picture_of(size, [&] { return plot_plane(tessellation, number_of, window, size); });
 }
 
 std::vector<unsigned char> space_picture(const Tessellation<3>& tessellation,
-                                         const NumberOf& number_of,
-                                         const std::optional<View>& view) {
-  return picture_of([&] { return view_space(tessellation, number_of, view); });
+                                         const NumberOf& number_of, const std::optional<View>& view,
+                                         const PlotSize& size) {
+  return picture_of(size, [&] { return view_space(tessellation, number_of, view, size); });
 }
 
 }  // namespace thiessen

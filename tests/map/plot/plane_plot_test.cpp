@@ -60,5 +60,33 @@ TEST(PlanePlot, has_the_middle_of_the_points_in_the_middle_and_y_upward) {
   EXPECT_NEAR(corner.y, 190, 1e-9);
 }
 
+// Its corners are the panel's, whatever points there are.
+TEST(PlanePlot, of_a_window_shows_it_and_no_more) {
+  const PlanePlot plot = PlanePlot::of_window({{1e6, -5}, {1e6 + 30, 5}});
+  EXPECT_NEAR(plot.aspect(), 3, 1e-12);
+  const PixelBox panel{100, 50, 900, 300};
+  const Point low = plot.pixel(plot.scene()({1e6, -5}), panel);
+  EXPECT_NEAR(low.x, 100, 1e-6);
+  EXPECT_NEAR(low.y, 350, 1e-6);
+  const Point high = plot.pixel(plot.scene()({1e6 + 30, 5}), panel);
+  EXPECT_NEAR(high.x, 1000, 1e-6);
+  EXPECT_NEAR(high.y, 50, 1e-6);
+  EXPECT_EQ(plot.stretch(0), 1);
+  EXPECT_EQ(plot.stretch(1), 1);
+  EXPECT_NEAR(PlanePlot::of_window({{0, 0}, {1, 100}}).stretch(0), 100.0 / 3, 1e-9);
+}
+
+// The range of 2 by 1 and its margins are 1.28 by 0.78 units of the scene.
+TEST(PlanePlot, is_widened_and_never_narrowed) {
+  PlanePlot wide = plot_of({{0, 0}, {2, 1}});
+  wide.widen_to(4);
+  EXPECT_NEAR(wide.half()[0], 4 * 0.39, 1e-12);
+  EXPECT_NEAR(wide.half()[1], 0.39, 1e-12);
+  PlanePlot tall = plot_of({{0, 0}, {2, 1}});
+  tall.widen_to(0.5);
+  EXPECT_NEAR(tall.half()[0], 0.64, 1e-12);
+  EXPECT_NEAR(tall.half()[1], 1.28, 1e-12);
+}
+
 }  // namespace
 }  // namespace thiessen

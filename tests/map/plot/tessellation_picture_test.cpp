@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <csignal>
 #include <limits>
 #include <random>
 #include <string>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "map/plot/plane_plot.h"
 #include "map/plot/plot_sheet.h"
 #include "map/plot/space_view.h"
@@ -143,6 +145,101 @@ TEST(PlanePicture, does_not_depend_on_the_order_of_the_points_or_the_locale) {
     }
   }
   std::setlocale(LC_ALL, before.c_str());
+}
+
+/// The panel of a window's picture, and what is drawn in it.
+struct WindowPicture {
+  PixelBox panel;
+  PixelCanvas canvas;
+
+  WindowPicture(const Tessellation<2>& tessellation, const PlaneWindow& window,
+                const PlotSize& size = {})
+      : panel(PlotSheet(PlanePlot::of_window(window).aspect(), PlotSheet::Margins::for_axes, size)
+                  .panel()),
+        canvas(plot_plane(
+            tessellation,
+            [&](PointId p) {
+              return number_at(tessellation.position(p).x, tessellation.position(p).y);
+            },
+            window, size)) {}
+
+  std::vector<std::uint8_t> pixels() {
+    std::vector<std::uint8_t> inside;
+    for (int y = panel.y; y < panel.bottom(); ++y) {
+      const auto from = 3 * (static_cast<std::ptrdiff_t>(y) * canvas.width() + panel.x);
+      const auto row = canvas.bytes().begin() + from;
+      inside.insert(inside.end(), row, row + std::ptrdiff_t{3} * panel.width);
+    }
+    return inside;
+  }
+};
+
+// The points are far off, on either side: there is one red line across the middle, from border to
+// border, and the dashed one between the points.
+TEST(PlaneWindowPicture, without_points_shows_the_edges_that_cross_it) {
+  const auto tessellation = tessellation_of<2>({{-1000, 5}, {1020, 5}, {10, 1e7}});
+  WindowPicture picture(tessellation, {{0, 0}, {20, 10}});
+  const PixelBox& panel = picture.panel;
+  const int border = PlotSheet(1, PlotSheet::Margins::plain).style().hairline;
+  int blue = 0;
+  for (int y = panel.y + border; y < panel.bottom() - border; ++y) {
+    int red = 0;
+    for (int x = panel.x + border; x < panel.right() - border; ++x) {
+      const Ink ink = ink_at(picture.canvas, x, y);
+      blue += ink == Ink::blue ? 1 : 0;
+      if (ink != Ink::red) continue;
+      ++red;
+      EXPECT_LE(std::abs(x - (panel.x + panel.width / 2)), 3);
+    }
+    EXPECT_GT(red, 0) << y;
+  }
+  EXPECT_GT(blue, 0) << "the edge between the two points runs along y = 5";
+}
+
+// The judge is the picture of the points near by alone: what is farther away than twice the window
+// neither comes into it nor changes what does.
+TEST(PlaneWindowPicture, is_the_part_of_the_whole_that_lies_in_it) {
+  std::vector<Point> points = random_points(3000, 7);
+  const PlaneWindow window{{1.3, 0.9}, {1.7, 1.1}};
+  const auto whole = tessellation_of<2>(points);
+  std::erase_if(points,
+                [](Point p) { return std::abs(p.x - 1.5) > 0.8 || std::abs(p.y - 1) > 0.8; });
+  EXPECT_LT(points.size(), 1500u);
+  const auto part = tessellation_of<2>(points);
+  EXPECT_EQ(WindowPicture(whole, window).pixels(), WindowPicture(part, window).pixels());
+}
+
+TEST(PlaneWindowPicture, has_its_lines_in_the_panel_however_far_or_small_the_window_is) {
+  const auto tessellation = tessellation_of<2>(random_points(200, 3));
+  for (const PlaneWindow& window : std::vector<PlaneWindow>{{{1, 1}, {1 + 1e-9, 1 + 1e-9}},
+                                                            {{-1e60, -1e60}, {1e60, 1e60}},
+                                                            {{1e50, 1e50}, {2e50, 2e50}},
+                                                            {{0, 0}, {3, 1e-3}},
+                                                            {{0, 0}, {1e-3, 2}}}) {
+    for (const PlotSize& size : {PlotSize{}, PlotSize{640, 480}, PlotSize{64, 64}}) {
+      WindowPicture picture(tessellation, window, size);
+      const PixelBox& panel = picture.panel;
+      if (size.height > 0) {
+        EXPECT_EQ(picture.canvas.height(), size.height);
+      }
+      for (int y = panel.y; y < picture.canvas.height(); ++y) {
+        for (int x = 0; x < picture.canvas.width(); ++x) {
+          if (ink_at(picture.canvas, x, y) == Ink::none) continue;
+          EXPECT_TRUE(x >= panel.x && x < panel.right() && y < panel.bottom()) << x << " " << y;
+        }
+      }
+    }
+  }
+}
+
+TEST(TessellationPicture, hears_ctrl_c) {
+  watch_for_interrupts();
+  const auto plane = tessellation_of<2>(random_points(5, 1));
+  const auto space = tessellation_of<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
+  std::raise(SIGINT);
+  EXPECT_THROW(plane_picture(plane, own_number), Interrupted);
+  EXPECT_THROW(space_picture(space, own_number, std::nullopt), Interrupted);
+  forget_interrupt();
 }
 
 TEST(SpacePicture, does_not_depend_on_the_order_of_the_points) {
