@@ -37,15 +37,29 @@ void run_script(ScriptLines& lines, Interpreter& interpreter, OutputFile& output
 }
 
 /// Carries out a typed line, and returns whether the session goes on. A command that fails is
-/// reported and changes nothing.
-bool perform_typed(const std::string& line, Interpreter& interpreter) {
+/// reported and changes nothing, and so is one that Ctrl-C interrupts.
+bool perform_typed(const std::string& line, Interpreter& interpreter, OutputFile& output) {
   try {
     if (const auto invalid = find_invalid_utf8(line))
       throw Error(Message{"", 0, "not UTF-8 at byte " + std::to_string(*invalid), {}});
     return interpreter.perform(line);
   } catch (const Error& error) {
     print("error: ", error);
-    return true;
+  } catch (const Interrupted&) {
+    if (!forget_ctrl_c()) throw;
+    output.discard();
+    print("", "interrupted: nothing is changed", "");
+  }
+  return true;
+}
+
+/// Shows what a command answered; after Ctrl-C the rest of it is dropped.
+void show_answer(OutputFile& output) {
+  try {
+    output.flush();
+  } catch (const Interrupted&) {
+    if (!forget_ctrl_c()) throw;
+    output.discard();
   }
 }
 
@@ -107,8 +121,8 @@ class TesselCommand : public Command {
       output.flush();
     }
     while (const auto line = keyboard.next()) {
-      const bool goes_on = perform_typed(*line, *interpreter);
-      output.flush();
+      const bool goes_on = perform_typed(*line, *interpreter, output);
+      show_answer(output);
       if (!quiet_) {
         for (const Message& message : warnings.messages()) print("warning: ", message);
       }

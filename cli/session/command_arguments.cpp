@@ -1,13 +1,20 @@
 #include "cli/session/command_arguments.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
+#include "cli/options/option_values.h"
+#include "cli/options/picture_size.h"
+#include "cli/options/usage_error.h"
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
+#include "map/sheet/picture.h"
 
 namespace thiessen::cli {
 namespace {
@@ -29,17 +36,110 @@ double read_coordinate(const std::string& name, std::string_view text) {
   refuse(name + " is no number: " + quoted(text, 60), has_comma ? blanks_hint : "");
 }
 
-SpacePoint read_space_point(const std::string& option, std::string_view text) {
-  std::array<double, 3> coordinates{};
-  for (std::size_t axis = 0; axis < coordinates.size(); ++axis) {
-    const std::size_t comma = text.find(',');
-    if ((comma == std::string_view::npos) != (axis == 2))
-      refuse(option + " takes three coordinates, X,Y,Z");
-    coordinates.at(axis) =
-        read_coordinate(option + ": " + std::string(axis_names.at(axis)), text.substr(0, comma));
-    if (axis < 2) text.remove_prefix(comma + 1);
+/// Reads numbers parted by commas, as many as there are names for them.
+template <std::size_t Count>
+std::array<double, Count> read_numbers(const std::string& option, std::string_view text,
+                                       const std::array<std::string_view, Count>& names,
+                                       const std::string& form) {
+  if (static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1 != Count)
+    refuse(option + " takes " + form + ", not " + quoted(text, 60));
+  std::array<double, Count> numbers{};
+  for (std::size_t i = 0; i < Count; ++i) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    numbers.at(i) =
+        read_coordinate(option + ": " + std::string(names.at(i)), text.substr(0, comma));
+    text.remove_prefix(std::min(comma + 1, text.size()));
   }
-  return {coordinates[0], coordinates[1], coordinates[2]};
+  return numbers;
+}
+
+SpacePoint read_space_point(const std::string& option, std::string_view text) {
+  const auto [x, y, z] = read_numbers<3>(option, text, {"x", "y", "z"}, "three coordinates, X,Y,Z");
+  return {x, y, z};
+}
+
+PlaneWindow read_window(std::string_view text) {
+  // Below this share of its coordinates a window is only some hundreds of their doubles wide, too
+  // few for a picture.
+  constexpr double narrowest = 1e-13;
+  constexpr const char* order =
+      "first the lower left corner, then the upper right: XMIN,YMIN,XMAX,YMAX";
+  const auto [x_min, y_min, x_max, y_max] = read_numbers<4>(
+      "--window", text, {"XMIN", "YMIN", "XMAX", "YMAX"}, "four numbers, XMIN,YMIN,XMAX,YMAX");
+  const auto check = [](char axis, double low, double high) {
+    const std::string name(1, axis);
+    if (!(low < high)) {
+      refuse("--window is empty: " + name + "MIN, " + shortest_text(low) + ", is not below " +
+                 name + "MAX, " + shortest_text(high),
+             order);
+    }
+    if (high - low < narrowest * std::max(std::abs(low), std::abs(high)))
+      refuse("--window is too narrow to tell coordinates in it apart, from " + name + "MIN to " +
+             name + "MAX");
+  };
+  check('X', x_min, x_max);
+  check('Y', y_min, y_max);
+  return {{x_min, y_min}, {x_max, y_max}};
+}
+
+/// Reads a value as the option of this name of `thiessen map`.
+void read_value(const std::string& option, const OptionValue& value, const std::string& text) {
+  try {
+    value.read(text);
+  } catch (const WrongValue& wrong) {
+    refuse(option + " " + wrong.complaint);
+  }
+}
+
+PlotSize plot_size(const PictureSize& size) {
+  try {
+    size.check_size();
+  } catch (const UsageError& error) {
+    refuse(error.text, error.hint);
+  }
+  return {size.width(), size.height(), size.dots_to_the_inch()};
+}
+
+constexpr std::array<std::string_view, 5> show_options = {"--window", "--size", "--dpi", "--view",
+                                                          "--site"};
+
+/// The words of `show` or `watch`: the names of files, and options with their values.
+struct ShowWords {
+  std::vector<std::string> files;
+  std::map<std::string, std::string> options;
+
+  explicit ShowWords(const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      const std::string& word = words[i];
+      const bool is_option =
+          std::find(show_options.begin(), show_options.end(), word) != show_options.end();
+      if (!is_option && word.starts_with("--"))
+        refuse("there is no option " + quoted(word, 40),
+               "the options are --window, --size, --dpi, --view and --site");
+      if (!is_option) {
+        files.push_back(word);
+        continue;
+      }
+      if (++i == words.size()) refuse(word + " needs a value");
+      if (!options.emplace(word, words[i]).second) refuse(word + " is given twice");
+    }
+  }
+  const std::string* find(const std::string& option) const {
+    const auto found = options.find(option);
+    return found == options.end() ? nullptr : &found->second;
+  }
+};
+
+std::optional<View> read_view(const ShowWords& words, int dimension) {
+  const std::string* view = words.find("--view");
+  const std::string* site = words.find("--site");
+  if (view == nullptr && site == nullptr) return std::nullopt;
+  if (dimension == 2)
+    refuse("--view and --site are for three dimensions",
+           "--window says which part of the plane is shown");
+  if (site == nullptr) refuse("--view needs --site, the point to look at");
+  if (view == nullptr) refuse("--site needs --view, the point to look from");
+  return View{read_space_point("--view", *view), read_space_point("--site", *site)};
 }
 
 }  // namespace
@@ -77,28 +177,25 @@ void require_none(const std::string& command, const std::vector<std::string>& wo
     refuse(command + " takes nothing, but " + quoted(words.front(), 40) + " follows it");
 }
 
-ShowArguments read_show_arguments(const std::vector<std::string>& words) {
-  std::vector<std::string> files;
-  std::optional<SpacePoint> view;
-  std::optional<SpacePoint> site;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string& word = words[i];
-    if (word != "--view" && word != "--site") {
-      files.push_back(word);
-      continue;
-    }
-    if (++i == words.size()) refuse(word + " needs X,Y,Z");
-    std::optional<SpacePoint>& target = word == "--view" ? view : site;
-    if (target) refuse(word + " is given twice");
-    target = read_space_point(word, words[i]);
-  }
-  ShowArguments arguments{require_file("show", files), {}};
+ShowArguments read_show_arguments(const std::string& command, int dimension,
+                                  const std::vector<std::string>& words) {
+  const ShowWords said(words);
+  ShowArguments arguments;
+  arguments.file = require_file(command, said.files);
   if (!lower_case(arguments.file).ends_with(".png"))
-    refuse("show writes a .png, not " + quoted(arguments.file, 80));
-  if (view.has_value() != site.has_value())
-    refuse(view ? "--view needs --site, the point to look at"
-                : "--site needs --view, the point to look from");
-  if (view) arguments.view = View{*view, *site};
+    refuse(command + " writes a .png, not " + quoted(arguments.file, 80));
+  if (const std::string* window = said.find("--window")) {
+    if (dimension == 3)
+      refuse("--window is for two dimensions", "--view and --site say what is seen in space");
+    arguments.window = read_window(*window);
+  }
+  arguments.view = read_view(said, dimension);
+  PictureSize size;
+  if (const std::string* text = said.find("--size"))
+    read_value("--size", pixel_size(size.size), *text);
+  if (const std::string* text = said.find("--dpi"))
+    read_value("--dpi", whole_number(size.dpi, 1, max_dots_to_the_inch), *text);
+  arguments.size = plot_size(size);
   return arguments;
 }
 

@@ -24,11 +24,15 @@ CoordinatesIn<Dimension> read_coordinates(const std::string& command,
 std::string require_file(const std::string& command, const std::vector<std::string>& words);
 void require_none(const std::string& command, const std::vector<std::string>& words);
 
-/// The arguments of `show`: FILE.png [--view X,Y,Z --site X,Y,Z].
+/// The arguments of `show` and `watch`: FILE.png [--size WxH] [--dpi N], in the plane
+/// [--window XMIN,YMIN,XMAX,YMAX], in space [--view X,Y,Z --site X,Y,Z].
 struct ShowArguments {
   std::string file;
+  std::optional<PlaneWindow> window;
   std::optional<View> view;
+  PlotSize size;
 };
-ShowArguments read_show_arguments(const std::vector<std::string>& words);
+ShowArguments read_show_arguments(const std::string& command, int dimension,
+                                  const std::vector<std::string>& words);
 
 }  // namespace thiessen::cli

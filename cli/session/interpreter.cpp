@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <optional>
 #include <utility>
 
 #include "base/interrupt.h"
@@ -21,6 +20,8 @@ namespace thiessen::cli {
 namespace {
 
 constexpr std::size_t findings_listed = 20;
+constexpr const char* change_is_taken_back =
+    "the change is taken back; watch off ends the pictures";
 
 /// The words of a command after its name.
 using Arguments = std::vector<std::string>;
@@ -62,7 +63,7 @@ class SessionInterpreter : public Interpreter {
  private:
   using Position = PositionIn<Dimension>;
   using Action = void (SessionInterpreter::*)(const Arguments&);
-  static const std::array<std::pair<std::string_view, Action>, 11> commands;
+  static const std::array<std::pair<std::string_view, Action>, 12> commands;
 
   const Tessellation<Dimension>& tessellation() const { return session_.tessellation(); }
   NumberOf number_of() const {
@@ -143,24 +144,62 @@ class SessionInterpreter : public Interpreter {
       write_topology_table<Dimension>(tessellation(), number_of(),
                                       [&](std::string_view line) { file.append(line); });
     };
-    if (arguments.empty() || arguments == Arguments{"-"}) return table_to(surroundings_.output);
-    write_file(require_file("print", arguments), table_to);
+    if (!arguments.empty() && arguments != Arguments{"-"}) {
+      write_file(require_file("print", arguments), table_to);
+      return say(arguments.front() + " is written");
+    }
+    if (surroundings_.is_terminal) return table_to(surroundings_.output);
+    // Who reads a file or a pipe sees the whole table or, after Ctrl-C, nothing of it.
+    surroundings_.output.flush();
+    OutputFile whole = surroundings_.output.held();
+    table_to(whole);
+    whole.finish();
   }
 
   void show(const Arguments& arguments) {
-    const ShowArguments show = read_show_arguments(arguments);
-    if (Dimension == 2 && show.view) refuse("--view and --site are for three dimensions");
+    const ShowArguments shown = read_show_arguments("show", Dimension, arguments);
     if (tessellation().empty()) refuse("there are no points to show");
-    write_file(show.file, [&](OutputFile& file) {
-      const auto bytes = picture(show.view);
+    write_picture(shown);
+    say(shown.file + " is written");
+  }
+
+  void watch(const Arguments& arguments) {
+    if (arguments == Arguments{"off"}) {
+      if (watched_.empty()) refuse("nothing is watched");
+      session_.watch({});
+      say(std::exchange(watched_, {}) + " is written no more");
+      return;
+    }
+    const ShowArguments shown = read_show_arguments("watch", Dimension, arguments);
+    write_picture(shown);
+    session_.watch([this, shown] { write_picture_of_change(shown); });
+    watched_ = shown.file;
+    say(watched_ + " is written, and will be after each change");
+  }
+  void write_picture_of_change(const ShowArguments& shown) {
+    try {
+      write_picture(shown);
+    } catch (const Error& error) {
+      std::vector<Message> messages = error.messages();
+      for (Message& message : messages) {
+        if (!message.hint.empty()) message.hint += "; ";
+        message.hint += change_is_taken_back;
+      }
+      throw Error(std::move(messages), error.unlisted());
+    }
+  }
+
+  void write_picture(const ShowArguments& shown) {
+    write_file(shown.file, [&](OutputFile& file) {
+      const auto bytes = picture(shown);
       file.append({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     });
   }
-  std::vector<unsigned char> picture([[maybe_unused]] const std::optional<View>& view) const {
+  std::vector<unsigned char> picture(const ShowArguments& shown) const {
     if constexpr (Dimension == 2) {
-      return plane_picture(tessellation(), number_of());
+      return plane_picture(tessellation(), number_of(), shown.window, shown.size);
     } else {
-      return space_picture(tessellation(), number_of(), view);
+      return space_picture(tessellation(), number_of(), shown.view, shown.size);
     }
   }
 
@@ -170,7 +209,6 @@ class SessionInterpreter : public Interpreter {
     Outputs outputs({true, surroundings_.inputs});
     fill(outputs.add(name));
     outputs.commit();
-    say(name + " is written");
   }
 
   void check(const Arguments& arguments) {
@@ -209,11 +247,12 @@ class SessionInterpreter : public Interpreter {
 
   Surroundings surroundings_;
   TessellationSession<Dimension> session_;
+  std::string watched_;  // the file that is written after each change; empty: none
   std::size_t faults_ = 0;
 };
 
 template <int Dimension>
-const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimension>::Action>, 11>
+const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimension>::Action>, 12>
     SessionInterpreter<Dimension>::commands = {{
         {"add", &SessionInterpreter::add},
         {"delete", &SessionInterpreter::remove},
@@ -224,6 +263,7 @@ const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimensi
         {"load", &SessionInterpreter::load},
         {"print", &SessionInterpreter::print},
         {"show", &SessionInterpreter::show},
+        {"watch", &SessionInterpreter::watch},
         {"check", &SessionInterpreter::check},
         {"help", &SessionInterpreter::help},
     }};

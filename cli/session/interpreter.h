@@ -25,8 +25,8 @@ class Interpreter {
  public:
   virtual ~Interpreter() = default;
   /// Carries out the command on a line, and returns false where it ends the session. Throws Error,
-  /// without a place in the script, where the command cannot be carried out: then nothing is
-  /// changed.
+  /// without a place in the script, where the command cannot be carried out, and Interrupted after
+  /// Ctrl-C: then nothing is changed.
   virtual bool perform(std::string_view line) = 0;
   /// The number of faults that `check` has found so far.
   virtual std::size_t faults() const = 0;

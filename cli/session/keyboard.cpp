@@ -78,16 +78,19 @@ Keyboard& Keyboard::of(EditLine* editor) {
 }
 
 std::optional<std::string> Keyboard::next() {
-  throw_if_interrupted();
-  int count = 0;
-  const char* const text = el_gets(editor_.get(), &count);
-  if (text == nullptr || count <= 0) {
+  for (;;) {
+    if (!forget_ctrl_c()) throw_if_interrupted();
+    int count = 0;
+    const char* const text = el_gets(editor_.get(), &count);
+    if (text != nullptr && count > 0) return remembered({text, static_cast<std::size_t>(count)});
     std::fputc('\n', isatty(STDOUT_FILENO) == 1 ? stdout : stderr);
     std::fflush(stdout);
-    throw_if_interrupted();
-    return std::nullopt;
+    decoding_ = {};
+    if (interrupt_signal() == 0) return std::nullopt;
   }
-  std::string line(text, static_cast<std::size_t>(count));
+}
+
+std::string Keyboard::remembered(std::string line) {
   while (!line.empty() && (line.back() == '\n' || line.back() == '\r')) line.pop_back();
   HistEvent event;
   if (!line.empty()) history(history_.get(), &event, H_ENTER, line.c_str());

@@ -20,10 +20,13 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
-  /// Reads the next line; none at the end of the input. Throws Interrupted.
+  /// Reads the next line; none at the end of the input. Ctrl-C drops what is typed and begins
+  /// anew. Throws Interrupted after another signal.
   std::optional<std::string> next();
 
  private:
+  /// The line without its end, kept for the arrow keys.
+  std::string remembered(std::string line);
   static Keyboard& of(EditLine* editor);
   static int read_character(EditLine* editor, wchar_t* into);
   static unsigned char complete(EditLine* editor, int key);

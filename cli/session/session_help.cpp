@@ -12,7 +12,7 @@ struct Entry {
   const char* text;
 };
 
-constexpr std::array<Entry, 12> entries = {{
+constexpr std::array<Entry, 13> entries = {{
     {"add", " X Y [Z]", "a point; points are numbered from 1 in the order they come"},
     {"delete", " X Y [Z]", "the point at this very place"},
     {"undo", "", "take the last add, delete or load back; without limit"},
@@ -21,7 +21,8 @@ constexpr std::array<Entry, 12> entries = {{
     {"cell", " X Y [Z]", "print the Voronoi cell of the point at this very place"},
     {"load", " FILE", "add the points of a CSV: x,y[,z], with a header or without"},
     {"print", " [FILE]", "the points and the Voronoi vertices, as text"},
-    {"show", " FILE.png", "a picture; in space from --view X,Y,Z to --site X,Y,Z"},
+    {"show", " FILE.png", "a picture"},
+    {"watch", " FILE.png|off", "a picture, now and anew after each change; off ends it"},
     {"check", "", "prove the tessellation sound, or say where it is not"},
     {"help", "", "these lines, on a terminal"},
     {"quit", "", "end, as the end of the input does"},
@@ -39,8 +40,13 @@ constexpr const char* formats =
     "  area A (volume V in 3-D)              infinity where the cell is unbounded\n"
     "  neighbors ...                         points whose cells share an edge (a face)\n"
     "check prints `sound: N points, M vertices, dimension D`, D of what the points span.\n"
-    "print FILE and show replace the file. Blank lines and what follows a # are passed\n"
-    "over; a name with blanks stands in quotes.\n";
+    "show and watch take --size W, WxH or, with --dpi N, WxHmm; in 2-D the window\n"
+    "--window XMIN,YMIN,XMAX,YMAX; in 3-D --view X,Y,Z and --site X,Y,Z, from where to\n"
+    "where one looks. Where the picture of watch cannot be written, the change is taken\n"
+    "back. print FILE, show and watch replace the file.\n"
+    "Ctrl-C at the keyboard drops the line, or the command with all that it did.\n"
+    "Blank lines and what follows a # are passed over; a name with blanks stands in\n"
+    "quotes.\n";
 
 }  // namespace
 

@@ -4,7 +4,10 @@ What the line editor writes depends on the terminal, so that the tests look for 
 """
 
 import os
+import random
+import signal
 import subprocess
+import time
 import unittest
 
 from terminal import LONGEST, Terminal
@@ -41,7 +44,7 @@ class TerminalTest(ProgramTest):
         self.assertIn("3-D", terminal.text)
         terminal.enter("help")
         for command in ("add", "delete", "undo", "redo", "nearest", "cell", "load", "print", "show",
-                        "check", "help", "quit"):
+                        "watch", "check", "help", "quit"):
             terminal.await_text(f"\n  {command} ")
         terminal.await_text("> ")
         terminal.enter("quit")
@@ -83,19 +86,85 @@ class TerminalTest(ProgramTest):
         terminal.enter("quit")
         self.assertEqual(terminal.status(), 0)
 
-    def test_ctrl_c_interrupts(self):
+    def test_ctrl_c_drops_the_line_and_not_the_session(self):
         terminal = self.greeted()
         terminal.ask("add 1 2", "point 1\r\n")
-        terminal.type("add 3")
-        terminal.await_text("add 3")
+        for typed in ("add 3", "quit", ""):
+            terminal.type(typed)
+            if typed:
+                terminal.await_text(typed)
+            terminal.type(CTRL_C)
+            terminal.await_text("> ")
+        terminal.ask("add 5 6", "point 2\r\n")
+        terminal.ask(UP, "error: point 2 is at 5 6 already\r\n")  # what was dropped is not remembered
         terminal.type(CTRL_C)
-        self.assertEqual(terminal.status(), 130)
+        terminal.await_text("> ")
+        terminal.type(CTRL_D)
+        self.assertEqual(terminal.status(), 0)
 
-    def test_ctrl_c_interrupts_the_moment_that_the_prompt_appears(self):
+    def test_ctrl_c_the_moment_that_the_prompt_appears_ends_nothing(self):
         for _ in range(15):
             terminal = self.greeted()
             terminal.type_ahead(CTRL_C)
-            self.assertEqual(terminal.status(), 130)
+            terminal.await_text("> ")
+            terminal.ask("add 1 2", "point 1\r\n")
+            terminal.enter("quit")
+            self.assertEqual(terminal.status(), 0)
+
+    def test_other_signals_end_the_session(self):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            terminal = self.greeted()
+            terminal.type("add 3")
+            terminal.await_text("add 3")
+            os.kill(terminal.pid, number)
+            self.assertEqual(terminal.status(), 128 + number)
+
+    def test_ctrl_c_drops_a_long_command_and_what_it_did(self):
+        with open(self.folder / "many.csv", "w", encoding="utf-8") as many:
+            generator = random.Random(5)
+            for _ in range(100_000):
+                many.write(",".join(repr(generator.random()) for _ in range(3)) + "\n")
+        terminal = self.greeted("--dim", "3")
+        terminal.ask("add 1 2 3", "point 1\r\n")
+        terminal.ask("add 3 2 1", "point 2\r\n")
+        terminal.ask("undo", "1 point\r\n")
+        terminal.enter("load many.csv")
+        time.sleep(0.15)  # while it reads or tessellates
+        terminal.type_ahead(CTRL_C)
+        terminal.await_text("interrupted: nothing is changed\r\n")
+        terminal.await_text("> ")
+        terminal.ask("check", "sound: 1 points, 0 vertices, dimension 0\r\n")
+        terminal.ask("redo", "2 points\r\n")
+        terminal.ask("load many.csv", "points 3 to 100002\r\n")
+        terminal.enter("show many.png")
+        time.sleep(1)
+        terminal.type_ahead(CTRL_C)
+        terminal.await_text("interrupted: nothing is changed\r\n")
+        terminal.await_text("> ")
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["many.csv"])
+        terminal.ask("undo", "2 points\r\n")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
+
+    def test_ctrl_c_while_a_watched_picture_is_drawn_takes_the_change_back(self):
+        generator = random.Random(6)
+        points = "".join(",".join(repr(generator.random()) for _ in range(3)) + "\n" for _ in range(20_000))
+        self.write("many.csv", points)
+        terminal = self.greeted("--dim", "3")
+        terminal.ask("watch a.png", "a.png is written, and will be after each change\r\n")
+        empty = (self.folder / "a.png").read_bytes()
+        terminal.enter("load many.csv")
+        time.sleep(1.5)
+        terminal.type_ahead(CTRL_C)
+        terminal.await_text("interrupted: nothing is changed\r\n")
+        terminal.await_text("> ")
+        terminal.ask("check", "sound: 0 points, 0 vertices, dimension -1\r\n")
+        self.assertEqual((self.folder / "a.png").read_bytes(), empty)
+        terminal.ask("add 1 2 3", "point 1\r\n")
+        self.assertNotEqual((self.folder / "a.png").read_bytes(), empty)
+        terminal.ask("watch off", "a.png is written no more\r\n")
+        terminal.enter("quit")
+        self.assertEqual(terminal.status(), 0)
 
     def test_ctrl_d_ends(self):
         terminal = self.greeted()

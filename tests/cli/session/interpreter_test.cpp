@@ -2,11 +2,15 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <sstream>
 
 #include "base/complaints.h"
+#include "base/interrupt.h"
 #include "base/temporary_folder.h"
 
 namespace thiessen::cli {
@@ -164,6 +168,95 @@ TEST(Interpreter, shows_a_picture_of_what_there_is) {
   session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
   session.perform("show " + file);
   EXPECT_EQ(session.folder.read("p.png").substr(1, 3), "PNG");
+}
+
+// A PNG's width and height are its bytes 17 to 24.
+std::size_t height_of(const std::string& png) {
+  std::size_t height = 0;
+  for (std::size_t i = 20; i < 24; ++i) height = 256 * height + static_cast<unsigned char>(png[i]);
+  return height;
+}
+
+TEST(Interpreter, shows_a_window_in_the_size_it_is_told) {
+  Session session;
+  session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
+  const std::string file = session.folder.path("p.png");
+  session.perform("show " + file + " --size 400x300");
+  const std::string whole = session.folder.read("p.png");
+  EXPECT_EQ(height_of(whole), 300U);
+  session.perform("show " + file + " --size 400x300 --window 1,1,2,1.5");
+  EXPECT_EQ(height_of(session.folder.read("p.png")), 300U);
+  EXPECT_NE(session.folder.read("p.png"), whole);
+}
+
+TEST(Interpreter, writes_a_watched_picture_after_each_change) {
+  Session session;
+  const std::string file = session.folder.path("p.png");
+  const std::string points = session.folder.write("p.csv", "x,y\n4,0\n0,3\n5,5\n");
+  session.perform("watch " + file + " --size 200x150");
+  EXPECT_EQ(session.complaint("show " + file), "there are no points to show");
+  std::vector<std::string> pictures{session.folder.read("p.png")};
+  for (const std::string& line :
+       {std::string("add 0 0"), "load " + points, std::string("delete 0 0"), std::string("undo"),
+        std::string("undo"), std::string("redo")}) {
+    session.perform(line);
+    pictures.push_back(session.folder.read("p.png"));
+  }
+  EXPECT_EQ(height_of(pictures[0]), 150U) << "nothing there yet";
+  EXPECT_NE(pictures[1], pictures[0]);
+  EXPECT_NE(pictures[2], pictures[1]);
+  EXPECT_NE(pictures[3], pictures[2]);
+  EXPECT_EQ(pictures[4], pictures[2]) << "undo";
+  EXPECT_EQ(pictures[5], pictures[1]) << "a load is one step";
+  EXPECT_EQ(pictures[6], pictures[2]) << "redo";
+  session.perform("watch off");
+  session.perform("undo");
+  EXPECT_EQ(session.folder.read("p.png"), pictures[6]);
+  EXPECT_EQ(session.complaint("watch off"), "nothing is watched");
+}
+
+TEST(Interpreter, takes_a_change_back_whose_watched_picture_cannot_be_written) {
+  Session session;
+  session.perform_all({"add 0 0", "add 1 1", "undo"});
+  session.perform("watch " + session.folder.path("p.png"));
+  const std::string table = session.answer("print");
+  // The picture is in the way of its next one: a folder has its name.
+  ASSERT_EQ(::unlink(session.folder.path("p.png").c_str()), 0);
+  ASSERT_EQ(::mkdir(session.folder.path("p.png").c_str(), 0700), 0);
+  const std::string points = session.folder.write("p.csv", "x,y\n4,0\n0,3\n5,5\n");
+  for (const std::string& line : {std::string("add 2 2"), std::string("delete 0 0"),
+                                  "load " + points, std::string("undo"), std::string("redo")}) {
+    EXPECT_TRUE(
+        contains(session.complaint(line), "the change is taken back; watch off ends the pictures"))
+        << line;
+    EXPECT_EQ(session.answer("print"), table) << line;
+  }
+  session.perform("watch off");
+  session.perform("redo");
+  EXPECT_EQ(session.answer("print"), table + "point 2 1 1\n");
+}
+
+TEST(Interpreter, watches_what_it_did_where_it_cannot_watch_another) {
+  Session session;
+  session.perform("watch " + session.folder.path("p.png"));
+  const std::string empty = session.folder.read("p.png");
+  EXPECT_THROW(session.perform("watch " + session.folder.path("nowhere/p.png")), Error);
+  EXPECT_THROW(session.perform("watch on"), Error);
+  EXPECT_THROW(session.perform("watch"), Error);
+  session.perform("add 1 2");
+  EXPECT_NE(session.folder.read("p.png"), empty);
+}
+
+TEST(Interpreter, hears_ctrl_c_and_changes_nothing) {
+  watch_for_interrupts();
+  Session session;
+  session.perform("add 1 2");
+  for (const char* line : {"add 3 4", "undo", "print", "check"}) {
+    std::raise(SIGINT);
+    EXPECT_THROW(session.perform(line), Interrupted) << line;
+    EXPECT_TRUE(forget_ctrl_c());
+  }
+  EXPECT_EQ(session.answer("print"), "point 1 1 2\n");
 }
 
 }  // namespace
