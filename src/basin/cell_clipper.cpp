@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "basin/ring_linking.h"
 
 namespace thiessen {
@@ -83,6 +84,18 @@ void require_closed(std::span<const BoundaryPiece> pieces) {
   if (open != 0) throw std::logic_error("the boundary of a cell in a basin does not close");
 }
 
+// Sorts so that the pieces of a cell stand together, in their order. There are millions of them in
+// a basin as large as a continent, and comparing two takes less time than asking for Ctrl-C does.
+void sort_by_place(std::vector<BoundaryPiece>& pieces) {
+  constexpr std::uint32_t comparisons_between = 1U << 12;
+  std::uint32_t comparisons = 0;
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [&](const BoundaryPiece& a, const BoundaryPiece& b) {
+                     if (++comparisons % comparisons_between == 0) throw_if_interrupted();
+                     return a.place < b.place;
+                   });
+}
+
 }  // namespace
 
 CellClipper::CellClipper(const Diagram& diagram, const Surface& surface)
@@ -126,6 +139,7 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
   double under = 0;
   bool has_bulges = false;
   for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
     const BoundaryPiece& piece = cut.pieces[i];
     const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
     under = known ? -under : surface_.under(piece.from, piece.to, reference);
@@ -183,13 +197,12 @@ std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
   const double smallest = smallest_area();
-  std::stable_sort(
-      cut.pieces.begin(), cut.pieces.end(),
-      [](const BoundaryPiece& a, const BoundaryPiece& b) { return a.place < b.place; });
+  sort_by_place(cut.pieces);
   const bool has_bulges = std::any_of(cut.pieces.begin(), cut.pieces.end(),
                                       [](const BoundaryPiece& piece) { return piece.bulge != 0; });
   std::vector<ClippedCell> cells;
   for (std::size_t first = 0; first < cut.pieces.size();) {
+    throw_if_interrupted();
     const PlaceIndex place = cut.pieces[first].place;
     std::vector<DirectedEdge> edges;
     std::size_t end = first;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/interrupt.h"
 #include "basin/crossing.h"
 #include "geometry/predicates.h"
 
@@ -295,6 +296,7 @@ void Overlay::emit_crossed_chord(const Basin& basin, std::size_t first, std::siz
 // from node to node.
 void Overlay::emit_whole_chords_within() {
   while (!nodes_within_.empty()) {
+    throw_if_interrupted();
     const std::uint32_t node = nodes_within_.back();
     nodes_within_.pop_back();
     for (std::uint32_t i = first_chord_at_[node]; i < first_chord_at_[node + 1]; ++i) {

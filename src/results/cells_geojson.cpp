@@ -3,6 +3,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "text/json_text.h"
 
@@ -113,6 +114,7 @@ std::string cells_geojson(const CellFeatures& features, std::span<const MultiPol
   }
   out += R"("features":[)";
   for (std::size_t i = 0; i < shapes.size(); ++i) {
+    throw_if_interrupted();
     out += i == 0 ? "\n" : ",\n";
     out += R"({"type":"Feature","properties":{)";
     append_properties(out, features, features.cells[i], attributes);

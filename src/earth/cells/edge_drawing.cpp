@@ -307,6 +307,7 @@ void EdgeDrawing::draw_chord(EdgePoint& start, EdgePoint& end, double bulge) {
 }
 
 void EdgeDrawing::add_to(Diagram& diagram) const {
+  throw_if_interrupted();
   const auto shift = static_cast<std::uint32_t>(diagram.nodes.size()) - first_node_;
   const auto shifted = [&](std::uint32_t node) { return node < first_node_ ? node : node + shift; };
   diagram.nodes.insert(diagram.nodes.end(), nodes_.begin(), nodes_.end());

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "gdal/crs/crs_definition.h"
@@ -65,7 +66,10 @@ class LayerWriter {
     const FixedDate date;
     dataset_ = older.empty() ? create(driver) : open(driver, older);
     OGRLayer& layer = create_layer(crs);
-    for (std::size_t i = 0; i < shapes.size(); ++i) add(layer, features_.cells[i], shapes[i]);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      throw_if_interrupted();
+      add(layer, features_.cells[i], shapes[i]);
+    }
     dataset_.reset();
     check(true);
     const std::string name = driver.GetDescription();

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
 #include "map/sheet/palette.h"
@@ -165,6 +166,7 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
     areas.back().hatched = true;
   }
   for (std::size_t i = 0; i < view.cells.size(); ++i) {
+    throw_if_interrupted();
     const PictureCell& cell = picture.cells[i];
     const Mark mark{"cell", id_of(picture, cell.gauge), name_of(picture, cell.basin)};
     areas.push_back(area_of(view.cells[i], colours[i], mark));

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/interrupt.h"
+
 namespace thiessen {
 namespace {
 
@@ -18,6 +20,7 @@ constexpr double stereographic_reach = 75;
 
 template <typename Visit>
 void for_each_ring(const MultiPolygon& shape, const Visit& visit) {
+  throw_if_interrupted();
   for (const Polygon& polygon : shape) {
     visit(polygon.outer);
     for (const Ring& hole : polygon.holes) visit(hole);
@@ -108,6 +111,7 @@ void project_plane(const Picture& picture, StudyView& view) {
 
 void add(const std::vector<MapShape>& shapes, Extent& extent) {
   for (const MapShape& shape : shapes) {
+    throw_if_interrupted();
     for (const MapPart& part : shape) {
       for (const Ring& ring : part.rings) {
         for (const Point p : ring) extent.add(p);
@@ -159,6 +163,7 @@ StudyView view_study(const Picture& picture) {
   constexpr double finest = 5e-5;  // share of the study's radius: half a pixel in 20,000
   const double tolerance = finest * std::max(view.radius, 1e-12);
   const auto shape = [&](const MultiPolygon& polygons) {
+    throw_if_interrupted();
     return map_shape(polygons, view.projection, view.window, tolerance);
   };
   for (const PictureCell& cell : picture.cells) view.cells.push_back(shape(cell.shape));
