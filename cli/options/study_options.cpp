@@ -29,6 +29,8 @@ void StudyOptions::declare_fields(OptionGroup group) {
   group.add("--id", text(id_, "FIELD"), "the station's id; else found by name");
   group.add("--x", text(x_, "FIELD"), "the station's longitude or easting; else found by name");
   group.add("--y", text(y_, "FIELD"), "the station's latitude or northing; else found by name");
+  group.add("--skip-unplaced", flag(skip_unplaced_),
+            "pass over stations without coordinates, with a warning");
   of_basins_.push_back(&group.add("--basin-id", text(basin_id_, "FIELD"),
                                   "the basin's id; features that share one are one basin"));
   crs_options_.push_back(
@@ -109,6 +111,7 @@ StudyRequest StudyOptions::request() const {
   request.stations.id = id_;
   request.stations.x = x_;
   request.stations.y = y_;
+  request.stations.skip_unplaced = skip_unplaced_;
   if (labels()) request.stations.label = label_;
   request.stations.attributes = attributes;
   if (basins_option_->is_given()) {

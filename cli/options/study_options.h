@@ -50,6 +50,7 @@ class StudyOptions : public OptionBlock {
   char separator_ = '\0';
   bool decimal_comma_ = false;
   bool mend_ = false;
+  bool skip_unplaced_ = false;
   bool allow_far_ = false;
   const Option* basins_option_ = nullptr;
   const Option* plane_option_ = nullptr;

@@ -37,13 +37,6 @@ class BasinsReader {
       throw Error(Message{features_.file(), features_.header_line(), "holds no polygons",
                           features_.has_lines() ? "a CSV of basins has a column named WKT" : ""});
     }
-    const Features::Named named = features_.crs();
-    result_.crs = named.crs;
-    if (named.crs) {
-      result_.crs_origin = named.by_option ? CrsOrigin::option
-                           : named.implied ? CrsOrigin::implied
-                                           : CrsOrigin::file;
-    }
     find_id_fields();
   }
 
@@ -53,6 +46,7 @@ class BasinsReader {
       ++number_;
       if (features_.kept()) add_feature();
     }
+    name_crs();
     if (!complaints_.empty()) {
       group(chosen_id());
       complain_of_range(result_, complaints_);
@@ -74,6 +68,15 @@ class BasinsReader {
   }
 
  private:
+  void name_crs() {
+    const Features::Named named = features_.crs();
+    result_.crs = named.crs;
+    if (!named.crs) return;
+    result_.crs_origin = named.by_option ? CrsOrigin::option
+                         : named.implied ? CrsOrigin::implied
+                                         : CrsOrigin::file;
+  }
+
   void find_id_fields() {
     const auto& header = features_.header();
     if (!request_.id.empty()) {

@@ -1,10 +1,13 @@
 #include "files/event_readings.h"
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "files/features.h"
+#include "files/station_fields.h"
 #include "readings/heard_stations.h"
 #include "readings/readings_layout.h"
 #include "text/field_names.h"
@@ -23,10 +26,10 @@ class EventTable : public Table {
       : request_(request),
         value_field_(value_field),
         features_(request_.source, longest_field, told_before_),
-        id_(station_id_field(features_, request_)),
+        id_(find_station_fields(features_, request_).id),
         value_(require_field(features_.header(), value_field_, setting("value_field"),
                              features_.file(), features_.header_line())),
-        header_{"time", features_.header()[id_], features_.header()[value_]} {}
+        header_{"time", id_ ? features_.header()[*id_] : "id", features_.header()[value_]} {}
 
   const std::string& file() const override { return features_.file(); }
   const std::vector<std::string>& header() const override { return header_; }
@@ -38,11 +41,12 @@ class EventTable : public Table {
         complaints_.throw_if_any();
         return false;
       }
+      number_ = std::to_string(++read_);
     } while (!features_.kept());
     const Row& of_station = features_.row();
     row.line = of_station.line;
     row.padded = false;
-    row.fields = {event_time, of_station.fields[id_], of_station.fields[value_]};
+    row.fields = {event_time, id_ ? of_station.fields[*id_] : number_, of_station.fields[value_]};
     return true;
   }
 
@@ -56,9 +60,11 @@ class EventTable : public Table {
   Warnings told_before_;  // when the stations were read
   Features features_;
   Complaints complaints_;
-  std::size_t id_;
+  std::optional<std::size_t> id_;
   std::size_t value_;
   std::vector<std::string> header_;
+  std::size_t read_ = 0;
+  std::string number_;  ///< of the feature last read, which is its id where no field is
 };
 
 }  // namespace

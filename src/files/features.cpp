@@ -7,14 +7,16 @@
 
 #include "base/utf8.h"
 #include "files/csv_file.h"
+#include "files/ghcn_station_list.h"
+#include "gdal/layers/geometry_text.h"
 #include "gdal/layers/opening.h"
-#include "gdal/layers/wkt.h"
 #include "text/field_names.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::array<std::string_view, 1> wkt_name = {"wkt"};
+constexpr std::array<std::string_view, 5> geometry_names = {"wkt", "wkt_geom", "geometry", "geom",
+                                                            "the_geom"};
 
 std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field,
                                  Warnings& warnings) {
@@ -41,6 +43,9 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
         std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);
     layer_ = layer.get();
     table_ = std::move(layer);
+  } else if (is_ghcn_station_list(source.file)) {
+    table_ = std::make_unique<GhcnStationList>(source.file);
+    warnings.add_notice({source.file, 0, "read as GHCN-Daily's list of stations", {}});
   } else {
     if (!source.layer.empty()) {
       throw Error(Message{
@@ -50,7 +55,7 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
           {}});
     }
     table_ = open_rows(source, longest_field, warnings);
-    wkt_ = find_field(header(), wkt_name);
+    wkt_ = find_field(header(), geometry_names);
     if (source.decimal_comma) mark_ = DecimalMark::comma;
   }
   if (source.where.empty()) return;
@@ -108,15 +113,26 @@ bool Features::has_geometry() const {
   return layer_ != nullptr ? layer_->has_geometry() : wkt_.has_value();
 }
 
+bool Features::may_not_be_geometries() const {
+  return layer_ == nullptr && wkt_ && !same_name(header()[*wkt_], geometry_names.front());
+}
+
 FieldType Features::type(std::size_t field) const {
   return layer_ != nullptr ? layer_->types()[field] : FieldType::text;
 }
 
-GeometryRecord Features::geometry() const {
+GeometryRecord Features::geometry() {
   if (layer_ != nullptr) return layer_->geometry();
   const std::string_view text = row_.fields[*wkt_];
-  if (auto record = record_of_wkt(std::string(text))) return *std::move(record);
-  throw Error(message("not a geometry in WKT: " + quoted(text, 60)));
+  auto read = geometry_of_text(std::string(text));
+  if (!read) throw Error(message("not a geometry in WKT: " + quoted(text, 60)));
+  if (read->srid != 0 && srid_ != 0 && read->srid != srid_) {
+    throw Error(message("its SRID is " + std::to_string(read->srid) + ", and others' before it " +
+                            std::to_string(srid_),
+                        "a file's geometries have one CRS"));
+  }
+  if (read->srid != 0) srid_ = read->srid;
+  return std::move(read->geometry);
 }
 
 std::string Features::place() const {
@@ -136,6 +152,8 @@ Features::Named Features::crs() const {
   if (layer_ != nullptr) {
     named.crs = layer_->crs();
     named.implied = layer_->crs_implied();
+  } else if (srid_ != 0) {
+    named.crs = Crs::from_text("EPSG:" + std::to_string(srid_), file());
   }
   if (source_.crs.empty()) {
     if (named.implied) named.crs = Crs::wgs84();

@@ -32,6 +32,10 @@ class Features {
   bool has_lines() const { return table_->header_line() > 0; }
   std::size_t header_line() const { return table_->header_line(); }
   bool has_geometry() const;
+  /// Whether geometries are in a column whose name, such as geom, may mean something else.
+  bool may_not_be_geometries() const;
+  /// Whether a field is the one of a CSV that holds the geometries.
+  bool is_geometry(std::size_t field) const { return wkt_ == field; }
   DecimalMark decimal_mark() const { return mark_; }
   /// The type of a field as the file states it; text for every field of a CSV.
   FieldType type(std::size_t field) const;
@@ -41,8 +45,9 @@ class Features {
   bool next(Complaints& complaints);
   const Row& row() const { return row_; }
   bool kept() const { return kept_; }
-  /// The geometry of the feature last read. Throws Error where a WKT text cannot be read.
-  GeometryRecord geometry() const;
+  /// The geometry of the feature last read. Throws Error where the text of one cannot be read, or
+  /// names another CRS (SRID) than one before it.
+  GeometryRecord geometry();
 
   /// A message about the feature last read, with its place in the file.
   Message message(Wording text, Wording hint = {}) const;
@@ -50,7 +55,8 @@ class Features {
   /// empty for a CSV, where the line says it.
   std::string place() const;
 
-  /// The CRS that the option of the source names, else that of the file. `implied` is set where the
+  /// The CRS that the option of the source names, else that of the file, which texts of geometries
+  /// may name (EWKT): ask when they have been read. `implied` is set where the
   /// file says nothing and RFC 7946 implies WGS 84. Throws Error where option and file contradict
   /// each other.
   struct Named {
@@ -72,6 +78,7 @@ class Features {
   std::unique_ptr<Table> table_;
   const Layer* layer_ = nullptr;    ///< not null: the table is this layer
   std::optional<std::size_t> wkt_;  ///< the column of a CSV's geometries
+  int srid_ = 0;                    ///< that geometries of a CSV name; 0: none does
   DecimalMark mark_ = DecimalMark::point;
   std::unique_ptr<AttributeFilter> filter_;
   Row row_;

@@ -1,54 +1,30 @@
 #include "files/stations_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
 
-#include "base/number.h"
 #include "base/secrets.h"
 #include "base/utf8.h"
 #include "files/crs_fit.h"
 #include "files/features.h"
-#include "geometry/shape_points.h"
+#include "files/station_fields.h"
+#include "files/station_positions.h"
+#include "readings/named_stations.h"
 #include "text/field_names.h"
-#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
 
 constexpr std::size_t longest_field = std::size_t{1} << 20U;
 
-/// The field whose name is `named` (the setting `x` or `y`), else the first that has one of the
-/// usual names.
-std::optional<std::size_t> coordinate_field(const Features& features, const std::string& named,
-                                            const char* its_setting,
-                                            std::span<const std::string_view> names) {
-  if (named.empty()) return find_field(features.header(), names);
-  return require_field(features.header(), named, setting(its_setting), features.file(),
-                       features.header_line());
-}
-
-[[noreturn]] void fail_without_coordinates(const Features& features, bool x, bool y) {
-  std::string wanted;
-  if (!x) wanted = listed(std::span(known::eastings).first(known::eastings_told));
-  if (!y)
-    wanted +=
-        (x ? "" : ", and ") + listed(std::span(known::northings).first(known::northings_told));
-  throw Error(
-      Message{features.file(), features.header_line(),
-              "no field of coordinates: wanted " + wanted + "; found " + listed(features.header()),
-              x   ? "name it with " + setting("y")
-              : y ? "name it with " + setting("x")
-                  : "name them with " + setting("x") + " and " + setting("y")});
-}
-
-bool holds_degrees(const std::string& name) {
-  return std::any_of(known::degrees.begin(), known::degrees.end(),
-                     [&](std::string_view degrees) { return same_name(name, degrees); });
-}
+/// Where a station came first.
+struct Known {
+  std::size_t line;
+  Point position;
+};
 
 /// Reads the stations of one file, a feature at a time.
 class StationsReader {
@@ -57,47 +33,38 @@ class StationsReader {
       : request_(request), warnings_(warnings), features_(request.source, longest_field, warnings) {
     result_.file = features_.file();
     result_.has_lines = features_.has_lines();
-    find_fields();
-    name_crs();
+    fields_ = find_station_fields(features_, request_);
+    positions_.emplace(features_, fields_, request_, complaints_);
   }
 
   StationsFile read() {
     features_.warn_of_oddities(warnings_);
     while (features_.next(complaints_)) {
+      ++read_;
       if (features_.kept()) {
         add_station();
       } else {
-        result_.filtered_ids.emplace(features_.row().fields[id_]);
+        result_.filtered_ids.insert(id_of_row());
       }
     }
+    name_crs();
     complain_of_range(result_, complaints_);
     complaints_.throw_if_any();
     require_some();
-    if (heights_) warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
+    if (positions_->has_heights())
+      warnings_.add({features_.file(), 0, "heights (Z) are passed over", {}});
+    tell();
     finish_attributes();
     return std::move(result_);
   }
 
  private:
-  void find_fields() {
-    const auto& header = features_.header();
-    if (header.empty())
-      throw Error(Message{features_.file(), 0, "has no field that could be the id", {}});
-    id_ = station_id_field(features_, request_);
-    if (!request_.label.empty())
-      label_ = require_field(header, request_.label, setting("label"), features_.file(),
-                             features_.header_line());
-    by_geometry_ = features_.has_geometry() && request_.x.empty() && request_.y.empty();
-    if (by_geometry_) return;
-    const auto x = coordinate_field(features_, request_.x, "x", known::eastings);
-    const auto y = coordinate_field(features_, request_.y, "y", known::northings);
-    if (!x || !y) fail_without_coordinates(features_, x.has_value(), y.has_value());
-    x_ = *x;
-    y_ = *y;
+  std::string id_of_row() const {
+    return fields_.id ? std::string(features_.row().fields[*fields_.id]) : std::to_string(read_);
   }
 
   void name_crs() {
-    if (by_geometry_) {
+    if (fields_.by_geometry) {
       const Features::Named named = features_.crs();
       result_.crs = named.crs;
       if (!named.crs) return;
@@ -107,7 +74,7 @@ class StationsReader {
     } else if (const auto wanted = features_.crs_of_columns()) {
       result_.crs = wanted;
       result_.crs_origin = CrsOrigin::option;
-    } else if (holds_degrees(features_.header()[x_]) && holds_degrees(features_.header()[y_])) {
+    } else if (fields_.are_degrees || !positions_->first_angle().empty()) {
       result_.crs = Crs::wgs84();
       result_.crs_origin = CrsOrigin::columns;
     }
@@ -115,85 +82,78 @@ class StationsReader {
 
   void add_station() {
     const Row& row = features_.row();
-    Station station{std::string(row.fields[id_]), {}, row.line};
-    bool good = by_geometry_ ? read_geometry(station) : read_columns(station);
+    Station station{id_of_row(), {}, row.line};
+    const Placing placing = positions_->read(station);
+    if (placing == Placing::nowhere && request_.skip_unplaced) {
+      if (unplaced_++ < stations_named) first_unplaced_.push_back(station.id);
+      result_.filtered_ids.insert(std::move(station.id));
+      return;
+    }
     if (station.id.empty()) {
       complain("a station has no id");
-      good = false;
+      return;
     }
-    const auto [first, fresh] = lines_.emplace(station.id, row.line);
-    if (!fresh && !station.id.empty()) {
-      complain("station " + quoted(station.id, 80) + " is already in " +
-                   (features_.has_lines() ? "line " : "feature ") + std::to_string(first->second),
-               "ids must differ; " + setting("id") + " names another field, " +
-                   setting(request_.source.where_setting) + " leaves stations out");
-      good = false;
-    }
-    if (!good) return;
-    if (label_ && !row.fields[*label_].empty())
-      result_.labels.emplace(station.id, std::string(row.fields[*label_]));
+    const auto [first, fresh] = known_.emplace(station.id, Known{row.line, station.position});
+    if (!fresh) return meet_again(station, placing, first->second);
+    if (placing != Placing::good) return;
+    if (fields_.label && !row.fields[*fields_.label].empty())
+      result_.labels.emplace(station.id, std::string(row.fields[*fields_.label]));
     result_.stations.push_back(std::move(station));
     if (request_.attributes) keep_attributes(row);
   }
 
-  bool read_columns(Station& station) {
-    const auto x = read_number(station, x_);
-    const auto y = read_number(station, y_);
-    // Adding zero turns -0 into 0, so that both are the same place.
-    if (x && y) station.position = {*x + 0.0, *y + 0.0};
-    return x && y;
-  }
-
-  std::optional<double> read_number(const Station& station, std::size_t field) {
-    const std::string_view text = trimmed(features_.row().fields[field]);
-    const auto number = parse_number(text, features_.decimal_mark());
-    if (number) return number.value;
-    const std::string what =
-        quoted(features_.header()[field], 40) + " of station " + quoted(station.id, 80);
-    if (text.empty()) {
-      complain(what + " is empty");
-    } else if (number.fault == NumberFault::out_of_range) {
-      complain(what + " is outside the range of numbers: " + quoted(text, 60));
-    } else {
-      complain(what + " is no number: " + quoted(text, 60),
-               parse_number(text, DecimalMark::comma)
-                   ? setting("decimal_comma") + " reads 1,5 as 1.5"
-                   : Wording());
+  /// A file of one row a reading gives each station again and again, at one place.
+  void meet_again(const Station& station, Placing placing, const Known& first) {
+    if (placing == Placing::good && station.position == first.position) {
+      ++repeated_;
+      return;
     }
-    return std::nullopt;
+    complain("station " + quoted(station.id, 80) + " is already in " +
+                 (features_.has_lines() ? "line " : "feature ") + std::to_string(first.line) +
+                 ", at another place",
+             "ids must differ; " + setting("id") + " names another field, " +
+                 setting(request_.source.where_setting) + " leaves stations out");
   }
 
-  bool read_geometry(Station& station) {
-    try {
-      const GeometryRecord geometry = features_.geometry();
-      const std::string what = "station " + quoted(station.id, 80);
-      if (geometry.type.empty()) return complain(what + " has no geometry", leave_out());
-      if (geometry.type != "Point" && geometry.type != "MultiPoint") {
-        return complain(what + " is a " + geometry.type + ", and not a point", leave_out());
-      }
-      if (geometry.points.empty()) return complain(what + " has an empty geometry", leave_out());
-      if (geometry.points.size() > 1)
-        return complain(what + " has more than one point", leave_out());
-      const Point at = geometry.points[0];
-      if (!is_finite(at)) {
-        return complain(what + " has a coordinate that is not finite", leave_out());
-      }
-      heights_ = heights_ || geometry.has_z;
-      station.position = {at.x + 0.0, at.y + 0.0};
-      return true;
-    } catch (const Error& error) {
-      for (const Message& message : error.messages()) complaints_.add(message);
-      return false;
-    }
-  }
-
-  Wording leave_out() const {
-    return setting(request_.source.where_setting) + " leaves stations out";
-  }
-
-  bool complain(Wording text, Wording hint = {}) {
+  void complain(Wording text, Wording hint = {}) {
     complaints_.add(features_.message(std::move(text), std::move(hint)));
-    return false;
+  }
+
+  /// Says what was taken for granted, and what was passed over.
+  void tell() {
+    const std::string& file = features_.file();
+    if (!fields_.id) {
+      warnings_.add_notice({file,
+                            0,
+                            "it has no field that could be the id: its stations are numbered from "
+                            "1, in its order",
+                            {}});
+    }
+    if (repeated_ > 0) {
+      warnings_.add_notice(
+          {file,
+           0,
+           std::to_string(repeated_) + (repeated_ == 1 ? " row repeats" : " rows repeat") +
+               " a station at its place: they make " + std::to_string(result_.stations.size()) +
+               (result_.stations.size() == 1 ? " station" : " stations"),
+           {}});
+    }
+    if (!positions_->first_angle().empty()) {
+      warnings_.add_notice(
+          {file,
+           0,
+           "coordinates in degrees, minutes and seconds are read: " + positions_->first_angle(),
+           {}});
+    }
+    if (unplaced_ > 0) {
+      warnings_.add(
+          {file,
+           0,
+           (unplaced_ == 1 ? "a station without coordinates is"
+                           : std::to_string(unplaced_) + " stations without coordinates are") +
+               std::string(" passed over: ") + named(first_unplaced_, unplaced_),
+           {}});
+    }
   }
 
   void require_some() const {
@@ -222,23 +182,17 @@ class StationsReader {
   Features features_;
   Complaints complaints_;
   StationsFile result_;
-  std::size_t id_ = 0;
-  std::optional<std::size_t> label_;
-  std::size_t x_ = 0;
-  std::size_t y_ = 0;
-  bool by_geometry_ = false;
-  bool heights_ = false;
-  std::unordered_map<std::string, std::size_t> lines_;
+  StationFields fields_;
+  std::optional<StationPositions> positions_;
+  std::unordered_map<std::string, Known> known_;
+  std::size_t read_ = 0;
+  std::size_t repeated_ = 0;
+  std::size_t unplaced_ = 0;
+  std::vector<std::string> first_unplaced_;
   std::vector<FieldTypeGuess> guesses_;
 };
 
 }  // namespace
-
-std::size_t station_id_field(const Features& features, const StationsRequest& request) {
-  const auto& header = features.header();
-  if (request.id.empty()) return find_field(header, known::station_ids).value_or(0);
-  return require_field(header, request.id, setting("id"), features.file(), features.header_line());
-}
 
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings) {
   return StationsReader(request, warnings).read();

@@ -92,8 +92,11 @@ TEST(StationsFile, reports_every_bad_row) {
   EXPECT_EQ(found[0], "s.csv:3: 'x' of station 'b' is no number: 'nan'");
   EXPECT_EQ(found[1], "s.csv:4: 'y' of station 'c' is outside the range of numbers: '1e999'");
   EXPECT_EQ(found[2], "s.csv:5: 'x' of station 'd' is no number: '0x10'");
-  EXPECT_EQ(found[3], "s.csv:6: 'x' of station 'e' is empty");
-  EXPECT_TRUE(found[4].starts_with("s.csv:7: station 'a' is already in line 2 | "));
+  EXPECT_EQ(found[3],
+            "s.csv:6: 'x' of station 'e' is empty | 'skip_unplaced' passes over stations without "
+            "coordinates");
+  EXPECT_TRUE(
+      found[4].starts_with("s.csv:7: station 'a' is already in line 2, at another place | "));
   EXPECT_EQ(found[5], "s.csv:8: a station has no id");
   EXPECT_TRUE(contains(found[6], "'decimal_comma'"));
 }
@@ -149,9 +152,101 @@ TEST(StationsFile, reads_points_of_a_wkt_column) {
   ASSERT_EQ(found.size(), 4U);
   EXPECT_TRUE(contains(found[0], "s.csv:2: not a geometry in WKT"));
   EXPECT_EQ(found[1],
-            "s.csv:3: station 'b' has no geometry | 'stations_where' leaves stations out");
-  EXPECT_EQ(found[2], "s.csv:4: station 'c' is a LineString, and not a point");
+            "s.csv:3: station 'b' has no geometry | 'skip_unplaced' passes over stations without "
+            "coordinates");
+  EXPECT_EQ(found[2],
+            "s.csv:4: station 'c' is a LineString, and not a point | 'stations_where' leaves "
+            "stations out");
   EXPECT_EQ(found[3], "s.csv:5: station 'd' has an empty geometry");
+}
+
+TEST(StationsFile, joins_rows_that_repeat_a_station_at_its_place) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const std::string file =
+      folder.write("s.csv", "station,date,lat,lon\na,1,2,3\nb,1,4,5\na,2,2.0,3\nb,2,4,5e0\n");
+  const StationsFile read = read_stations(request(file), warnings);
+  ASSERT_EQ(read.stations.size(), 2U);
+  EXPECT_EQ(read.stations[0].line, 2U);
+  ASSERT_EQ(warnings.notices().size(), 1U);
+  EXPECT_EQ(warnings.notices()[0].sentence(),
+            file + ": 2 rows repeat a station at its place: they make 2 stations");
+}
+
+TEST(StationsFile, numbers_points_that_have_nothing_to_be_called_by) {
+  EXPECT_EQ(read("lon,lat\n1,2\n3,4\n").stations.at(1).id, "2");
+  EXPECT_EQ(read("rain,lon,lat\n12,1,2\n").stations.at(0).id, "1") << "rain is no name";
+  EXPECT_EQ(read("WKT\nPOINT (1 2)\n").stations.at(0).id, "1");
+  EXPECT_EQ(read("lon,lat,what\n1,2,x\n").stations.at(0).id, "x");
+  StationsRequest wanted;
+  wanted.source.where = "lon > 1";
+  const StationsFile file = read("lon,lat\n1,2\n3,4\n", wanted);
+  EXPECT_EQ(file.stations.at(0).id, "2") << "the number is the file's";
+  EXPECT_EQ(file.filtered_ids, (std::unordered_set<std::string>{"1"}));
+  EXPECT_EQ(read(points(point("{}", R"({"type":"Point","coordinates":[1,2]})")), {}, "s.geojson")
+                .stations.at(0)
+                .id,
+            "1");
+}
+
+TEST(StationsFile, passes_over_stations_without_coordinates_where_told) {
+  StationsRequest wanted;
+  wanted.skip_unplaced = true;
+  const TemporaryFolder folder;
+  wanted.source.file = folder.write("s.csv", "id,x,y\na,1,2\nb,,\nc, ,\n");
+  Warnings warnings;
+  const StationsFile file = read_stations(wanted, warnings);
+  EXPECT_EQ(file.stations.size(), 1U);
+  EXPECT_EQ(file.filtered_ids, (std::unordered_set<std::string>{"b", "c"}));
+  EXPECT_EQ(
+      sentences_of(warnings),
+      (std::vector<std::string>{wanted.source.file +
+                                ": 2 stations without coordinates are passed over: 'b', 'c'"}));
+  EXPECT_EQ(complaints("id,x,y\na,1,2\nb,,3\n", wanted).at(0),
+            "s.csv:3: 'x' of station 'b' is empty | 'skip_unplaced' passes over stations without "
+            "coordinates")
+      << "half a coordinate is a fault";
+  EXPECT_EQ(
+      complaints("id,x,y\na,1,2\nb,,\n").at(0),
+      "s.csv:3: station 'b' has no coordinates | 'skip_unplaced' passes over stations without "
+      "coordinates");
+  EXPECT_EQ(read("id,wkt\na,POINT (1 2)\nb,\nc,POINT EMPTY\n", wanted).stations.size(), 1U);
+}
+
+TEST(StationsFile, reads_degrees_minutes_and_seconds) {
+  const TemporaryFolder folder;
+  Warnings warnings;
+  const std::string file =
+      folder.write("s.csv", "id,lon,lat\na,10:30,47 15\nb,5d30'W,\"47°15'0\"\"S\"\n");
+  const StationsFile read = read_stations(request(file), warnings);
+  ASSERT_EQ(read.stations.size(), 2U);
+  EXPECT_EQ(read.stations[0].position, (Point{10.5, 47.25}));
+  EXPECT_EQ(read.stations[1].position, (Point{-5.5, -47.25}));
+  ASSERT_EQ(warnings.notices().size(), 1U);
+  EXPECT_EQ(warnings.notices()[0].sentence(),
+            file + ": coordinates in degrees, minutes and seconds are read: '10:30' for 10.5");
+}
+
+TEST(StationsFile, takes_letters_for_degrees_and_nothing_else_in_other_columns) {
+  EXPECT_TRUE(read("id,x,y\na,10:30E,47 15N\n").crs->is_wgs84());
+  EXPECT_EQ(complaints("id,x,y\na,10:30,47:15\n").at(0),
+            "s.csv:2: 'x' of station 'a' is no number: '10:30'");
+  EXPECT_EQ(complaints("id,lon,lat\na,10:30N,47:15E\n").at(0),
+            "s.csv:2: 'lon' of station 'a' is a latitude: '10:30N' | 'x' and 'y' name the fields");
+}
+
+TEST(StationsFile, takes_coordinates_before_a_column_that_may_hold_geometries) {
+  EXPECT_EQ(read("id,x,y,geom\na,1,2,igneous\n").stations.at(0).position, (Point{1, 2}));
+  EXPECT_EQ(read("id,x,y,wkt\na,1,2,POINT (3 4)\n").stations.at(0).position, (Point{3, 4}));
+}
+
+TEST(StationsFile, knows_the_crs_that_geometries_name) {
+  const StationsFile file = read("id,geom\na,SRID=25832;POINT (500000 5e6)\n");
+  EXPECT_EQ(file.crs->name(), "EPSG:25832");
+  EXPECT_EQ(file.crs_origin, CrsOrigin::file);
+  EXPECT_EQ(complaints("id,geom\na,SRID=4326;POINT (1 2)\nb,SRID=25832;POINT (1 2)\n").at(0),
+            "s.csv:3: its SRID is 25832, and others' before it 4326 | a file's geometries have one "
+            "CRS");
 }
 
 TEST(StationsFile, reads_geojson) {
@@ -185,9 +280,12 @@ TEST(StationsFile, names_the_path_of_a_bad_feature) {
       {}, "s.geojson");
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0],
-            "s.geojson: features[0].geometry: station 'a' has no geometry | 'stations_where' "
-            "leaves stations out");
-  EXPECT_EQ(found[1], "s.geojson: features[1].geometry: station 'b' has more than one point");
+            "s.geojson: features[0].geometry: station 'a' has no geometry | 'skip_unplaced' passes "
+            "over stations without coordinates");
+  EXPECT_EQ(
+      found[1],
+      "s.geojson: features[1].geometry: station 'b' has more than one point | 'stations_where' "
+      "leaves stations out");
 }
 
 TEST(StationsFile, the_crs_of_option_and_file_must_agree) {
