@@ -54,7 +54,7 @@ class CellsCommand : public Command {
     const std::unique_ptr<GeoPackageCopy> older = older_layers();
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
-    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
+    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));

@@ -64,7 +64,7 @@ class IsohyetsCommand : public Command {
     require_vector_driver(path);
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, 0, common_.threads, warnings);
-    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
+    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     units_ = unit_shown(readings->unit, units_, units_option_->is_given(), rainfall_.name());
     const auto isohyets = isohyets_in(inputs, *readings, isohyets_, resolution_,
                                       static_cast<unsigned>(common_.threads));

@@ -1,4 +1,6 @@
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
@@ -12,10 +14,9 @@
 #include "cli/options/raster_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
-#include "cli/outputs/cell_features.h"
 #include "cli/outputs/encoded_files.h"
 #include "cli/outputs/grid_steps.h"
-#include "cli/outputs/picture_of.h"
+#include "cli/outputs/maps_of.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
 #include "cli/terminal/progress.h"
@@ -23,6 +24,7 @@
 #include "files/rainfall_file.h"
 #include "gdal/output/geotiff_grid.h"
 #include "gdal/output/raster_output.h"
+#include "map/sheet/multiples.h"
 
 namespace thiessen::cli {
 namespace {
@@ -55,7 +57,7 @@ class MapCommand : public Command {
   MapCommand() {
     study_.declare(options(), Need::optional);
     rainfall_.declare(options(), Need::optional, study_.stations);
-    view_.declare_time(options());
+    view_.declare_times(options());
     range_.declare_range(options());
     view_.declare_margin(options());
     surface_.declare_surface(options());
@@ -86,6 +88,7 @@ class MapCommand : public Command {
       view_.check_raster();
       check_label();
     }
+    check_times(kind);
     if (kind == Kind::netcdf) raster_.check_netcdf();
     check_steps();
     check_surface(kind);
@@ -101,23 +104,37 @@ class MapCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
-    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time, warnings);
-    const GaugeReadings* shown = readings ? &*readings : nullptr;
-    if (shown != nullptr) settle_unit(shown->unit);
+    const std::vector<GaugeReadings> steps = shown(inputs, warnings);
+    if (!steps.empty()) settle_unit(steps.front().unit);
     if (kind == Kind::tiff) {
+      const GaugeReadings* const step = steps.empty() ? nullptr : &steps.front();
       append_files(
           outputs, file,
-          raster_of(inputs, shown, view_.time, surface_.surface(), raster_output(inputs, shown)));
+          raster_of(inputs, step, view_.time(), surface_.surface(), raster_output(inputs, step)));
     } else {
-      const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
-      file.append(encode_picture(picture_of(inputs, cells, shown, study_, view_), format_of(kind),
-                                 warnings));
+      const auto maps =
+          maps_of(inputs, steps, study_, view_, static_cast<unsigned>(common_.threads));
+      file.append(encode_multiples(maps, format_of(kind), warnings));
     }
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
 
  private:
+  /// The readings of each map: the steps that were asked for, or the means; none without RAINFALL.
+  std::vector<GaugeReadings> shown(Inputs& inputs, Warnings& warnings) const {
+    if (!view_.times.empty()) return shown_steps(inputs, study_, rainfall_, view_.times, warnings);
+    auto means = shown_readings(inputs, study_, rainfall_, "", warnings);
+    if (!means) return {};
+    return {*std::move(means)};
+  }
+
+  void check_times(Kind kind) const {
+    if (is_picture(kind) || raster_.of_steps || view_.times.size() < 2) return;
+    throw UsageError{"several maps stand on a picture's page, and a raster is of one --time",
+                     "--steps writes a grid of steps; --from and --to choose some"};
+  }
+
   void check_label() const {
     const Option* const label = study_.label_option();
     if (label == nullptr) return;
@@ -143,7 +160,7 @@ class MapCommand : public Command {
                        "--steps writes a grid of them; --time shows one"};
     }
     if (!rainfall_.given()) throw UsageError{"--steps needs RAINFALL", ""};
-    if (!view_.time.empty()) {
+    if (!view_.times.empty()) {
       throw UsageError{"--time shows one step, and --steps writes all",
                        "--from and --to choose some; leave one of the two out"};
     }

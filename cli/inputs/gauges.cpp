@@ -6,23 +6,44 @@
 #include "base/utf8.h"
 
 namespace thiessen::cli {
+namespace {
+
+bool all_silent(const GaugeReadings& shown) {
+  return std::all_of(shown.readings.begin(), shown.readings.end(),
+                     [](double reading) { return std::isnan(reading); });
+}
+
+}  // namespace
 
 std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings) {
   if (!rainfall.given()) return {};
+  if (!time.empty()) return shown_steps(inputs, study, rainfall, {&time, 1}, warnings).front();
+  GaugeReadings shown =
+      read_gauges(*inputs.open_readings(study, rainfall, warnings), inputs.network(), "");
+  if (rainfall.is_event()) shown.label = rainfall.event();
+  return shown;
+}
+
+std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study,
+                                       const RainfallOptions& rainfall,
+                                       std::span<const std::string> times, Warnings& warnings) {
   const auto readings = inputs.open_readings(study, rainfall, warnings);
-  GaugeReadings shown = read_gauges(*readings, inputs.network(), time);
-  if (rainfall.is_event() && time.empty()) shown.label = rainfall.event();
-  if (shown.readings.empty()) {
-    throw Error({rainfall.name(), 0, "there is no time step '" + time + "'",
+  std::vector<GaugeReadings> steps = read_steps(*readings, inputs.network(), times);
+  Complaints lacking;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!steps[i].readings.empty()) continue;
+    lacking.add({rainfall.name(), 0, "there is no time step '" + times[i] + "'",
                  "a time is written just as in the file"});
   }
-  const bool silent = std::all_of(shown.readings.begin(), shown.readings.end(),
-                                  [](double reading) { return std::isnan(reading); });
-  if (silent && !time.empty())
-    warnings.add({rainfall.name(), 0, "no gauge reports in the time step '" + time + "'", ""});
-  return shown;
+  lacking.throw_if_any();
+  for (const GaugeReadings& shown : steps) {
+    if (!all_silent(shown)) continue;
+    warnings.add(
+        {rainfall.name(), 0, "no gauge reports in the time step '" + shown.label + "'", ""});
+  }
+  return steps;
 }
 
 std::string unit_shown(const std::string& known, const std::string& said, bool is_said,

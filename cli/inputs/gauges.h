@@ -1,6 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "cli/inputs/inputs.h"
 #include "rainfall/series/gauge_readings.h"
@@ -17,5 +20,9 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
 /// Throws Error where it says another; `file` is for the message.
 std::string unit_shown(const std::string& known, const std::string& said, bool is_said,
                        const std::string& file);
+/// The steps at these times, in their order. Throws Error, naming each time that RAINFALL lacks.
+std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study,
+                                       const RainfallOptions& rainfall,
+                                       std::span<const std::string> times, Warnings& warnings);
 
 }  // namespace thiessen::cli

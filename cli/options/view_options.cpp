@@ -1,15 +1,44 @@
 #include "cli/options/view_options.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "base/utf8.h"
 #include "cli/options/usage_error.h"
 #include "map/sheet/picture.h"
 #include "study/study.h"
 
 namespace thiessen::cli {
+namespace {
+
+/// The time of a step, as RAINFALL writes it.
+OptionValue step_time(std::vector<std::string>& times) {
+  OptionValue value;
+  value.kind = "TIME";
+  value.read = [&times](const std::string& text) {
+    if (text.empty()) throw WrongValue{"is empty"};
+    if (std::find(times.begin(), times.end(), text) != times.end())
+      throw WrongValue{"names " + quoted(text, 80) + " twice"};
+    times.push_back(text);
+  };
+  return value;
+}
+
+}  // namespace
 
 void ViewOptions::declare_time(OptionList& options) {
   options.group("Readings", *this)
-      .add("--time", text(time, "TIME"),
+      .add("--time", step_time(times),
            "show this step; default each gauge's mean over the steps it reports");
+}
+
+void ViewOptions::declare_times(OptionList& options) {
+  OptionValue value = step_time(times);
+  value.may_be_repeated = true;
+  options.group("Readings", *this)
+      .add("--time", std::move(value),
+           "show this step; default each gauge's mean over the steps it reports. Repeated: a "
+           "picture of several steps, one map each, with one scale and one legend");
 }
 
 void ViewOptions::declare_margin(OptionList& options) {
@@ -40,7 +69,7 @@ void ViewOptions::check(bool has_rainfall, bool has_basins) const {
   const auto is_given = [](const Option* option) {
     return option != nullptr && option->is_given();
   };
-  if (!has_rainfall && !time.empty()) throw UsageError{"--time needs RAINFALL", ""};
+  if (!has_rainfall && !times.empty()) throw UsageError{"--time needs RAINFALL", ""};
   if (!has_rainfall && is_given(units_option_)) {
     throw UsageError{"--units is about readings, and there is no RAINFALL",
                      "give RAINFALL, or leave it out"};

@@ -91,13 +91,11 @@ Annotation::Annotation(Canvas& canvas, const Page& page, const Picture& picture,
       view_(view),
       type_(type),
       taken_(page.panel.width, page.panel.height) {
-  for (const Point p : view.gauges) {
-    if (in_sight(p)) ++seen_;
-  }
+  count_.gauges = view.gauges.size();
+  count_.in_sight = dots_in_sight().size();
   const double pixels = static_cast<double>(page.panel.width) * page.panel.height;
-  radius_ = gauge_radius(page.style.em, seen_, pixels);
-  seen_ = static_cast<std::size_t>(
-      std::count_if(view.gauges.begin(), view.gauges.end(), [&](Point p) { return in_sight(p); }));
+  radius_ = gauge_radius(page.style.em, count_.in_sight, pixels);
+  count_.in_sight = dots_in_sight().size();
 }
 
 bool Annotation::in_sight(Point p) const {
@@ -165,7 +163,7 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
-  const int size = std::max(9, page_.style.ems(label_size(seen_)));
+  const int size = std::max(9, page_.style.ems(label_size(count_.in_sight)));
   const int rim = std::max(1, page_.style.ems(0.13));
   const double outer = gauge_reach(radius_);
   // Half a letter between a label and another gauge's dot, so that it is not read as that gauge's.
@@ -173,7 +171,7 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
   for (const std::size_t i : order) {
     const Point dot = view_.gauges[i];
     if (picture_.gauges[i].label.empty() || !in_sight(dot)) continue;
-    ++to_label_;
+    ++count_.to_label;
     // A label need not be set to know that it does not fit where even its least width is not free.
     const int least = least_width(picture_.gauges[i].label, size);
     if (!place_beside(taken_, dots, dot, outer, 1, least, size / 2)) continue;
@@ -183,19 +181,28 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
         place_beside(taken_, dots, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
     if (!box) continue;
     put(text, *box, ink::text, {"label", picture_.gauges[i].station});
-    ++labelled_;
+    ++count_.labelled;
   }
 }
 
-std::string Annotation::note() const {
-  const std::size_t all = view_.gauges.size();
+LabelCount& LabelCount::operator+=(const LabelCount& other) {
+  gauges += other.gauges;
+  in_sight += other.in_sight;
+  to_label += other.to_label;
+  labelled += other.labelled;
+  return *this;
+}
+
+std::string note_of(const LabelCount& count) {
+  const auto share = [](std::size_t some, std::size_t all) {
+    return std::to_string(some) + " of " + std::to_string(all);
+  };
   std::string text;
-  if (seen_ < all) {
-    text = "gauges in sight: " + std::to_string(seen_) + " of " + std::to_string(all);
-  }
-  if (labelled_ < to_label_) {
+  if (count.in_sight < count.gauges)
+    text = "gauges in sight: " + share(count.in_sight, count.gauges);
+  if (count.labelled < count.to_label) {
     if (!text.empty()) text += ", ";
-    text += "labelled: " + std::to_string(labelled_) + " of " + std::to_string(to_label_);
+    text += "labelled: " + share(count.labelled, count.to_label);
   }
   return text;
 }

@@ -14,6 +14,19 @@
 
 namespace thiessen {
 
+/// How many gauges a map, or several, have, and how many of these find room.
+struct LabelCount {
+  std::size_t gauges = 0;
+  std::size_t in_sight = 0;
+  std::size_t to_label = 0;  ///< of those in sight, which have a label
+  std::size_t labelled = 0;
+
+  LabelCount& operator+=(const LabelCount& other);
+};
+
+/// Words how many gauges are in sight and how many of these are labelled; empty where all are.
+std::string note_of(const LabelCount& count);
+
 /// Draws gauges, basin names and gauge labels into the panel. Only dots may overlap each other:
 /// names and labels overlap nothing, and no label stands beside the dot of another gauge.
 class Annotation {
@@ -30,8 +43,8 @@ class Annotation {
   /// order.
   void draw_labels(const std::vector<std::size_t>& pixels);
 
-  /// Words how many gauges are in sight and how many of these are labelled; empty where all are.
-  std::string note() const;
+  /// What has been drawn so far.
+  const LabelCount& count() const { return count_; }
 
  private:
   bool in_sight(Point p) const;
@@ -44,9 +57,7 @@ class Annotation {
   const StudyView& view_;
   Typesetter& type_;
   Occupancy taken_;
-  std::size_t seen_ = 0;
-  std::size_t labelled_ = 0;
-  std::size_t to_label_ = 0;
+  LabelCount count_;
   double radius_ = 1;
 };
 

@@ -14,7 +14,7 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
                    Typesetter& type) {
   const PixelBox& foot = page.footer;
   const int em = page.style.em;
-  const double longest = std::min(foot.width * 0.3, 16.0 * em);
+  const double longest = std::min({foot.width * 0.3, page.panel.width * 0.6, 16.0 * em});
   const ScaleBar bar = scale_bar(pixels_per_unit, view.projection.metres_per_unit(), longest);
   if (!(bar.pixels >= 1)) return foot.x;
   const int size = page.style.ems(0.8);

@@ -66,6 +66,46 @@ std::vector<double> samples(const std::function<double(double)>& value, double l
   return values;
 }
 
+using Coordinate = std::function<double(double)>;
+
+void draw_lower(Canvas& canvas, const Page& page, const Coordinate& value, FrameAxis axis,
+                Typesetter& type) {
+  const PageStyle& style = page.style;
+  const PixelBox& panel = page.panel;
+  const int size = std::max(8, style.ems(0.6));
+  const int length = std::max(2, style.ems(0.25));
+  int free_from = panel.x - style.em;
+  for (const FrameTick& tick : frame_ticks(value, panel.width, panel.width / style.ems(8), axis)) {
+    const int x = panel.x + static_cast<int>(tick.at);
+    const SetText text = type.set(tick.text, size);
+    canvas.fill({x, panel.bottom(), style.hairline, length}, ink::border);
+    const int left = x - text.width() / 2;
+    if (left < free_from || left + text.width() > panel.right() + style.em) continue;
+    canvas.text(text, left, panel.bottom() + length + style.ems(0.15), {ink::quiet_text});
+    free_from = left + text.width() + style.ems(0.5);
+  }
+}
+
+void draw_left(Canvas& canvas, const Page& page, const Coordinate& value, FrameAxis axis,
+               Typesetter& type) {
+  const PageStyle& style = page.style;
+  const PixelBox& panel = page.panel;
+  const int size = std::max(8, style.ems(0.6));
+  const int length = std::max(2, style.ems(0.25));
+  int free_below = panel.bottom() + style.em;
+  for (const FrameTick& tick :
+       frame_ticks(value, panel.height, panel.height / style.ems(5), axis)) {
+    const int y = panel.bottom() - 1 - static_cast<int>(tick.at);
+    canvas.fill({panel.x - length, y, length, style.hairline}, ink::border);
+    const int room = panel.x - length - style.ems(0.4);
+    const SetText text = type.fit(tick.text, size, size * 3 / 4, room);
+    const int top = y - text.height() / 2;
+    if (text.width() == 0 || top + text.height() > free_below) continue;
+    canvas.text(text, panel.x - length - style.ems(0.2) - text.width(), top, {ink::quiet_text});
+    free_below = top - style.ems(0.3);
+  }
+}
+
 }  // namespace
 
 std::vector<FrameTick> frame_ticks(const std::function<double(double)>& value, double length,
@@ -92,40 +132,22 @@ std::vector<FrameTick> frame_ticks(const std::function<double(double)>& value, d
 }
 
 void draw_graticule(Canvas& canvas, const Page& page, const StudyView& view,
-                    const PanelTransform& transform, Typesetter& type) {
-  const PageStyle& style = page.style;
-  const PixelBox& panel = page.panel;
+                    const PanelTransform& transform, const FrameEdges& edges, Typesetter& type) {
   const bool plane = view.projection.kind() == MapProjection::Kind::plane;
+  const int height = page.panel.height;
   const auto study = [&](double x, double y) {
     return view.projection.inverse(transform.inverse({x, y}));
   };
   const Group group(canvas, {"graticule"});
-  const int size = std::max(8, style.ems(0.6));
-  const int length = std::max(2, style.ems(0.25));
-  int free_from = panel.x - style.em;
-  for (const FrameTick& tick :
-       frame_ticks([&](double x) { return study(x, panel.height).x; }, panel.width,
-                   panel.width / style.ems(8), plane ? FrameAxis::plane : FrameAxis::longitude)) {
-    const int x = panel.x + static_cast<int>(tick.at);
-    const SetText text = type.set(tick.text, size);
-    canvas.fill({x, panel.bottom(), style.hairline, length}, ink::border);
-    const int left = x - text.width() / 2;
-    if (left < free_from || left + text.width() > panel.right() + style.em) continue;
-    canvas.text(text, left, panel.bottom() + length + style.ems(0.15), {ink::quiet_text});
-    free_from = left + text.width() + style.ems(0.5);
+  if (edges.lower) {
+    draw_lower(
+        canvas, page, [&](double x) { return study(x, height).x; },
+        plane ? FrameAxis::plane : FrameAxis::longitude, type);
   }
-  int free_below = panel.bottom() + style.em;
-  for (const FrameTick& tick :
-       frame_ticks([&](double y) { return study(0, panel.height - y).y; }, panel.height,
-                   panel.height / style.ems(5), plane ? FrameAxis::plane : FrameAxis::latitude)) {
-    const int y = panel.bottom() - 1 - static_cast<int>(tick.at);
-    canvas.fill({panel.x - length, y, length, style.hairline}, ink::border);
-    const int room = panel.x - length - style.ems(0.4);
-    const SetText text = type.fit(tick.text, size, size * 3 / 4, room);
-    const int top = y - text.height() / 2;
-    if (text.width() == 0 || top + text.height() > free_below) continue;
-    canvas.text(text, panel.x - length - style.ems(0.2) - text.width(), top, {ink::quiet_text});
-    free_below = top - style.ems(0.3);
+  if (edges.left) {
+    draw_left(
+        canvas, page, [&](double y) { return study(0, height - y).y; },
+        plane ? FrameAxis::plane : FrameAxis::latitude, type);
   }
 }
 

@@ -26,8 +26,14 @@ enum class FrameAxis { plane, longitude, latitude };
 std::vector<FrameTick> frame_ticks(const std::function<double(double)>& value, double length,
                                    int most, FrameAxis axis);
 
-/// Draws coordinates along the lower and the left edge of the panel, with a tick at each.
+/// The edges of a map that have coordinates.
+struct FrameEdges {
+  bool lower = true;
+  bool left = true;
+};
+
+/// Draws coordinates along these edges of the panel, with a tick at each.
 void draw_graticule(Canvas& canvas, const Page& page, const StudyView& view,
-                    const PanelTransform& transform, Typesetter& type);
+                    const PanelTransform& transform, const FrameEdges& edges, Typesetter& type);
 
 }  // namespace thiessen

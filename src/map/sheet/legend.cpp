@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "map/ink/ink.h"
 #include "map/ink/signs.h"
@@ -33,7 +34,13 @@ const char* meaning(Legend::Sign sign) {
   return "";
 }
 
-std::vector<Legend::Sign> signs_of(const Picture& picture, const RainfallClasses& classes) {
+bool is_of_gauges(Legend::Sign sign) {
+  using Sign = Legend::Sign;
+  return sign == Sign::gauge || sign == Sign::silent_gauge || sign == Sign::point;
+}
+
+/// The signs of one map, beside that of dry ground.
+std::vector<Legend::Sign> signs_of(const Picture& picture) {
   using Sign = Legend::Sign;
   const auto has_reading = [](const PictureCell& c) { return std::isfinite(c.rainfall); };
   const bool all_read = !picture.cells.empty() &&
@@ -41,13 +48,23 @@ std::vector<Legend::Sign> signs_of(const Picture& picture, const RainfallClasses
   const auto reports = [](const PictureGauge& g) { return g.reports; };
   const auto& gauges = picture.gauges;
   std::vector<Sign> signs;
-  if (classes.has_dry()) signs.push_back(Sign::dry);
   if (picture.by_rainfall && !all_read) signs.push_back(Sign::no_reading);
   if (std::any_of(gauges.begin(), gauges.end(), reports))
     signs.push_back(picture.by_rainfall ? Sign::gauge : Sign::point);
   if (!std::all_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Sign::silent_gauge);
   if (!picture.cells.empty()) signs.push_back(Sign::cell);
   if (!picture.basins.empty()) signs.push_back(picture.has_basins ? Sign::basin : Sign::study_area);
+  return signs;
+}
+
+/// The signs of all maps, each once, in the order of the enumeration.
+std::set<Legend::Sign> signs_of(std::span<const Picture> maps, const RainfallClasses& classes) {
+  std::set<Legend::Sign> signs;
+  if (classes.has_dry()) signs.insert(Legend::Sign::dry);
+  for (const Picture& map : maps) {
+    const std::vector<Legend::Sign> more = signs_of(map);
+    signs.insert(more.begin(), more.end());
+  }
   return signs;
 }
 
@@ -58,10 +75,11 @@ Hatch hatching(int em) {
           static_cast<double>(std::max(1, em / 16))};
 }
 
-Legend::Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
-               Typesetter& type)
-    : em_(style.em), units_(picture.units) {
+Legend::Legend(std::span<const Picture> maps, bool has_gauges, const RainfallClasses& classes,
+               const PageStyle& style, Typesetter& type)
+    : em_(style.em), units_(maps.front().units) {
   if (style.bare) return;
+  const Picture& picture = maps.front();
   const int size = style.ems(0.85);
   const int most = std::max(style.ems(7), picture.width / 5);
   const int sign = style.ems(2);
@@ -74,11 +92,16 @@ Legend::Legend(const Picture& picture, const RainfallClasses& classes, const Pag
     ticks_.push_back(type.fit(tick, size, size, most - sign));
     width_ = std::max(width_, sign + ticks_.back().width());
   }
-  for (const Sign kind : signs_of(picture, classes)) {
+  for (const Sign kind : signs_of(maps, classes)) {
+    if (!has_gauges && is_of_gauges(kind)) continue;
     entries_.push_back({kind, type.set(meaning(kind), size)});
     width_ = std::max(width_, sign + entries_.back().text.width());
   }
 }
+
+Legend::Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
+               Typesetter& type)
+    : Legend(std::span<const Picture>(&picture, 1), true, classes, style, type) {}
 
 int Legend::bar_height(std::size_t classes, int step) const {
   return classes == 0 ? 0 : static_cast<int>(classes) * step + em_ * 3 / 2;
@@ -118,7 +141,7 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
 
 void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
   const Point middle{sign.x + sign.width / 2.0, sign.y + sign.height / 2.0};
-  if (kind == Sign::gauge || kind == Sign::silent_gauge || kind == Sign::point) {
+  if (is_of_gauges(kind)) {
     draw_gauge(canvas, middle, gauge_radius(em_, 1, 1e9), kind != Sign::silent_gauge, sign);
     return;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ class Legend {
  public:
   enum class Sign { dry, no_reading, gauge, silent_gauge, point, cell, basin, study_area };
 
+  /// The legend of all that the maps show, whose gauges may not be drawn; heading and unit are
+  /// those of the first. Requires at least one map.
+  Legend(std::span<const Picture> maps, bool has_gauges, const RainfallClasses& classes,
+         const PageStyle& style, Typesetter& type);
   Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
          Typesetter& type);
 

@@ -13,14 +13,6 @@ namespace {
 // The share of the panel's smaller side that is left free round the study area.
 constexpr double rim = 0.04;
 
-/// The width of the panel that suits the extent, divided by its height.
-double panel_aspect(const Extent& extent) {
-  constexpr double widest = 3;
-  constexpr double tallest = 0.6;
-  if (extent.height() <= 0) return widest;
-  return std::clamp(extent.width() / extent.height(), tallest, widest);
-}
-
 /// The part of a text that its first words make up, as many as fit into the room; at least one.
 std::string_view words_that_fit(std::string_view text, int size, int room, Typesetter& type) {
   std::size_t end = text.find(' ');
@@ -50,25 +42,6 @@ std::vector<SetText> title_lines(std::string_view title, const PageStyle& style,
   if (line.is_shortened) line = type.fit(title, size, style.em, room, Weight::bold);
   if (line.width() > 0) lines.push_back(std::move(line));
   return lines;
-}
-
-/// Sets title and subtitle, and returns the height that they take.
-int head(const Picture& picture, Page& page, Typesetter& type) {
-  const PageStyle& style = page.style;
-  const int room = page.width - 2 * style.em;
-  int y = style.ems(0.8);
-  for (SetText& text : title_lines(picture.title, style, room, type)) {
-    const int baseline = y + std::max(style.ems(1.3), text.baseline);
-    y = baseline + std::max(style.ems(0.5), text.height() - text.baseline);
-    page.title.push_back({std::move(text), baseline});
-  }
-  page.subtitle = type.fit(picture.subtitle, style.em, style.ems(0.8), room);
-  if (page.subtitle.width() > 0) {
-    page.subtitle_baseline = y + std::max(style.ems(0.9), page.subtitle.baseline);
-    const int descent = page.subtitle.height() - page.subtitle.baseline;
-    y = page.subtitle_baseline + std::max(style.ems(0.4), descent);
-  }
-  return y + style.ems(0.4);
 }
 
 /// The height of a panel that is `width` across: it follows the extent's shape where the picture
@@ -106,13 +79,38 @@ PageStyle page_style(int width, int height, int dots_to_the_inch) {
   return style;
 }
 
+double panel_aspect(const Extent& extent) {
+  constexpr double widest = 3;
+  constexpr double tallest = 0.6;
+  if (extent.height() <= 0) return widest;
+  return std::clamp(extent.width() / extent.height(), tallest, widest);
+}
+
+int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type) {
+  const PageStyle& style = page.style;
+  const int room = page.width - 2 * style.em;
+  int y = style.ems(0.8);
+  for (SetText& text : title_lines(title, style, room, type)) {
+    const int baseline = y + std::max(style.ems(1.3), text.baseline);
+    y = baseline + std::max(style.ems(0.5), text.height() - text.baseline);
+    page.title.push_back({std::move(text), baseline});
+  }
+  page.subtitle = type.fit(subtitle, style.em, style.ems(0.8), room);
+  if (page.subtitle.width() > 0) {
+    page.subtitle_baseline = y + std::max(style.ems(0.9), page.subtitle.baseline);
+    const int descent = page.subtitle.height() - page.subtitle.baseline;
+    y = page.subtitle_baseline + std::max(style.ems(0.4), descent);
+  }
+  return y + style.ems(0.4);
+}
+
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type) {
   const PageStyle style = page_style(picture.width, picture.height, picture.dots_to_the_inch);
   if (style.bare) return bare_page(picture, extent, style);
   Page page;
   page.style = style;
   page.width = picture.width;
-  const int top = head(picture, page, type);
+  const int top = set_head(picture.title, picture.subtitle, page, type);
   const int margin = style.em;
   const int column = legend.width() == 0 ? 0 : legend.width() + margin;
   const int foot = style.ems(3.4);

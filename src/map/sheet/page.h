@@ -41,6 +41,13 @@ struct Page {
   PixelBox footer;
 };
 
+/// Sets the title, and the subtitle unless it is empty, at the upper end of the page, which
+/// has its width and style already. Returns the height that they take.
+int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type);
+
+/// The width of a map that suits the extent, divided by its height.
+double panel_aspect(const Extent& extent);
+
 /// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map
 /// fits the extent, unless the extent is too long or too tall for a page.
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,13 @@ struct Picture {
   int height = 0;    ///< in pixels; 0: chosen by the shape of the study area
 };
 
-/// The classes of the rainfall that the picture's cells show, each gauge's once; none where cells
-/// are not filled by rainfall.
+/// The classes of the rainfall that the cells of all maps show, each gauge's once a map; none where
+/// cells are not filled by rainfall. The rule is that of the last map.
+RainfallClasses classes_of(std::span<const Picture> maps);
 RainfallClasses classes_of(const Picture& picture);
+
+/// Warns of rainfall outside of a range that was asked for.
+void warn_of_outside(const RainfallClasses& classes, Warnings& warnings);
 
 /// The limits of a picture's side, and of its area, in pixels.
 inline constexpr int min_picture_side = 64;

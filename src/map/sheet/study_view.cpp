@@ -154,12 +154,8 @@ Extent sight(const Picture& picture, const StudyView& view) {
   return {extent.west - side, extent.south - side, extent.east + side, extent.north + side};
 }
 
-}  // namespace
-
-StudyView view_study(const Picture& picture) {
-  require_finite(picture);
-  StudyView view;
-  picture.geographic ? project_geographic(picture, view) : project_plane(picture, view);
+/// Projects all shapes, and finds the extent.
+void project_shapes(const Picture& picture, StudyView& view) {
   constexpr double finest = 5e-5;  // share of the study's radius: half a pixel in 20,000
   const double tolerance = finest * std::max(view.radius, 1e-12);
   const auto shape = [&](const MultiPolygon& polygons) {
@@ -174,6 +170,25 @@ StudyView view_study(const Picture& picture) {
     view.gauges.push_back(view.projection({x, p.y}));
   }
   view.extent = sight(picture, view);
+}
+
+}  // namespace
+
+StudyView view_study(const Picture& picture) {
+  require_finite(picture);
+  StudyView view;
+  picture.geographic ? project_geographic(picture, view) : project_plane(picture, view);
+  project_shapes(picture, view);
+  return view;
+}
+
+StudyView view_study(const Picture& picture, const StudyView& other) {
+  require_finite(picture);
+  StudyView view;
+  view.projection = other.projection;
+  view.window = other.window;
+  view.radius = other.radius;
+  project_shapes(picture, view);
   return view;
 }
 

@@ -26,4 +26,7 @@ struct StudyView {
 /// far for double precision. Cost: the vertices.
 StudyView view_study(const Picture& picture);
 
+/// The same in the projection of another map of the study; the extent is the picture's own.
+StudyView view_study(const Picture& picture, const StudyView& other);
+
 }  // namespace thiessen

@@ -80,21 +80,35 @@ GaugeReadings MeanReadings::of_all() const {
   return result;
 }
 
+std::vector<GaugeReadings> read_steps(Readings& readings, const Network& network,
+                                      std::span<const std::string> times) {
+  std::vector<GaugeReadings> steps(times.size());
+  StepIntervals intervals;
+  TimeStep step;
+  while (readings.next(step)) {
+    throw_if_interrupted();
+    intervals.note(parse_iso_time(step.time));
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (step.time == times[i]) steps[i] = {values_of(network, step.readings), step.time, {}};
+    }
+  }
+  for (GaugeReadings& shown : steps) {
+    shown.step = intervals.step();
+    shown.unit = readings.unit();
+  }
+  return steps;
+}
+
 GaugeReadings read_gauges(Readings& readings, const Network& network, const std::string& time) {
+  if (!time.empty()) return std::move(read_steps(readings, network, {&time, 1}).front());
   MeanReadings means(network);
-  GaugeReadings at_time;
   TimeStep step;
   while (readings.next(step)) {
     throw_if_interrupted();
     means.note(step.time);
-    if (time.empty()) {
-      means.add(step.readings);
-    } else if (step.time == time) {
-      at_time = {values_of(network, step.readings), step.time, {}};
-    }
+    means.add(step.readings);
   }
-  GaugeReadings shown = time.empty() ? means.of_reporting() : std::move(at_time);
-  shown.step = means.step();
+  GaugeReadings shown = means.of_reporting();
   shown.unit = readings.unit();
   return shown;
 }

@@ -59,6 +59,11 @@ class MeanReadings {
   std::size_t steps_ = 0;
 };
 
+/// Reads the whole table and gives the steps at these times, in their order. A time that the table
+/// lacks has no label and no readings. Memory: the readings of these steps.
+std::vector<GaugeReadings> read_steps(Readings& readings, const Network& network,
+                                      std::span<const std::string> times);
+
 /// Reads the whole table and gives the step at `time`, or the means of the gauges that report where
 /// `time` is empty. If the table lacks that time there is no label and no readings.
 GaugeReadings read_gauges(Readings& readings, const Network& network, const std::string& time);

@@ -21,5 +21,19 @@ TEST(MapCommand, ShowsATimeOfRainfallOnly) {
   EXPECT_EQ(refusal({"map", "s", "-o", "map.png", "--time", "2013"}), "--time needs RAINFALL");
 }
 
+TEST(MapCommand, ShowsSeveralTimesOnAPageAndNotInARaster) {
+  const std::vector<std::string> times = {"map", "s", "b", "r", "--time", "1", "--time", "2", "-o"};
+  const auto to = [&](const char* file) {
+    std::vector<std::string> words = times;
+    words.emplace_back(file);
+    return refusal(words);
+  };
+  for (const char* file : {"map.png", "map.svg", "map.jpg"}) EXPECT_EQ(to(file), "");
+  EXPECT_EQ(to("map.tif"), "several maps stand on a picture's page, and a raster is of one --time");
+  EXPECT_NE(to("map.nc"), "");
+  EXPECT_EQ(refusal({"cells", "s", "b", "r", "--time", "1", "--time", "2"}),
+            "--time is given more than once");
+}
+
 }  // namespace
 }  // namespace thiessen::cli

@@ -16,7 +16,7 @@ struct View : Given<ViewOptions> {
 TEST(ViewOptions, show_the_mean_in_a_picture_1600_wide_unless_told) {
   View view;
   view.read({});
-  EXPECT_EQ(view.block.time, "");
+  EXPECT_EQ(view.block.time(), "");
   EXPECT_EQ(view.block.margin, 10);
   EXPECT_EQ(view.block.units, "mm");
   EXPECT_EQ(view.block.title, "");
@@ -28,7 +28,7 @@ TEST(ViewOptions, take_what_they_are_told) {
   View view;
   view.read({"--time", "2013-08-01", "--margin", "0", "--units", "", "--title", "T", "--size",
              "800x600"});
-  EXPECT_EQ(view.block.time, "2013-08-01");
+  EXPECT_EQ(view.block.time(), "2013-08-01");
   EXPECT_EQ(view.block.margin, 0);
   EXPECT_EQ(view.block.units, "");
   EXPECT_EQ(view.block.title, "T");
@@ -71,6 +71,19 @@ TEST(ViewOptions, a_time_is_one_of_rainfall) {
   EXPECT_EQ(view.contradiction(true, true), "");
   EXPECT_EQ(view.contradiction(false, true), "--time needs RAINFALL");
   EXPECT_EQ(View().contradiction(false, false), "");
+}
+
+TEST(ViewOptions, several_times_stand_where_they_are_declared_and_none_comes_twice) {
+  View one;
+  EXPECT_EQ(one.refusal({"--time", "2013", "--time", "2014"}), "--time is given more than once");
+  Given<ViewOptions> several;
+  several.block.declare_times(several.options);
+  several.read({"--time", "2014", "--time", "2013"});
+  EXPECT_EQ(several.block.times, (std::vector<std::string>{"2014", "2013"}));
+  EXPECT_EQ(several.block.time(), "2014");
+  Given<ViewOptions> twice;
+  twice.block.declare_times(twice.options);
+  EXPECT_EQ(twice.refusal({"--time", "a", "--time", "b", "--time", "a"}), "--time names 'a' twice");
 }
 
 TEST(ViewOptions, units_are_of_readings_and_a_margin_is_of_a_study_without_basins) {

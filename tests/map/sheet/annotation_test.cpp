@@ -48,7 +48,7 @@ TEST(Annotation, draws_gauges_where_they_are_and_whole_or_not_at_all) {
   EXPECT_EQ(panel.at(110, 70), ink::gauge);
   EXPECT_EQ(panel.at(408, 170), ink::white);
   EXPECT_EQ(panel.at(210, 318), ink::white);
-  EXPECT_EQ(annotation.note(), "gauges in sight: 1 of 4");
+  EXPECT_EQ(note_of(annotation.count()), "gauges in sight: 1 of 4");
 }
 
 TEST(Annotation, a_silent_gauge_hides_none_that_reports) {
@@ -65,9 +65,9 @@ TEST(Annotation, labels_gauges_of_the_largest_cells_first_as_far_as_there_is_roo
   Panel panel(dots, "a long label");
   Annotation annotation(panel.canvas, panel.page, panel.picture, panel.view, panel.type);
   annotation.draw_gauges();
-  EXPECT_EQ(annotation.note(), "");
+  EXPECT_EQ(note_of(annotation.count()), "");
   annotation.draw_labels(std::vector<std::size_t>(10, 5));
-  EXPECT_EQ(annotation.note(), "labelled: 2 of 10");
+  EXPECT_EQ(note_of(annotation.count()), "labelled: 2 of 10");
   EXPECT_GT(panel.ink({10, 20, 400, 300}), 200U);
 }
 
@@ -76,7 +76,7 @@ TEST(Annotation, all_labels_that_find_room_need_no_note) {
   Annotation annotation(panel.canvas, panel.page, panel.picture, panel.view, panel.type);
   annotation.draw_gauges();
   annotation.draw_labels({9, 3});
-  EXPECT_EQ(annotation.note(), "");
+  EXPECT_EQ(note_of(annotation.count()), "");
   EXPECT_GT(panel.ink({115, 100, 60, 40}), 20U) << "to the right of the dot at (110, 120)";
 }
 

@@ -63,7 +63,7 @@ TEST(Graticule, stands_to_the_left_of_the_panel_and_below_it) {
   const PanelTransform transform({0, 0, 6, 4}, page.panel);
   Typesetter type;
   PixelCanvas canvas(700, 460);
-  draw_graticule(canvas, page, view, transform, type);
+  draw_graticule(canvas, page, view, transform, FrameEdges(), type);
   EXPECT_EQ(canvas.darkness({70, 0, 630, 420}), 0u);
   EXPECT_GT(canvas.darkness({0, 20, 70, 400}), 5000u);
   EXPECT_GT(canvas.darkness({50, 420, 650, 40}), 5000u);

@@ -49,6 +49,18 @@ TEST(Legend, names_what_is_there) {
   EXPECT_GT(Drawn(picture).legend.width(), of_basins) << "study area in place of basin";
 }
 
+TEST(Legend, of_several_maps_has_what_any_of_them_shows) {
+  const std::vector<Picture> maps = {row_of_cells({1, 2}), row_of_cells({0, none})};
+  Typesetter type;
+  const PageStyle style = {.em = 20};
+  const auto height = [&](std::span<const Picture> some, bool has_gauges) {
+    return Legend(some, has_gauges, classes_of(maps), style, type).height();
+  };
+  const int first = height({maps.data(), 1}, true);
+  EXPECT_EQ(height(maps, true) - first, 2 * 30) << "no reading, and the gauge that is silent";
+  EXPECT_EQ(height(maps, true) - height(maps, false), 2 * 30) << "gauges that are not drawn";
+}
+
 TEST(Legend, of_a_bare_page_or_of_nothing_takes_no_width) {
   EXPECT_EQ(Drawn(Picture()).legend.width(), 0);
   const Picture picture = row_of_cells({1, 2});

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/complaints.h"
+#include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
 namespace {
@@ -116,6 +117,20 @@ TEST(StudyView, refuses_what_cannot_be_drawn) {
   Picture picture;
   picture.gauges = {{{std::nan(""), 0}, "a"}};
   EXPECT_EQ(complaint_of([&] { view_study(picture); }), "a coordinate to draw is not finite");
+}
+
+// Half a study projected alone would have another centre.
+TEST(StudyView, of_another_map_has_the_same_projection_and_an_extent_of_its_own) {
+  Picture whole = row_of_cells({1, 2, 3, 4});
+  whole.geographic = true;
+  const StudyView first = view_study(whole);
+  Picture half = row_of_cells({1, 2});
+  half.geographic = true;
+  const StudyView view = view_study(half, first);
+  EXPECT_EQ(view.projection.centre(), first.projection.centre());
+  EXPECT_EQ(view.gauges[0], first.gauges[0]);
+  EXPECT_LT(view.extent.east, first.extent.east);
+  EXPECT_EQ(view.extent.west, first.extent.west);
 }
 
 }  // namespace

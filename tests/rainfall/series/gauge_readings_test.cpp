@@ -77,6 +77,17 @@ TEST(GaugeReadings, of_a_time_that_is_not_there_are_none) {
   EXPECT_TRUE(read_gauges(all, network(), "4").readings.empty());
 }
 
+TEST(GaugeReadings, of_several_times_come_in_their_order) {
+  Steps all = steps();
+  const std::vector<std::string> times = {"3", "9", "1"};
+  const std::vector<GaugeReadings> found = read_steps(all, network(), times);
+  ASSERT_EQ(found.size(), 3U);
+  expect_readings(found[0], {silent, silent, 6, silent});
+  EXPECT_EQ(found[0].label, "3");
+  EXPECT_TRUE(found[1].readings.empty()) << "the table lacks it";
+  expect_readings(found[2], {20, 20, 0, silent});
+}
+
 // A day's rain is of a day, whichever time is shown; one time alone tells no step.
 TEST(GaugeReadings, know_the_length_of_a_step_by_the_times) {
   MeanReadings means(network());

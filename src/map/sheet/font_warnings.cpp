@@ -1,0 +1,55 @@
+#include "map/sheet/font_warnings.h"
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "map/ink/unicode.h"
+
+namespace thiessen {
+namespace {
+
+std::string some_of(const std::set<char32_t>& characters) {
+  constexpr std::size_t listed = 5;
+  std::u32string some;
+  for (const char32_t c : characters) {
+    if (some.size() < listed && c != U' ' && !is_attached(c)) some.push_back(c);
+  }
+  return to_utf8(some);
+}
+
+/// Debian's packages of fonts with the outlines of these characters.
+std::string packages_for(const std::set<char32_t>& characters) {
+  const auto is_east_asian = [](char32_t c) {
+    return (c >= 0x1100 && c <= 0x11FF) || (c >= 0x2E80 && c <= 0xA4CF) ||
+           (c >= 0xAC00 && c <= 0xD7FF) || (c >= 0xF900 && c <= 0xFAFF) ||
+           (c >= 0xFF00 && c <= 0xFFEF) || (c >= 0x20000 && c <= 0x3FFFF);
+  };
+  const auto is_other = [&](char32_t c) { return c != U' ' && !is_east_asian(c); };
+  const bool east_asian = std::any_of(characters.begin(), characters.end(), is_east_asian);
+  const bool other = std::any_of(characters.begin(), characters.end(), is_other);
+  if (east_asian && other) return "fonts-noto-cjk and fonts-noto-core";
+  return east_asian ? "fonts-noto-cjk" : "fonts-noto-core";
+}
+
+}  // namespace
+
+void warn_of_fonts(const Typesetter& type, Warnings& warnings) {
+  if (!type.missing().empty()) {
+    warnings.add({{},
+                  0,
+                  "no installed font shows " + std::to_string(type.missing().size()) +
+                      " of the picture's characters, such as " + some_of(type.missing()),
+                  "install fonts for their script, such as fonts-noto-core, fonts-noto-cjk or "
+                  "fonts-unifont"});
+  }
+  const std::string coarse = some_of(type.coarse());
+  if (coarse.empty()) return;
+  warnings.add_notice({{},
+                       0,
+                       "some of the picture's characters, such as " + coarse +
+                           ", are drawn from bitmaps, whose letters do not join",
+                       "install a font with their outlines: " + packages_for(type.coarse())});
+}
+
+}  // namespace thiessen
