@@ -17,8 +17,10 @@
 #include "cli/outputs/encoded_files.h"
 #include "cli/outputs/isohyets_in.h"
 #include "cli/outputs/provenance_of.h"
+#include "cli/outputs/raster_of.h"
 #include "gdal/output/isohyets_file.h"
 #include "gdal/output/layer_formats.h"
+#include "map/sheet/rainfall_classes.h"
 
 namespace thiessen::cli {
 namespace {
@@ -66,8 +68,7 @@ class IsohyetsCommand : public Command {
     Inputs inputs(study_, 0, common_.threads, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     units_ = unit_shown(readings->unit, units_, units_option_->is_given(), rainfall_.name());
-    const auto isohyets = isohyets_in(inputs, *readings, isohyets_, resolution_,
-                                      static_cast<unsigned>(common_.threads));
+    const auto isohyets = isohyets_of(inputs, *readings);
     if (isohyets.empty()) {
       warnings.add_notice({output_.output == "-" ? "standard output" : path, 0,
                            "no isohyet crosses a basin, and the file has none", ""});
@@ -88,6 +89,18 @@ class IsohyetsCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
+  std::vector<Isohyet> isohyets_of(const Inputs& inputs, const GaugeReadings& readings) const {
+    if (!readings.reports().any()) return {};
+    const auto threads = static_cast<unsigned>(common_.threads);
+    IsohyetLevels levels{isohyets_.interval, isohyets_.breaks};
+    if (levels.interval == 0 && levels.levels.empty())
+      levels.levels = RainfallClasses(shown_values(inputs, readings, threads), {}).bounds();
+    const SurfaceRaster raster =
+        surface_raster(inputs, readings, isohyets_.drawn(), SurfaceRows::Extent::among_gauges,
+                       {.resolution = resolution_}, threads);
+    return isohyets_in(raster, levels, areas_of(inputs));
+  }
+
   StudyOptions study_;
   RainfallOptions rainfall_;
   ViewOptions view_;

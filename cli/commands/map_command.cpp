@@ -19,6 +19,7 @@
 #include "cli/outputs/maps_of.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
+#include "cli/outputs/surface_maps.h"
 #include "cli/terminal/progress.h"
 #include "files/netcdf_grid.h"
 #include "files/rainfall_file.h"
@@ -60,7 +61,7 @@ class MapCommand : public Command {
     view_.declare_times(options());
     range_.declare_range(options());
     view_.declare_margin(options());
-    surface_.declare_surface(options());
+    surface_.declare_map(options());
     view_.declare_look(options());
     study_.declare_label(options());
     raster_.declare(options());
@@ -112,8 +113,10 @@ class MapCommand : public Command {
           outputs, file,
           raster_of(inputs, step, view_.time(), surface_.surface(), raster_output(inputs, step)));
     } else {
-      const auto maps =
-          maps_of(inputs, steps, study_, view_, static_cast<unsigned>(common_.threads));
+      const auto threads = static_cast<unsigned>(common_.threads);
+      auto maps = maps_of(inputs, steps, study_, view_, threads);
+      add_surfaces(inputs, steps, surface_, maps, threads);
+      if (view_.title.empty() && surface_.shows_any()) maps.front().title = title_of(surface_);
       file.append(encode_multiples(maps, format_of(kind), warnings));
     }
     outputs.commit();
@@ -142,14 +145,11 @@ class MapCommand : public Command {
   }
 
   void check_surface(Kind kind) const {
-    if (!surface_.surface()) return;
-    if (!rainfall_.given())
-      throw UsageError{"--method is about rainfall between gauges, and there is no RAINFALL", ""};
-    if (kind == Kind::tiff && !raster_.of_steps) return;
-    const std::string name = name_of(*surface_.surface());
-    throw UsageError{
-        "--method " + name + " is of a raster of one time, a .tif",
-        raster_.of_steps ? "grids are of cells; --time shows a step" : "pictures are of cells"};
+    surface_.check_map(rainfall_.given(), is_picture(kind));
+    if (!surface_.surface() || !raster_.of_steps) return;
+    throw UsageError{"--method " + std::string(name_of(*surface_.surface())) +
+                         " is of pictures, and of a raster of one time, a .tif",
+                     "grids are of cells; --time shows a step"};
   }
 
   void check_steps() const {

@@ -33,12 +33,21 @@ OptionValue rising_numbers(std::vector<double>& target) {
 
 }  // namespace
 
-void IsohyetOptions::declare_surface(OptionList& options) {
-  options.group("Method", *this)
-      .add("--method", surface_value(surface_),
-           "the surface that a .tif shows: the cells (default), inverse distance squared of the 12 "
-           "nearest gauges, natural neighbours, or linear in triangles of gauges; beyond the "
-           "gauges' hull natural and linear take the nearest gauge");
+void IsohyetOptions::declare_map(OptionList& options) {
+  OptionGroup method = options.group("Method", *this);
+  method_option_ = &method.add(
+      "--method", surface_value(surface_),
+      "the surface that is shown: the cells (default), inverse distance squared of the 12 "
+      "nearest gauges, natural neighbours, or linear in triangles of gauges; beyond the "
+      "gauges' hull natural and linear take the nearest gauge");
+  OptionGroup picture = options.group("Picture", *this);
+  isohyets_option_ =
+      &picture.add("--isohyets", flag(on_map),
+                   "draw lines of equal rainfall over the picture, of natural neighbours or of "
+                   "--method's surface, where the classes of colour meet or at --interval");
+  interval_option_ = &picture.add("--interval", number(interval, above_zero),
+                                  "the step between isohyets' levels, which are its multiples; "
+                                  "default the bounds of the classes");
 }
 
 void IsohyetOptions::declare(OptionList& options) {
@@ -50,8 +59,8 @@ void IsohyetOptions::declare(OptionList& options) {
              "beyond the gauges' hull, and cells have none at all");
   interval_option_ =
       &method.add("--interval", number(interval, above_zero),
-                  "the step between levels, which are its multiples; default a rounded one that "
-                  "makes about eight");
+                  "the step between levels, which are its multiples; default the bounds of the "
+                  "classes that a picture of the gauges' rainfall has");
   breaks_option_ = &method.add("--breaks", rising_numbers(breaks), "the levels themselves");
 }
 
@@ -63,6 +72,23 @@ void IsohyetOptions::check() const {
   if (interval_option_->is_given() && breaks_option_->is_given()) {
     throw UsageError{"--interval and --breaks both say the levels", "leave one of them out"};
   }
+}
+
+void IsohyetOptions::check_map(bool has_rainfall, bool is_picture) const {
+  if (surface_ && !has_rainfall)
+    throw UsageError{"--method is about rainfall between gauges, and there is no RAINFALL", ""};
+  for (const Option* const option : {isohyets_option_, interval_option_}) {
+    if (!option->is_given()) continue;
+    if (!is_picture) {
+      throw UsageError{option->name + " is about pictures, and a raster is written",
+                       "thiessen isohyets writes the lines"};
+    }
+    if (!has_rainfall)
+      throw UsageError{option->name + " is about rainfall, and there is no RAINFALL", ""};
+  }
+  if (interval_option_->is_given() && !on_map)
+    throw UsageError{"--interval is the step between isohyets, and none are drawn",
+                     "--isohyets draws them"};
 }
 
 }  // namespace thiessen::cli

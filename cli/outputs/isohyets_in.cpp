@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <set>
 #include <stdexcept>
 
 #include "base/error.h"
 #include "cli/outputs/raster_of.h"
-#include "map/raster/surface_rows.h"
 #include "rainfall/methods/isohyets.h"
 
 namespace thiessen::cli {
 namespace {
 
-constexpr int default_pixels = 1000;
-
-/// Lines end at pixels' centres, so that the raster reaches beyond the basins.
 PixelGrid widened(PixelGrid grid) {
   constexpr int margin = 2;
   grid.north_west = grid.at(-margin, -margin);
@@ -24,52 +20,67 @@ PixelGrid widened(PixelGrid grid) {
   return grid;
 }
 
-PixelGrid grid_for(const Inputs& inputs, double resolution) {
-  if (resolution > 0) return widened(raster_grid(inputs, resolution));
+PixelGrid grid_for(const Inputs& inputs, const RasterSize& size) {
+  if (size.resolution > 0) return widened(raster_grid(inputs, size.resolution));
   const PixelGrid fine = raster_grid(inputs, 0);
-  return widened(
-      raster_grid(inputs, fine.pixel * std::max(fine.columns, fine.rows) / default_pixels));
+  return widened(raster_grid(inputs, fine.pixel * std::max(fine.columns, fine.rows) / size.pixels));
 }
 
-std::vector<double> levels_of(std::span<const float> values, const IsohyetOptions& options) {
-  double least = std::numeric_limits<double>::infinity();
-  double largest = -least;
-  for (const float value : values) {
-    if (std::isnan(value)) continue;
-    least = std::min(least, static_cast<double>(value));
-    largest = std::max(largest, static_cast<double>(value));
-  }
-  if (options.breaks.empty()) {
+std::vector<double> levels_within(const SurfaceRaster& raster, const IsohyetLevels& wanted) {
+  if (wanted.interval > 0) {
     try {
-      return isohyet_levels(least, largest, options.interval);
+      return isohyet_levels(raster.least, raster.largest, wanted.interval);
     } catch (const std::length_error&) {
       throw Error({"", 0, "there would be more than 10000 isohyets",
                    "a larger " + setting("interval") + " makes fewer"});
     }
   }
   std::vector<double> levels;
-  for (const double level : options.breaks) {
-    if (level > least && level < largest) levels.push_back(level);
+  for (const double level : wanted.levels) {
+    if (level > raster.least && level < raster.largest) levels.push_back(level);
   }
   return levels;
 }
 
 }  // namespace
 
-std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
-                                 const IsohyetOptions& options, double resolution,
-                                 unsigned threads) {
-  if (!readings.reports().any()) return {};
-  const PixelGrid grid = grid_for(inputs, resolution);
+SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings,
+                             SurfaceMethod method, SurfaceRows::Extent extent,
+                             const RasterSize& size, unsigned threads) {
+  SurfaceRaster raster;
+  raster.grid = grid_for(inputs, size);
   SurfaceRows surface(
-      grid, SurfaceRows::Extent::among_gauges,
+      raster.grid, extent,
       [&] {
-        return surface_of(*options.surface(), inputs.network(), inputs.study().metric,
-                          readings.readings);
+        return surface_of(method, inputs.network(), inputs.study().metric, readings.readings);
       },
       [&] { return to_study(inputs); }, threads);
-  const std::span<const float> values = surface.rows(0, grid.rows, {});
-  return isohyets_of(grid, values, levels_of(values, options), areas_of(inputs));
+  const std::span<const float> values = surface.rows(0, raster.grid.rows, {});
+  raster.values.assign(values.begin(), values.end());
+  raster.least = HUGE_VAL;
+  raster.largest = -HUGE_VAL;
+  for (const float value : values) {
+    if (std::isnan(value)) continue;
+    raster.least = std::min<double>(raster.least, value);
+    raster.largest = std::max<double>(raster.largest, value);
+  }
+  return raster;
+}
+
+std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
+                                 std::span<const MultiPolygon> shapes) {
+  return isohyets_of(raster.grid, raster.values, levels_within(raster, levels), shapes);
+}
+
+std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& readings,
+                                 unsigned threads) {
+  std::set<StationIndex> owners;
+  for (const BasinWeights& basin : inputs.weighing().weights(readings.reports(), threads)) {
+    for (const StationWeight& weight : basin.stations) owners.insert(weight.station);
+  }
+  std::vector<double> values;
+  for (const StationIndex station : owners) values.push_back(readings.readings[index(station)]);
+  return values;
 }
 
 }  // namespace thiessen::cli

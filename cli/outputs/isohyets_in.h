@@ -1,19 +1,51 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "cli/inputs/inputs.h"
-#include "cli/options/isohyet_options.h"
 #include "gdal/output/isohyet_lines.h"
+#include "geometry/pixel_grid.h"
+#include "geometry/polygon.h"
+#include "map/raster/surface_rows.h"
+#include "rainfall/methods/rain_surface.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
 
-/// The isohyets of the readings in the basins, by basin and level. They are drawn on a raster over
-/// the basins and a little beyond, whose pixel is `resolution`; 0 gives the longer side 1,000
-/// pixels. None where no gauge reports. Throws Error where there would be too many levels.
-std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
-                                 const IsohyetOptions& options, double resolution,
+/// The levels at which isohyets are drawn: multiples of an interval or, where that is 0, these.
+struct IsohyetLevels {
+  double interval = 0;
+  std::vector<double> levels;
+};
+
+/// A surface's values on a raster over the study area and a little beyond, for lines end at pixels'
+/// centres.
+struct SurfaceRaster {
+  PixelGrid grid;
+  std::vector<float> values;
+  double least = 0;  ///< of the values; above `largest` where there is none
+  double largest = 0;
+};
+
+/// The raster of the readings' surface, whose pixel is `resolution`; 0 gives the longer side
+/// `pixels`. Requires a gauge that reports.
+struct RasterSize {
+  double resolution = 0;
+  int pixels = 1000;
+};
+SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings,
+                             SurfaceMethod method, SurfaceRows::Extent extent,
+                             const RasterSize& size, unsigned threads);
+
+/// The isohyets of a raster in the shapes, by shape and level, at the levels strictly between its
+/// least and its largest value. Throws Error where there would be too many.
+std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
+                                 std::span<const MultiPolygon> shapes);
+
+/// The readings of the gauges that have ground in a basin, once each: those by which a picture's
+/// classes are laid. Cost: that of weights.
+std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& readings,
                                  unsigned threads);
 
 }  // namespace thiessen::cli

@@ -2,6 +2,7 @@
 """Surfaces, isohyets and the isohyetal mean of a plane of rainfall, against what it is by hand."""
 
 import json
+import re
 import subprocess
 import unittest
 
@@ -74,6 +75,17 @@ class SurfacesTest(thiessen.ProgramTest):
                                        *PLANAR)
                 self.assertEqual(ran.returncode, 0, f"{name}: {ran.stderr}")
                 self.assertEqual("no isohyet" in ran.stderr, time == "dry", f"{name}: {ran.stderr}")
+
+    def test_without_an_interval_levels_are_where_the_classes_of_a_picture_meet(self):
+        # Gauges with ground in the basins read 5 to 55 in x: equal steps of 5 or 10 from there.
+        levels = sorted({f["properties"]["rainfall"] for f in self.isohyets("--time", "x")["features"]})
+        self.output("map", "s.csv", "b.csv", "r.csv", "-o", "m.svg", "--time", "x", "--isohyets", *PLANAR)
+        picture = (self.folder / "m.svg").read_text()
+        drawn = sorted({float(level) for level in re.findall(r'<g class="isohyet" data-level="([^"]+)"', picture)})
+        self.assertEqual(levels, drawn)
+        legend = picture[picture.index('<g class="legend">'):]
+        ticks = [float(text) for text in re.findall(r">(-?[0-9.]+)</text>", legend)]
+        self.assertTrue(set(levels) <= set(ticks), f"{levels} {ticks}")
 
     def test_cells_have_none(self):
         ran = self.run_program("isohyets", "s.csv", "b.csv", "r.csv", "--method", "thiessen", *PLANAR)

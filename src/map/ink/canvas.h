@@ -31,13 +31,14 @@ struct Window {
 };
 
 /// What a thing in the picture is, for canvases that can say so of it: its kind, such as "cell",
-/// and the ids of its station and its basin where it has any. `part` is the stretch of a text that
-/// is meant; empty: all of it.
+/// the ids of its station and its basin, and the level of rainfall, where it has any. `part` is the
+/// stretch of a text that is meant; empty: all of it.
 struct Mark {
   std::string_view kind{};
   std::string_view station{};
   std::string_view basin{};
   std::string_view part{};
+  std::string_view level{};
 };
 
 /// Stripes over a filled shape, from the upper right to the lower left. Both lengths are taken

@@ -10,6 +10,7 @@ inline constexpr Colour border{120, 125, 130};
 inline constexpr Colour background{250, 250, 249};
 inline constexpr Colour cell_edge{72, 80, 88};
 inline constexpr Colour basin_edge{24, 28, 32};
+inline constexpr Colour isohyet{12, 34, 92};
 inline constexpr Colour gauge{168, 28, 36};
 inline constexpr Colour voronoi{205, 24, 36};
 inline constexpr Colour delaunay{28, 84, 196};

@@ -15,6 +15,10 @@ double basin_line_width(int em) {
   return std::max(1.6, 0.13 * em);
 }
 
+double isohyet_line_width(int em) {
+  return std::max(1.2, 0.085 * em);
+}
+
 double gauge_radius(int em, std::size_t gauges, double pixels) {
   const double largest = 0.24 * em;
   const double apart = std::sqrt(pixels / std::max(1.0, static_cast<double>(gauges)));

@@ -6,9 +6,10 @@
 
 namespace thiessen {
 
-/// The width of a cell's or a basin's outline on the map, in pixels.
+/// The width of a cell's or a basin's outline on the map, and of an isohyet, in pixels.
 double cell_line_width(int em);
 double basin_line_width(int em);
+double isohyet_line_width(int em);
 
 /// The radius in pixels of a gauge's dot where `gauges` dots share `pixels` of the map: smaller
 /// where they crowd.

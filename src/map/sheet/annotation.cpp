@@ -6,8 +6,10 @@
 #include <iterator>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "map/ink/ink.h"
+#include "map/ink/line_places.h"
 #include "map/ink/signs.h"
 
 namespace thiessen {
@@ -67,6 +69,22 @@ int least_width(const std::string& label, int size) {
   const bool ascii = std::all_of(label.begin(), label.end(), is_graphic);
   const auto letters = static_cast<int>(std::min(label.size(), longest_label));
   return std::max(1, size * (ascii ? letters : 1) / 4);
+}
+
+std::vector<const std::vector<Point>*> longest_first(const std::vector<std::vector<Point>>& lines) {
+  const auto length = [](const std::vector<Point>& line) {
+    double sum = 0;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      sum += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+    return sum;
+  };
+  std::vector<std::pair<double, const std::vector<Point>*>> found;
+  for (const std::vector<Point>& line : lines) found.emplace_back(length(line), &line);
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<const std::vector<Point>*> sorted;
+  for (const auto& [sum, line] : found) sorted.push_back(line);
+  return sorted;
 }
 
 bool holds(const LabelImage& basins, std::int32_t basin, const PixelBox& box) {
@@ -131,6 +149,35 @@ void Annotation::put(const SetText& text, const PixelBox& box, Colour colour, co
   const int rim = (box.width - text.width()) / 2;
   canvas_.text(text, page_.panel.x + box.x + rim, page_.panel.y + box.y + rim, {colour, rim, mark});
   taken_.occupy(box);
+}
+
+void Annotation::draw_levels() {
+  const int size = std::max(9, page_.style.ems(0.72));
+  for (std::size_t i = 0; i < view_.isohyets.size(); ++i) draw_level(i, size);
+}
+
+void Annotation::draw_level(std::size_t isohyet, int size) {
+  const SetText text = type_.set(picture_.isohyets[isohyet].level, size, Weight::bold);
+  const int rim = std::max(1, page_.style.ems(0.12));
+  const int width = text.width() + 2 * rim;
+  const int height = text.height() + 2 * rim;
+  const double apart = page_.style.ems(20);
+  std::vector<Point> written;
+  const auto is_near = [&](Point p) {
+    return std::any_of(written.begin(), written.end(), [&](Point other) {
+      return std::hypot(p.x - other.x, p.y - other.y) < apart;
+    });
+  };
+  for (const std::vector<Point>* line : longest_first(view_.isohyets[isohyet])) {
+    for (const Point p : text_places(*line, width)) {
+      const PixelBox box{static_cast<int>(std::lround(p.x)) - width / 2,
+                         static_cast<int>(std::lround(p.y)) - height / 2, width, height};
+      if (is_near(p) || !taken_.is_free(box)) continue;
+      put(text, box, ink::isohyet,
+          {.kind = "isohyet-label", .level = picture_.isohyets[isohyet].level});
+      written.push_back(p);
+    }
+  }
 }
 
 void Annotation::draw_basin_names(const LabelImage& basins) {

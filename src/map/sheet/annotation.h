@@ -37,6 +37,9 @@ class Annotation {
 
   /// Draws the gauges, silent ones first, so that none of them hides one that reports.
   void draw_gauges();
+  /// Writes the level of isohyets over their longest lines, where these are straight and level and
+  /// nothing else stands: the first time in any case that there is room, then at some distance.
+  void draw_levels();
   /// Writes the name of each basin in its middle, or as near to that as it fits inside the basin.
   void draw_basin_names(const LabelImage& basins);
   /// Labels the gauges in sight, those of the largest cells (`pixels`) first, equal ones in their
@@ -49,6 +52,7 @@ class Annotation {
  private:
   bool in_sight(Point p) const;
   std::vector<Point> dots_in_sight() const;
+  void draw_level(std::size_t isohyet, int size);
   void put(const SetText& text, const PixelBox& box, Colour colour, const Mark& mark);
 
   Canvas& canvas_;

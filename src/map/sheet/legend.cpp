@@ -16,6 +16,8 @@ const char* meaning(Legend::Sign sign) {
   switch (sign) {
     case Legend::Sign::dry:
       return "dry";
+    case Legend::Sign::isohyet:
+      return "isohyet";
     case Legend::Sign::point:
       return "point";
     case Legend::Sign::study_area:
@@ -32,6 +34,13 @@ const char* meaning(Legend::Sign sign) {
       return "basin";
   }
   return "";
+}
+
+/// The line by which a sign is shown.
+Stroke stroke_of(Legend::Sign sign, int em) {
+  if (sign == Legend::Sign::isohyet) return {ink::isohyet, isohyet_line_width(em)};
+  if (sign == Legend::Sign::cell) return {ink::cell_edge, cell_line_width(em)};
+  return {ink::basin_edge, basin_line_width(em)};
 }
 
 bool is_of_gauges(Legend::Sign sign) {
@@ -52,7 +61,8 @@ std::vector<Legend::Sign> signs_of(const Picture& picture) {
   if (std::any_of(gauges.begin(), gauges.end(), reports))
     signs.push_back(picture.by_rainfall ? Sign::gauge : Sign::point);
   if (!std::all_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Sign::silent_gauge);
-  if (!picture.cells.empty()) signs.push_back(Sign::cell);
+  if (!picture.isohyets.empty()) signs.push_back(Sign::isohyet);
+  if (!picture.cells.empty() && picture.bands.empty()) signs.push_back(Sign::cell);
   if (!picture.basins.empty()) signs.push_back(picture.has_basins ? Sign::basin : Sign::study_area);
   return signs;
 }
@@ -160,11 +170,10 @@ void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
     canvas.border(sign, ink::border, std::max(1, em_ / 16));
     return;
   }
-  const bool basin = kind != Sign::cell;
-  const double thickness = basin ? basin_line_width(em_) : cell_line_width(em_);
-  const std::vector<Point> ends{{thickness, height / 2}, {width - thickness, height / 2}};
+  const Stroke stroke = stroke_of(kind, em_);
+  const std::vector<Point> ends{{stroke.width, height / 2}, {width - stroke.width, height / 2}};
   const Polyline line(ends);
-  canvas.lines({&line, 1}, {basin ? ink::basin_edge : ink::cell_edge, thickness}, window);
+  canvas.lines({&line, 1}, stroke, window);
 }
 
 void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const {

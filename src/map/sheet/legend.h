@@ -20,7 +20,7 @@ Hatch hatching(int em);
 /// The column beside the map: the colour bar with its ticks, and the meaning of the signs.
 class Legend {
  public:
-  enum class Sign { dry, no_reading, gauge, silent_gauge, point, cell, basin, study_area };
+  enum class Sign { dry, no_reading, isohyet, gauge, silent_gauge, point, cell, basin, study_area };
 
   /// The legend of all that the maps show, whose gauges may not be drawn; heading and unit are
   /// those of the first. Requires at least one map.

@@ -16,7 +16,9 @@ LabelCount draw_map(Canvas& canvas, const Page& page, const Picture& picture, St
   const LabelImage cells = cell_labels(view, page.panel, sight);
   draw_cells(canvas, page.panel, sight, picture, view, cells, classes, page.style.em);
   draw_outlines(canvas, page, view, sight);
+  draw_isohyets(canvas, page, picture, view, sight);
   if (detail.has_gauges) annotation.draw_gauges();
+  if (!page.style.bare) annotation.draw_levels();
   if (detail.has_labels) {
     constexpr std::size_t few = 40;
     const bool names_first = picture.basins.size() <= few;

@@ -114,7 +114,13 @@ void to_pixels(StudyView& view, const PanelTransform& transform) {
     }
   };
   move(view.cells);
+  move(view.bands);
   move(view.basins);
+  for (auto& level : view.isohyets) {
+    for (std::vector<Point>& line : level) {
+      for (Point& p : line) p = transform(p);
+    }
+  }
   for (Point& p : view.gauges) p = transform(p);
 }
 
@@ -165,7 +171,12 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
     areas.push_back(area_of(view.basins[i], ink::no_reading, {"basin", {}, name_of(picture, i)}));
     areas.back().hatched = true;
   }
-  for (std::size_t i = 0; i < view.cells.size(); ++i) {
+  for (std::size_t i = 0; i < view.bands.size(); ++i) {
+    throw_if_interrupted();
+    const Colour colour = classes.colour(picture.bands[i].rainfall);
+    areas.push_back(area_of(view.bands[i], colour, {"surface"}));
+  }
+  for (std::size_t i = 0; view.bands.empty() && i < view.cells.size(); ++i) {
     throw_if_interrupted();
     const PictureCell& cell = picture.cells[i];
     const Mark mark{"cell", id_of(picture, cell.gauge), name_of(picture, cell.basin)};
@@ -186,12 +197,26 @@ void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, cons
   const int alpha = static_cast<int>(std::clamp(70 + 160 * cell_size, 70.0, 200.0));
   const Group group(canvas, {"outlines"});
   const Window window = window_of(panel, sight);
-  canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), alpha}, window);
+  if (view.bands.empty())
+    canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), alpha}, window);
   constexpr std::size_t many = 200;
   constexpr int basin_alpha = 230;
   const double thinner = view.basins.size() > many ? 0.6 : 1.0;
   const double width = std::max(1.2, basin_line_width(em) * thinner);
   canvas.lines(lines_of(view.basins), {ink::basin_edge, width, basin_alpha}, window);
+}
+
+void draw_isohyets(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,
+                   const PixelBox& sight) {
+  constexpr int casing_alpha = 190;
+  const double width = isohyet_line_width(page.style.em);
+  const Window window = window_of(page.panel, sight);
+  for (std::size_t i = 0; i < view.isohyets.size(); ++i) {
+    const std::vector<Polyline> lines(view.isohyets[i].begin(), view.isohyets[i].end());
+    const Group group(canvas, {.kind = "isohyet", .level = picture.isohyets[i].level});
+    canvas.lines(lines, {ink::white, 2.4 * width, casing_alpha}, window);
+    canvas.lines(lines, {ink::isohyet, width}, window);
+  }
 }
 
 }  // namespace thiessen

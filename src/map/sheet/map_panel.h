@@ -29,14 +29,19 @@ LabelImage cell_labels(const StudyView& view, const PixelBox& panel, const Pixel
 /// Counts the pixels of each gauge's cells.
 std::vector<std::size_t> pixels_of_gauges(const Picture& picture, const LabelImage& cells);
 
-/// Fills the cells in the panel by rainfall, or by station in colours that differ between
-/// neighbours. By rainfall, cells without a reading are hatched, and so is what of a basin is in no
-/// cell.
+/// Draws the lines of equal rainfall, each level in a group of its own.
+void draw_isohyets(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,
+                   const PixelBox& sight);
+
+/// Fills the cells in the panel by rainfall, or a surface's bands in their place, or cells by
+/// station in colours that differ between neighbours. By rainfall, cells without a reading are
+/// hatched, and so is what of a basin is in no cell.
 void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
                 const Picture& picture, const StudyView& view, const LabelImage& cells,
                 const RainfallClasses& classes, int em);
 
-/// Draws the outlines of cells, fainter where cells are small, and those of basins over them.
+/// Draws the outlines of cells, fainter where cells are small, unless a surface is shown, and those
+/// of basins over them.
 void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight);
 
 }  // namespace thiessen

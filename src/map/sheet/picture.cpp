@@ -1,5 +1,6 @@
 #include "map/sheet/picture.h"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -71,7 +72,11 @@ RainfallClasses classes_of(std::span<const Picture> maps) {
     for (const PictureCell& cell : map.cells) readings[cell.gauge] = cell.rainfall;
     for (const auto& [gauge, rainfall] : readings) values.push_back(rainfall);
   }
-  return RainfallClasses(std::move(values), rule);
+  RainfallClasses classes(std::move(values), rule);
+  for (const Picture& map : maps) {
+    if (std::isfinite(map.largest)) classes.reach_to(map.least, map.largest);
+  }
+  return classes;
 }
 
 RainfallClasses classes_of(const Picture& picture) {

@@ -36,11 +36,29 @@ struct PictureGauge {
   std::string station{};  ///< the station's id, as a picture that can say so says it
 };
 
+/// The ground on which a surface lies between two levels, as the picture colours it.
+struct PictureBand {
+  MultiPolygon shape;
+  double rainfall = 0;  ///< a value of its class
+};
+
+/// The lines of one level.
+struct PictureIsohyet {
+  std::string level;  ///< as the picture writes it
+  std::vector<std::vector<Point>> lines;
+};
+
 /// All that a picture shows, in the study's coordinates. The order of its lists matters only to the
 /// choice of colours by station, to ties among labels, and to what covers what where basins
 /// overlap.
 struct Picture {
   std::vector<PictureCell> cells;
+  /// Where a surface is shown, its bands are filled and not the cells, which still say how many
+  /// gauges share the ground and which classes their rainfall has.
+  std::vector<PictureBand> bands;
+  double least = std::numeric_limits<double>::quiet_NaN();    ///< of the surface's values
+  double largest = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no surface is shown
+  std::vector<PictureIsohyet> isohyets;
   std::vector<PictureBasin> basins;
   std::vector<PictureGauge> gauges;
   /// Whether coordinates are WGS 84 longitude and latitude in degrees. Edges are straight in them

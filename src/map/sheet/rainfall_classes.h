@@ -46,6 +46,11 @@ class RainfallClasses {
   bool has_dry() const { return has_dry_; }
   /// Counts the readings outside of a range that was asked for. They take the class at its end.
   std::size_t outside() const { return outside_; }
+  /// The values at which classes meet, ascending; 0, where it is a class of its own, is none.
+  const std::vector<double>& bounds() const { return bounds_; }
+  /// Lets the outermost classes hold these values too, which may lie beyond the readings; their
+  /// ends say so.
+  void reach_to(double least, double largest);
   /// The texts at the ends of classes, from the lowest to the highest, one more than classes, with
   /// equal decimals; empty where a class has no end. Where all readings are equal there is one
   /// class and one text.
@@ -61,6 +66,7 @@ class RainfallClasses {
     std::optional<RoundValue> high;
   };
 
+  void open_ends(bool below, bool above);
   void lay_over(std::vector<double> readings, const ClassRule& rule);
   void lay(std::vector<RoundValue> bounds, const Ends& ends);
   void lay_between_ticks(const std::vector<RoundValue>& ticks);
@@ -74,6 +80,8 @@ class RainfallClasses {
   bool has_dry_ = false;
   bool no_negative_ = true;
   std::vector<double> bounds_;  ///< between the classes
+  std::optional<double> low_;   ///< the lower end of the first class, where it has one
+  std::optional<double> high_;
   std::vector<std::string> ticks_;
 };
 

@@ -154,6 +154,25 @@ Extent sight(const Picture& picture, const StudyView& view) {
   return {extent.west - side, extent.south - side, extent.east + side, extent.north + side};
 }
 
+/// The lines on the map's plane. Where the map repeats they are parted at its sides.
+std::vector<std::vector<Point>> projected(const std::vector<std::vector<Point>>& lines,
+                                          bool geographic, const StudyView& view) {
+  constexpr double half_turn = 180;
+  std::vector<std::vector<Point>> result;
+  for (const std::vector<Point>& line : lines) {
+    std::vector<Point>* part = &result.emplace_back();
+    double before = 0;
+    for (const Point p : line) {
+      const double x = geographic ? view.window.place(p.x) : p.x;
+      const bool jumps = geographic && !part->empty() && std::abs(x - before) > half_turn;
+      if (jumps) part = &result.emplace_back();
+      part->push_back(view.projection({x, p.y}));
+      before = x;
+    }
+  }
+  return result;
+}
+
 /// Projects all shapes, and finds the extent.
 void project_shapes(const Picture& picture, StudyView& view) {
   constexpr double finest = 5e-5;  // share of the study's radius: half a pixel in 20,000
@@ -163,7 +182,10 @@ void project_shapes(const Picture& picture, StudyView& view) {
     return map_shape(polygons, view.projection, view.window, tolerance);
   };
   for (const PictureCell& cell : picture.cells) view.cells.push_back(shape(cell.shape));
+  for (const PictureBand& band : picture.bands) view.bands.push_back(shape(band.shape));
   for (const PictureBasin& basin : picture.basins) view.basins.push_back(shape(basin.shape));
+  for (const PictureIsohyet& isohyet : picture.isohyets)
+    view.isohyets.push_back(projected(isohyet.lines, picture.geographic, view));
   for (const PictureGauge& gauge : picture.gauges) {
     const Point p = gauge.position;
     const double x = picture.geographic ? view.window.place(p.x) : p.x;

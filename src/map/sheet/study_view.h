@@ -14,7 +14,9 @@ struct StudyView {
   LongitudeWindow window;
   Extent extent;  ///< never empty, both sides positive
   std::vector<MapShape> cells;
+  std::vector<MapShape> bands;
   std::vector<MapShape> basins;
+  std::vector<std::vector<std::vector<Point>>> isohyets;  ///< the lines of each level
   std::vector<Point> gauges;
   /// The distance from the centre to the farthest point of the study area, in radians; 0 in a
   /// plane. The scale at that point departs from the scale bar's by about half the square of this.

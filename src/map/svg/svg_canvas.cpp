@@ -38,6 +38,7 @@ std::string attributes(const Mark& mark) {
   std::string text;
   if (!mark.kind.empty()) text += attribute("class", mark.kind);
   if (!mark.station.empty()) text += attribute("data-station", mark.station);
+  if (!mark.level.empty()) text += attribute("data-level", mark.level);
   if (!mark.basin.empty()) text += attribute("data-basin", mark.basin);
   return text;
 }

@@ -10,8 +10,8 @@
 namespace thiessen {
 
 /// A picture as an SVG (1.1, and `paint-order` of SVG 2, which older viewers pass over): text stays
-/// text, and marks become attributes `class`, `data-station` and `data-basin`. A coordinate has two
-/// decimals. The same calls give the same bytes.
+/// text, and marks become attributes `class`, `data-station`, `data-basin` and `data-level`. A
+/// coordinate has two decimals. The same calls give the same bytes.
 class SvgCanvas : public Canvas {
  public:
   using Canvas::Canvas;

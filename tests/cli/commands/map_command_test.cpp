@@ -21,6 +21,20 @@ TEST(MapCommand, ShowsATimeOfRainfallOnly) {
   EXPECT_EQ(refusal({"map", "s", "-o", "map.png", "--time", "2013"}), "--time needs RAINFALL");
 }
 
+TEST(MapCommand, DrawsSurfacesAndIsohyetsInPictures) {
+  for (const char* file : {"map.png", "map.svg"}) {
+    EXPECT_EQ(refusal({"map", "s", "b", "r", "--method", "natural", "--isohyets", "--interval", "5",
+                       "-o", file}),
+              "");
+  }
+  EXPECT_EQ(refusal({"map", "s", "b", "r", "--interval", "5", "-o", "map.png"}),
+            "--interval is the step between isohyets, and none are drawn");
+  EXPECT_EQ(refusal({"map", "s", "b", "r", "--isohyets", "-o", "map.tif"}),
+            "--isohyets is about pictures, and a raster is written");
+  EXPECT_EQ(refusal({"map", "s", "-o", "map.png", "--method", "idw"}),
+            "--method is about rainfall between gauges, and there is no RAINFALL");
+}
+
 TEST(MapCommand, ShowsSeveralTimesOnAPageAndNotInARaster) {
   const std::vector<std::string> times = {"map", "s", "b", "r", "--time", "1", "--time", "2", "-o"};
   const auto to = [&](const char* file) {

@@ -99,6 +99,19 @@ TEST(Annotation, the_larger_of_two_cells_has_its_label_where_both_want_the_same_
   EXPECT_EQ(ink_of({"IIIIIIII", "W"}, {5, 5}), first) << "of equal ones the first";
 }
 
+TEST(Annotation, writes_levels_on_their_lines_and_clear_of_dots) {
+  Panel panel({{200, 150}});
+  panel.picture.isohyets = {{"25", {}}};
+  panel.view.isohyets = {{{{20, 150}, {380, 150}}}};
+  Annotation annotation(panel.canvas, panel.page, panel.picture, panel.view, panel.type);
+  annotation.draw_gauges();
+  const std::size_t dot = panel.ink({10, 20, 400, 300});
+  annotation.draw_levels();
+  EXPECT_GT(panel.ink({10, 155, 400, 30}), dot + 40U);
+  EXPECT_EQ(panel.ink({203, 155, 14, 30}), dot) << "the dot at (210, 170) is as it was";
+  EXPECT_EQ(panel.ink({10, 155, 400, 30}), panel.ink({10, 20, 400, 300})) << "nowhere else";
+}
+
 TEST(Annotation, names_a_basin_inside_it_and_not_where_it_finds_no_room) {
   Panel panel(std::vector<Point>{});
   panel.picture.basins = {{"Basin", {}}, {"Long name of a basin", {}}, {"", {}}};

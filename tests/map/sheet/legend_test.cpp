@@ -39,6 +39,15 @@ TEST(Legend, tells_of_cells_without_a_reading_where_there_are_any) {
   EXPECT_EQ(silent - all_read, 2 * 30) << "no reading, and the gauge that is silent";
 }
 
+TEST(Legend, of_a_surface_has_no_cells_and_of_isohyets_their_line) {
+  Picture picture = row_of_cells({1, 2});
+  const int cells = Drawn(picture).legend.height();
+  picture.isohyets = {{"1.5", {}}};
+  EXPECT_EQ(Drawn(picture).legend.height(), cells + 30);
+  picture.bands = {{square(0, 0, 2), 1}};
+  EXPECT_EQ(Drawn(picture).legend.height(), cells);
+}
+
 TEST(Legend, names_what_is_there) {
   const int wet = Drawn(row_of_cells({2, 4, 4})).legend.height();
   EXPECT_EQ(Drawn(row_of_cells({0, 2, 4})).legend.height() - wet, 30) << "a line for dry cells";

@@ -137,6 +137,20 @@ TEST(Picture, an_svg_marks_cells_labels_unit_and_legend) {
   EXPECT_EQ(svg(picture), text);
 }
 
+TEST(Picture, of_a_surface_fills_its_bands_and_draws_isohyets_with_their_levels) {
+  Picture picture = row_of_cells({3, 8});
+  picture.bands = {{square(0, 0, 1), 3}, {square(1, 0, 1), 7}};
+  picture.least = 3;
+  picture.largest = 12;
+  picture.isohyets = {{"5", {{{0.2, 0.5}, {1.8, 0.6}}}}};
+  const std::string text = svg(picture);
+  EXPECT_EQ(count_of(text, "class=\"cell\""), 0u);
+  EXPECT_EQ(count_of(text, "<path class=\"surface\""), 2u);
+  EXPECT_EQ(count_of(text, "<g class=\"isohyet\" data-level=\"5\">"), 1u);
+  EXPECT_GE(count_of(text, "<text class=\"isohyet-label\" data-level=\"5\""), 1u);
+  EXPECT_EQ(count_of(text, ">\u2265 "), 1u) << "the surface reaches beyond the gauges' values";
+}
+
 TEST(Picture, an_svg_has_its_size_on_paper_by_its_density) {
   Picture picture = row_of_cells({1, 2});
   picture.width = 600;

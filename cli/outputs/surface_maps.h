@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/inputs/inputs.h"
+#include "cli/options/isohyet_options.h"
+#include "map/sheet/picture.h"
+#include "rainfall/series/gauge_readings.h"
+
+namespace thiessen::cli {
+
+/// What stands over a picture of the surface, or of cells with isohyets, where nothing else is
+/// said.
+std::string title_of(const IsohyetOptions& options);
+
+/// Puts the surface that the options ask for, and isohyets, into the maps, each of which shows one
+/// of the steps. Classes and levels are those of all maps together. A step in which no gauge
+/// reports has neither. Cost: the surface at 1,000 to 2,000 pixels of the study area's longer side,
+/// for each map, and twice where isohyets are drawn over it.
+void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
+                  const IsohyetOptions& options, std::vector<Picture>& maps, unsigned threads);
+
+}  // namespace thiessen::cli

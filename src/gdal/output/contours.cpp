@@ -1,0 +1,88 @@
+#include "gdal/output/contours.h"
+
+#include <cpl_string.h>
+#include <gdal_alg.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <string>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "gdal/drivers.h"
+#include "gdal/gdal_errors.h"
+
+namespace thiessen {
+namespace {
+
+std::unique_ptr<GDALDataset> created(const char* driver, int columns, int rows, int bands) {
+  GDALDriver* const found = GetGDALDriverManager()->GetDriverByName(driver);
+  if (found == nullptr) return nullptr;
+  return std::unique_ptr<GDALDataset>(
+      found->Create("", columns, rows, bands, bands == 0 ? GDT_Unknown : GDT_Float32, nullptr));
+}
+
+std::unique_ptr<GDALDataset> raster_of(const PixelGrid& grid, std::span<const float> values,
+                                       const GdalErrors& errors) {
+  auto raster = created("MEM", grid.columns, grid.rows, 1);
+  require_contours(raster != nullptr, errors);
+  const Point corner = grid.at(0, 0);
+  double transform[6] = {corner.x, grid.pixel, 0, corner.y, 0, -grid.pixel};
+  require_contours(raster->SetGeoTransform(transform) == CE_None, errors);
+  // GDAL only reads from the buffer, but its interface asks for one that may be written to.
+  require_contours(raster->GetRasterBand(1)->RasterIO(
+                       GF_Write, 0, 0, grid.columns, grid.rows, const_cast<float*>(values.data()),
+                       grid.columns, grid.rows, GDT_Float32, 0, 0, nullptr) == CE_None,
+                   errors);
+  return raster;
+}
+
+CPLStringList options_of(std::span<const double> levels, ContourKind kind) {
+  std::string wanted;
+  for (const double level : levels) wanted += (wanted.empty() ? "" : ",") + shortest_text(level);
+  CPLStringList options;
+  options.SetNameValue("FIXED_LEVELS", wanted.c_str());
+  switch (kind) {
+    case ContourKind::lines:
+      options.SetNameValue("ELEV_FIELD", "0");
+      break;
+    case ContourKind::areas:
+      options.SetNameValue("POLYGONIZE", "YES");
+      options.SetNameValue("ELEV_FIELD_MIN", "0");
+      options.SetNameValue("ELEV_FIELD_MAX", "1");
+      break;
+  }
+  return options;
+}
+
+}  // namespace
+
+void require_contours(bool done, const GdalErrors& errors) {
+  if (done && !errors.failed()) return;
+  throw Error(Message{"", 0, "GDAL cannot draw the isohyets: " + errors.text(), {}});
+}
+
+std::unique_ptr<GDALDataset> contours_of(const PixelGrid& grid, std::span<const float> values,
+                                         std::span<const double> levels, ContourKind kind,
+                                         const GdalErrors& errors) {
+  start_gdal();
+  GDALRegister_MEM();
+  RegisterOGRMEM();
+  const auto raster = raster_of(grid, values, errors);
+  auto contours = created("Memory", 0, 0, 0);
+  require_contours(contours != nullptr, errors);
+  OGRLayer* const layer = contours->CreateLayer(
+      "contours", nullptr, kind == ContourKind::lines ? wkbLineString : wkbMultiPolygon, nullptr);
+  require_contours(layer != nullptr, errors);
+  OGRFieldDefn least("least", OFTReal);
+  OGRFieldDefn largest("largest", OFTReal);
+  require_contours(layer->CreateField(&least) == OGRERR_NONE, errors);
+  require_contours(layer->CreateField(&largest) == OGRERR_NONE, errors);
+  require_contours(GDALContourGenerateEx(GDALRasterBand::ToHandle(raster->GetRasterBand(1)),
+                                         OGRLayer::ToHandle(layer), options_of(levels, kind).List(),
+                                         nullptr, nullptr) == CE_None,
+                   errors);
+  return contours;
+}
+
+}  // namespace thiessen

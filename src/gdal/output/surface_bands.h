@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "geometry/pixel_grid.h"
+#include "geometry/polygon.h"
+
+namespace thiessen {
+
+/// The ground on which a surface lies between two levels.
+struct SurfaceBand {
+  double least;
+  double largest;
+  MultiPolygon shape;
+};
+
+/// The union of shapes that may touch and overlap. Throws Error where GEOS fails.
+MultiPolygon union_of(std::span<const MultiPolygon> shapes);
+
+/// The ground between one level and the next of a raster's values, linear between pixels' centres,
+/// cut to a shape in the raster's coordinates: by level. Where no level lies among the values the
+/// whole shape is one band. No edge is longer than `longest`, so that it may be taken to another
+/// projection. Throws Error where GDAL fails. Cost: the pixels, and the shape's vertices times the
+/// levels.
+std::vector<SurfaceBand> bands_of(const PixelGrid& grid, std::span<const float> values,
+                                  std::span<const double> levels, const MultiPolygon& within,
+                                  double longest);
+
+}  // namespace thiessen
