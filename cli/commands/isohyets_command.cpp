@@ -18,6 +18,7 @@
 #include "cli/outputs/isohyets_in.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
+#include "cli/outputs/shown_values.h"
 #include "gdal/output/isohyets_file.h"
 #include "gdal/output/layer_formats.h"
 #include "map/sheet/rainfall_classes.h"

@@ -86,7 +86,7 @@ class MapCommand : public Command {
     if (is_picture(kind)) {
       raster_.check_picture();
     } else {
-      view_.check_raster();
+      view_.check_raster(raster_.of_steps);
       check_label();
     }
     check_times(kind);
@@ -109,9 +109,8 @@ class MapCommand : public Command {
     if (!steps.empty()) settle_unit(steps.front().unit);
     if (kind == Kind::tiff) {
       const GaugeReadings* const step = steps.empty() ? nullptr : &steps.front();
-      append_files(
-          outputs, file,
-          raster_of(inputs, step, view_.time(), surface_.surface(), raster_output(inputs, step)));
+      const ShownRaster raster{step, view_.time(), surface_.surface(), view_.colours.rule};
+      append_files(outputs, file, raster_of(inputs, raster, raster_output(inputs, step), warnings));
     } else {
       const auto threads = static_cast<unsigned>(common_.threads);
       auto maps = maps_of(inputs, steps, study_, view_, threads);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include "base/error.h"
@@ -70,17 +69,6 @@ SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings
 std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
                                  std::span<const MultiPolygon> shapes) {
   return isohyets_of(raster.grid, raster.values, levels_within(raster, levels), shapes);
-}
-
-std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& readings,
-                                 unsigned threads) {
-  std::set<StationIndex> owners;
-  for (const BasinWeights& basin : inputs.weighing().weights(readings.reports(), threads)) {
-    for (const StationWeight& weight : basin.stations) owners.insert(weight.station);
-  }
-  std::vector<double> values;
-  for (const StationIndex station : owners) values.push_back(readings.readings[index(station)]);
-  return values;
 }
 
 }  // namespace thiessen::cli

@@ -43,9 +43,4 @@ SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings
 std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
                                  std::span<const MultiPolygon> shapes);
 
-/// The readings of the gauges that have ground in a basin, once each: those by which a picture's
-/// classes are laid. Cost: that of weights.
-std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& readings,
-                                 unsigned threads);
-
 }  // namespace thiessen::cli

@@ -1,18 +1,21 @@
 #include "cli/outputs/raster_of.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
 #include <utility>
 
 #include "cli/outputs/raster_style.h"
+#include "cli/outputs/shown_values.h"
 #include "gdal/crs/crs.h"
 #include "gdal/crs/transformation.h"
 #include "gdal/output/raster_file.h"
 #include "map/raster/owners.h"
 #include "map/raster/raster_grid.h"
 #include "map/raster/surface_rows.h"
+#include "map/sheet/picture.h"
 
 namespace thiessen::cli {
 namespace {
@@ -28,6 +31,24 @@ std::vector<float> values_by_number(std::span<const double> readings) {
   std::vector<float> values{std::numeric_limits<float>::quiet_NaN()};
   for (const double reading : readings) values.push_back(static_cast<float>(reading));
   return values;
+}
+
+using OwnerRows = std::function<std::span<const std::int32_t>(int row, int count)>;
+
+std::vector<EncodedFile> raster_of_stations(const Inputs& inputs, const RasterOutput& output,
+                                            const OwnerRows& rows) {
+  std::vector<std::string> ids;
+  for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
+  StationStyle style(std::move(ids), output.grid.columns);
+  const auto noted_rows = [&](int row, int count) {
+    const std::span<const std::int32_t> some = rows(row, count);
+    style.note(some);
+    return some;
+  };
+  std::vector<EncodedFile> files =
+      owners_geotiff(output, noted_rows, style.ids(), [&] { return style.colours(); });
+  files.push_back(style.file(output.path));
+  return files;
 }
 
 }  // namespace
@@ -51,43 +72,33 @@ PixelGrid raster_grid(const Inputs& inputs, double resolution) {
   return grid_over(areas_of(inputs), resolution);
 }
 
-std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   const std::string& time,
-                                   const std::optional<SurfaceMethod>& surface,
-                                   const RasterOutput& output) {
+std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& shown,
+                                   const RasterOutput& output, Warnings& warnings) {
   const StudyFiles& study = inputs.study();
+  const GaugeReadings* const readings = shown.readings;
   const ReportingStations reports = readings == nullptr ? inputs.all_report() : readings->reports();
   Owners owners(
       output.grid, areas_of(inputs), inputs.network(), study.metric, reports,
       [&] { return to_study(inputs); }, output.threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
-  if (readings == nullptr) {
-    std::vector<std::string> ids;
-    for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
-    StationStyle style(std::move(ids), output.grid.columns);
-    const auto noted_rows = [&](int row, int count) {
-      const std::span<const std::int32_t> some = rows(row, count);
-      style.note(some);
-      return some;
-    };
-    std::vector<EncodedFile> files =
-        owners_geotiff(output, noted_rows, style.ids(), [&] { return style.colours(); });
-    files.push_back(style.file(output.path));
-    return files;
-  }
-  const BandText text{readings->label, time, output.made_by.unit};
-  const RainfallStyle style(readings->readings, output.made_by.unit);
-  if (surface && reports.any()) {
+  if (readings == nullptr) return raster_of_stations(inputs, output, rows);
+  const BandText text{readings->label, shown.time, output.made_by.unit};
+  const RainfallClasses classes(shown_values(inputs, *readings, output.threads), shown.classes);
+  warn_of_outside(classes, warnings);
+  if (shown.surface && reports.any()) {
     SurfaceRows values(
         output.grid, SurfaceRows::Extent::all,
-        [&] { return surface_of(*surface, inputs.network(), study.metric, readings->readings); },
+        [&] {
+          return surface_of(*shown.surface, inputs.network(), study.metric, readings->readings);
+        },
         [&] { return to_study(inputs); }, output.threads);
     std::vector<EncodedFile> files = rainfall_geotiff(
         output, [&](int row, int count) { return values.rows(row, count, rows(row, count)); }, text,
         {});
-    files.push_back(style.file(output.path));
+    files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
     return files;
   }
+  const RainfallStyle style(classes, readings->readings, output.made_by.unit);
   const std::vector<float> by_number = values_by_number(readings->readings);
   std::vector<float> values;
   const auto value_rows = [&](int row, int count) -> std::span<const float> {

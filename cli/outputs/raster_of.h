@@ -9,6 +9,7 @@
 #include "gdal/output/raster_output.h"
 #include "geometry/point_mapping.h"
 #include "geometry/polygon.h"
+#include "map/sheet/rainfall_classes.h"
 #include "rainfall/methods/rain_surface.h"
 #include "rainfall/series/gauge_readings.h"
 
@@ -24,13 +25,18 @@ PointMapping to_study(const Inputs& inputs);
 /// pixels. Throws Error where there would be too many.
 PixelGrid raster_grid(const Inputs& inputs, double resolution);
 
+/// What a raster shows.
+struct ShownRaster {
+  const GaugeReadings* readings = nullptr;  ///< none: the numbers of stations
+  std::string time{};                       ///< of the readings; empty where they are means
+  std::optional<SurfaceMethod> surface{};   ///< none: cells
+  ClassRule classes{};                      ///< of its colours
+};
+
 /// The GeoTIFF `output.path` and its side files, of which one is a style for QGIS (`.qml`). A pixel
-/// holds the number of the nearest station, or where there are readings the rainfall, which is that
-/// of `time`; empty where it is a mean. The rainfall is that of the cells, or of the surface if
-/// there is one.
-std::vector<EncodedFile> raster_of(const Inputs& inputs, const GaugeReadings* readings,
-                                   const std::string& time,
-                                   const std::optional<SurfaceMethod>& surface,
-                                   const RasterOutput& output);
+/// holds the number of the nearest station, or where there are readings the rainfall, of the cells
+/// or of a surface. Warns of readings outside of a range of colours.
+std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& shown,
+                                   const RasterOutput& output, Warnings& warnings);
 
 }  // namespace thiessen::cli

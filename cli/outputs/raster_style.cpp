@@ -4,9 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-
-#include "map/sheet/qgis_style.h"
-#include "map/sheet/rainfall_classes.h"
+#include <utility>
 
 namespace thiessen::cli {
 namespace {
@@ -67,9 +65,9 @@ EncodedFile StationStyle::file(const std::string& path) const {
   return {style_path(path), style_of_values(entries)};
 }
 
-RainfallStyle::RainfallStyle(std::span<const double> readings, std::string unit)
+RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::span<const double> readings,
+                             std::string unit)
     : unit_(std::move(unit)) {
-  const RainfallClasses classes({readings.begin(), readings.end()}, {});
   std::vector<double> sorted;
   for (const double reading : readings) {
     if (std::isfinite(reading)) sorted.push_back(reading);
@@ -83,16 +81,32 @@ RainfallStyle::RainfallStyle(std::span<const double> readings, std::string unit)
     }
     classes_.back().high = held;
   }
+  for (const RasterClass& c : classes_) entries_.push_back(entry(c));
+}
+
+RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::string unit)
+    : unit_(std::move(unit)) {
+  const std::vector<double>& bounds = classes.bounds();
+  if (classes.has_dry()) entries_.push_back({0, "dry", classes.colour(0)});
+  for (std::size_t i = 0; i < classes.count(); ++i) {
+    const std::string high = i < bounds.size() ? short_text(bounds[i]) : "";
+    const std::string text = bounds.empty() ? "rainfall"
+                             : i == 0       ? "below " + high
+                             : high.empty() ? "from " + short_text(bounds[i - 1])
+                                            : short_text(bounds[i - 1]) + " to " + high;
+    const double value = i < bounds.size() ? bounds[i] : HUGE_VAL;
+    entries_.push_back({value, unit_.empty() ? text : text + " " + unit_, classes.class_colour(i)});
+  }
+}
+
+StyleEntry RainfallStyle::entry(const RasterClass& c) const {
+  const std::string range =
+      c.low == c.high ? short_text(c.low) : short_text(c.low) + " to " + short_text(c.high);
+  return {c.high, unit_.empty() ? range : range + " " + unit_, c.colour};
 }
 
 EncodedFile RainfallStyle::file(const std::string& path) const {
-  std::vector<StyleEntry> entries;
-  for (const RasterClass& c : classes_) {
-    const std::string range =
-        c.low == c.high ? short_text(c.low) : short_text(c.low) + " to " + short_text(c.high);
-    entries.push_back({c.high, unit_.empty() ? range : range + " " + unit_, c.colour});
-  }
-  return {style_path(path), style_of_classes(entries)};
+  return {style_path(path), style_of_classes(entries_)};
 }
 
 }  // namespace thiessen::cli

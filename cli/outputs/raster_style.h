@@ -10,6 +10,8 @@
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/raster_colours.h"
 #include "map/sheet/palette.h"
+#include "map/sheet/qgis_style.h"
+#include "map/sheet/rainfall_classes.h"
 
 namespace thiessen::cli {
 
@@ -42,8 +44,10 @@ class StationStyle {
 /// The colours of rainfall in a raster: those that a picture of the same readings has.
 class RainfallStyle {
  public:
-  /// `readings` are by station, NaN where there is none.
-  RainfallStyle(std::span<const double> readings, std::string unit);
+  /// Of cells: `readings` are by station, NaN where there is none.
+  RainfallStyle(const RainfallClasses& classes, std::span<const double> readings, std::string unit);
+  /// Of a surface, whose values lie anywhere between the readings; no value is of one class alone.
+  RainfallStyle(const RainfallClasses& classes, std::string unit);
 
   /// The readings of one colour lie between a class's ends, as a raster of floats holds them.
   const std::vector<RasterClass>& classes() const { return classes_; }
@@ -51,7 +55,10 @@ class RainfallStyle {
   EncodedFile file(const std::string& path) const;
 
  private:
+  StyleEntry entry(const RasterClass& c) const;
+
   std::vector<RasterClass> classes_;
+  std::vector<StyleEntry> entries_;
   std::string unit_;
 };
 

@@ -103,14 +103,15 @@ TEST(ViewOptions, a_raster_has_no_title_and_no_size) {
   for (const char* option : {"--title", "--size"}) {
     View view;
     view.read({option, "800"});
-    EXPECT_THROW(view.block.check_raster(), UsageError) << option;
+    EXPECT_THROW(view.block.check_raster(false), UsageError) << option;
   }
   View colours;
   colours.read({"--palette", "blues"});
-  EXPECT_THROW(colours.block.check_raster(), UsageError);
+  EXPECT_NO_THROW(colours.block.check_raster(false));
+  EXPECT_THROW(colours.block.check_raster(true), UsageError) << "a grid of steps has no colours";
   View view;
   view.read({"--units", "mm"});
-  EXPECT_NO_THROW(view.block.check_raster());
+  EXPECT_NO_THROW(view.block.check_raster(false));
 }
 
 TEST(ViewOptions, are_declared_one_by_one) {

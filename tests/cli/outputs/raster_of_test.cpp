@@ -25,7 +25,10 @@ class WrittenRaster {
     output.crs = given.inputs.study().output_crs();
     output.made_by = provenance_of(given.inputs, given.options(), readings, "mm");
     output.path = folder_.path("r.tif");
-    for (const EncodedFile& file : raster_of(given.inputs, readings, "", {}, output))
+    ShownRaster shown;
+    shown.readings = readings;
+    Warnings warnings;
+    for (const EncodedFile& file : raster_of(given.inputs, shown, output, warnings))
       folder_.write(file.name.substr(folder_.path().size() + 1), file.bytes);
   }
   /// The values of pixels, which are given as column and row; one after the other.

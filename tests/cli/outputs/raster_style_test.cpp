@@ -37,7 +37,8 @@ TEST(StationStyle, its_file_lies_beside_the_raster_and_has_who_owns_a_pixel) {
 
 TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const RainfallStyle style(std::vector<double>{8, none, 0.25, 0.1, 3}, "mm");
+  const std::vector<double> readings{8, none, 0.25, 0.1, 3};
+  const RainfallStyle style(RainfallClasses(readings, {}), readings, "mm");
   const auto classes = style.classes();
   ASSERT_GE(classes.size(), 2u);
   EXPECT_EQ(classes.front().low, static_cast<double>(0.1F)) << "as the raster holds it";
@@ -50,7 +51,25 @@ TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
 }
 
 TEST(RainfallStyle, of_no_readings_has_no_classes) {
-  EXPECT_TRUE(RainfallStyle(std::vector<double>{}, "mm").classes().empty());
+  EXPECT_TRUE(
+      RainfallStyle(RainfallClasses({}, {}), std::vector<double>{}, "mm").classes().empty());
+}
+
+TEST(RainfallStyle, takes_the_classes_and_colours_that_are_asked_for) {
+  ClassRule rule;
+  rule.kind = ClassRule::Kind::breaks;
+  rule.breaks = {2, 5};
+  rule.palette = Palette::greys;
+  const std::vector<double> readings{0, 1, 2, 4, 9};
+  const RainfallClasses classes(readings, rule);
+  const RainfallStyle cells(classes, readings, "mm");
+  ASSERT_EQ(cells.classes().size(), 4u) << "dry, below 2, 2 to 5, 5 and more";
+  EXPECT_EQ(cells.classes()[2].low, 2);
+  EXPECT_EQ(cells.classes()[2].high, 4);
+  const std::string surface = RainfallStyle(classes, "mm").file("map.tif").bytes;
+  for (const char* label :
+       {"label=\"dry\"", "label=\"below 2 mm\"", "label=\"2 to 5 mm\"", "label=\"from 5 mm\""})
+    EXPECT_NE(surface.find(label), std::string::npos) << label;
 }
 
 }  // namespace

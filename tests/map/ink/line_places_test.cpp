@@ -22,9 +22,9 @@ TEST(LinePlaces, law_1_lie_on_the_line_half_a_text_from_its_ends) {
     circle.push_back({100 * std::cos(angle), 100 * std::sin(angle)});
   }
   const auto places = text_places(circle, 30);
-  EXPECT_NEAR(static_cast<double>(places.size()), 2 * 314.159 / 30 * 4 / 2, 4);
+  EXPECT_NEAR(static_cast<double>(places.size()), (628.3 - 30) / 7.5 + 1, 1);
   for (const Point p : places) EXPECT_NEAR(std::hypot(p.x, p.y), 100, 0.01);
-  EXPECT_NEAR(std::abs(places.front().y), 100, 1) << "at the top or the bottom";
+  EXPECT_GT(std::abs(places.front().y), 90) << "at the top or the bottom";
 }
 
 TEST(LinePlaces, there_are_none_on_a_line_that_a_text_would_hide) {

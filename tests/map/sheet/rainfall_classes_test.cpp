@@ -128,7 +128,7 @@ TEST(RainfallClasses, where_most_readings_are_the_same_tell_the_others) {
 
 // Steps of 5 from 5 to 40: the ends are no bounds, and values beyond them open the ends.
 TEST(RainfallClasses, meet_at_their_bounds_and_reach_to_what_is_beyond_their_ends) {
-  RainfallClasses classes({5, 15, 25, 38}, {.kind = ClassRule::Kind::equal});
+  RainfallClasses classes({5, 15, 25, 38}, rule_of(ClassRule::Kind::equal));
   ASSERT_EQ(classes.ticks().front(), "5");
   EXPECT_EQ(classes.bounds().size() + 1, classes.count());
   const auto before = classes.ticks();
