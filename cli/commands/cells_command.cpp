@@ -12,8 +12,6 @@
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/encoded_files.h"
-#include "files/geopackage_copy.h"
-#include "gdal/output/layer_formats.h"
 
 namespace thiessen::cli {
 namespace {
@@ -51,7 +49,7 @@ class CellsCommand : public Command {
     const bool to_stream = output_.output == "-";
     if (!to_stream) require_cells_format(output_.output);
     OutputFile& file = outputs.add(output_.output);
-    const std::unique_ptr<GeoPackageCopy> older = older_layers();
+    const std::unique_ptr<GeoPackageCopy> older = older_layers(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
@@ -72,12 +70,6 @@ class CellsCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
-  /// The GeoPackage that is there, whose other layers are kept.
-  std::unique_ptr<GeoPackageCopy> older_layers() const {
-    const std::string extension = extension_of(output_.output);
-    return extension == "gpkg" ? copy_of_geopackage(output_.output) : nullptr;
-  }
-
   StudyOptions study_;
   RainfallOptions rainfall_;
   ViewOptions view_;

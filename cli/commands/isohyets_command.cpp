@@ -66,6 +66,7 @@ class IsohyetsCommand : public Command {
     const std::string path = output_.output == "-" ? "isohyets.geojson" : output_.output;
     require_vector_driver(path);
     OutputFile& file = outputs.add(output_.output);
+    const std::unique_ptr<GeoPackageCopy> older = older_layers(output_.output);
     Inputs inputs(study_, 0, common_.threads, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     units_ = unit_shown(readings->unit, units_, units_option_->is_given(), rainfall_.name());
@@ -78,8 +79,8 @@ class IsohyetsCommand : public Command {
     for (const Basin& basin : inputs.basins()) ids.push_back(basin.id);
     Provenance made_by = provenance_of(inputs, study_, &*readings, units_);
     made_by.method = name_of(*isohyets_.surface());
-    const auto files =
-        isohyets_file(isohyets, ids, inputs.study().output_crs(), made_by, path, warnings);
+    const auto files = isohyets_file(isohyets, ids, inputs.study().output_crs(), made_by, path,
+                                     older ? older->bytes() : "", warnings);
     if (output_.output == "-") {
       file.append(files.front().bytes);
     } else {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "gdal/output/layer_formats.h"
 #include "gdal/output/side_files.h"
 
 namespace thiessen::cli {
@@ -14,6 +15,10 @@ void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedF
     const auto is_it = [&](const EncodedFile& one) { return one.name == name; };
     if (std::none_of(encoded.begin(), encoded.end(), is_it)) outputs.remove(name);
   }
+}
+
+std::unique_ptr<GeoPackageCopy> older_layers(const std::string& path) {
+  return extension_of(path) == "gpkg" ? copy_of_geopackage(path) : nullptr;
 }
 
 void remove_side_files(Outputs& outputs, const std::string& path) {

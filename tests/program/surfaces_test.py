@@ -87,6 +87,14 @@ class SurfacesTest(thiessen.ProgramTest):
         ticks = [float(text) for text in re.findall(r">(-?[0-9.]+)</text>", legend)]
         self.assertTrue(set(levels) <= set(ticks), f"{levels} {ticks}")
 
+    def test_a_geopackage_keeps_its_other_layers(self):
+        self.output("cells", "s.csv", "b.csv", "-o", "s.gpkg", *PLANAR)
+        for _ in range(2):
+            self.output("isohyets", "s.csv", "b.csv", "r.csv", "-o", "s.gpkg", "--time", "x", "--overwrite", *PLANAR)
+        info = subprocess.run(["ogrinfo", "-ro", self.folder / "s.gpkg"], text=True, capture_output=True, check=True)
+        self.assertIn("cells (Multi Polygon)", info.stdout)
+        self.assertIn("isohyets (Multi Line String)", info.stdout)
+
     def test_cells_have_none(self):
         ran = self.run_program("isohyets", "s.csv", "b.csv", "r.csv", "--method", "thiessen", *PLANAR)
         self.assertEqual(ran.returncode, 2)
