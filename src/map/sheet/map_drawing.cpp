@@ -1,10 +1,29 @@
 #include "map/sheet/map_drawing.h"
 
+#include <algorithm>
+
 #include "map/ink/ink.h"
 #include "map/opencv/label_image.h"
 #include "map/sheet/map_panel.h"
 
 namespace thiessen {
+
+std::size_t gauges_within(const StudyView& view) {
+  const Extent& extent = view.extent;
+  const auto is_within = [&](Point p) {
+    return p.x >= extent.west && p.x <= extent.east && p.y >= extent.south && p.y <= extent.north;
+  };
+  return static_cast<std::size_t>(std::count_if(view.gauges.begin(), view.gauges.end(), is_within));
+}
+
+bool dots_would_cover(std::size_t gauges, double pixels) {
+  constexpr double apart = 7;  // pixels between dots that have a pixel of ground round their rings
+  return static_cast<double>(gauges) * apart * apart > pixels;
+}
+
+std::string note_of_crowd(std::size_t gauges) {
+  return "not drawn: the " + std::to_string(gauges) + " gauges, too many for the map";
+}
 
 LabelCount draw_map(Canvas& canvas, const Page& page, const Picture& picture, StudyView& view,
                     const RainfallClasses& classes, const MapDetail& detail, Typesetter& type) {

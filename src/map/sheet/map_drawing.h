@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 #include "map/ink/canvas.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/annotation.h"
@@ -14,6 +17,16 @@ struct MapDetail {
   bool has_gauges = true;
   bool has_labels = true;  ///< of gauges and of basins
 };
+
+/// How many gauges lie within the extent of a view on the map's plane.
+std::size_t gauges_within(const StudyView& view);
+
+/// Whether the dots of so many gauges would cover a map of so many pixels, as thousands do: each
+/// has less room than the smallest dot with its ring takes.
+bool dots_would_cover(std::size_t gauges, double pixels);
+
+/// Words that gauges are not drawn.
+std::string note_of_crowd(std::size_t gauges);
 
 /// Draws one map into the page's panel: cells, outlines, gauges, names and labels. `view` is on the
 /// map's plane, and its shapes are in pixels of the panel afterwards. Returns how many gauges and

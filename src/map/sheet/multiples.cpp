@@ -29,15 +29,6 @@ Extent common_extent(std::span<const Picture> maps, const StudyView& first) {
   return extent;
 }
 
-/// How many of the first map's gauges lie within the extent.
-std::size_t gauges_within(const StudyView& view) {
-  const Extent& extent = view.extent;
-  const auto is_within = [&](Point p) {
-    return p.x >= extent.west && p.x <= extent.east && p.y >= extent.south && p.y <= extent.north;
-  };
-  return static_cast<std::size_t>(std::count_if(view.gauges.begin(), view.gauges.end(), is_within));
-}
-
 /// What has room on a map: small ones with hundreds of gauges show the cells alone.
 MapDetail detail_of(const MultiplesPage& layout, std::size_t gauges, std::size_t basins) {
   constexpr double smallest_dot = 2;    // pixels

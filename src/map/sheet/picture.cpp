@@ -29,24 +29,33 @@ struct Sheet {
         classes(classes_of(picture)),
         legend(picture, classes,
                page_style(picture.width, picture.height, picture.dots_to_the_inch), type),
-        page(lay_out(picture, view.extent, legend, type)) {}
+        page(lay_out(picture, view.extent, legend, type)),
+        detail{true, !page.style.bare} {
+    if (!dots_would_cover(gauges_within(view),
+                          static_cast<double>(page.panel.width) * page.panel.height))
+      return;
+    detail = {false, false};
+    legend = Legend({&picture, 1}, false, classes, page.style, type);
+  }
 
   StudyView view;
   Typesetter type;
   RainfallClasses classes;
   Legend legend;
   Page page;
+  MapDetail detail;
 };
 
 void draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
   const Page& page = sheet.page;
   StudyView& view = sheet.view;
   const PanelTransform transform(view.extent, page.panel);
-  const MapDetail detail{true, !page.style.bare};
-  const LabelCount count = draw_map(canvas, page, picture, view, sheet.classes, detail, sheet.type);
+  const LabelCount count =
+      draw_map(canvas, page, picture, view, sheet.classes, sheet.detail, sheet.type);
+  const std::string note =
+      sheet.detail.has_gauges ? note_of(count) : note_of_crowd(picture.gauges.size());
   if (!page.style.bare) draw_graticule(canvas, page, view, transform, FrameEdges(), sheet.type);
-  draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, note_of(count),
-              sheet.type);
+  draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, note, sheet.type);
   draw_head(canvas, page);
   if (sheet.legend.width() > 0) sheet.legend.draw(canvas, page, sheet.classes);
 }

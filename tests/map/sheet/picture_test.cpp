@@ -151,6 +151,17 @@ TEST(Picture, of_a_surface_fills_its_bands_and_draws_isohyets_with_their_levels)
   EXPECT_EQ(count_of(text, ">\u2265 "), 1u) << "the surface reaches beyond the gauges' values";
 }
 
+// 480 pixels across hold some thousands of dots, and not 24,000.
+TEST(Picture, of_more_gauges_than_dots_have_room_shows_the_cells_alone_and_says_so) {
+  Picture picture = row_of_cells({3, 8});
+  for (int i = 0; i < 24'000; ++i) picture.gauges.push_back({{i / 12'000.0, 0.3}, "g", true});
+  const std::string text = svg(picture);
+  EXPECT_EQ(count_of(text, "<circle"), 0u);
+  EXPECT_EQ(count_of(text, ">rain gauge</text>"), 0u);
+  EXPECT_EQ(count_of(text, "not drawn: the 24002 gauges"), 1u);
+  EXPECT_EQ(count_of(text, "class=\"cell\""), 2u);
+}
+
 TEST(Picture, an_svg_has_its_size_on_paper_by_its_density) {
   Picture picture = row_of_cells({1, 2});
   picture.width = 600;
