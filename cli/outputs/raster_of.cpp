@@ -83,7 +83,8 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings == nullptr) return raster_of_stations(inputs, output, rows);
   const BandText text{readings->label, shown.time, output.made_by.unit};
-  const RainfallClasses classes(shown_values(inputs, *readings, output.threads), shown.classes);
+  const std::vector<double> values_shown = shown_values(inputs, *readings, output.threads);
+  const RainfallClasses classes(values_shown, shown.classes);
   warn_of_outside(classes, warnings);
   if (shown.surface && reports.any()) {
     SurfaceRows values(
@@ -98,7 +99,7 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
     files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
     return files;
   }
-  const RainfallStyle style(classes, readings->readings, output.made_by.unit);
+  const RainfallStyle style(classes, values_shown, output.made_by.unit);
   const std::vector<float> by_number = values_by_number(readings->readings);
   std::vector<float> values;
   const auto value_rows = [&](int row, int count) -> std::span<const float> {

@@ -1,23 +1,19 @@
 #include "files/cells_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <string_view>
 
 #include "base/error.h"
 #include "base/utf8.h"
 #include "files/cells_shapes.h"
 #include "gdal/output/cells_layer.h"
+#include "gdal/output/layer_formats.h"
 #include "outlines/cell_validity.h"
 #include "outlines/polygon_validity.h"
 #include "results/cells_geojson.h"
 
 namespace thiessen {
 namespace {
-
-// Formats that can hold longitude and latitude and no other coordinates.
-constexpr std::array<std::string_view, 3> degrees_only = {"kml", "kmz", "geojsonl"};
 
 bool is_geojson(const std::string& extension) {
   return extension == "geojson" || extension == "json";
@@ -129,14 +125,8 @@ std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::strin
   if (is_geojson(extension)) return {{path, cells_geojson(output, path, warnings)}};
   require_cells_driver(path);
   std::optional<Crs> crs = output.file_crs ? output.file_crs : output.study_crs;
-  if (std::find(degrees_only.begin(), degrees_only.end(), extension) != degrees_only.end()) {
-    if (!output.study_crs) {
-      throw Error(Message{
-          path, 0, "the format holds longitude and latitude, and the coordinates' CRS is not known",
-          "name it with " + setting("crs")});
-    }
-    crs = Crs::wgs84();
-  }
+  require_known_degrees(path, output.study_crs.has_value());
+  if (holds_degrees_only(extension)) crs = Crs::wgs84();
   return write_cells_layer(output, valid_shapes_in(output, crs, path, warnings).shapes, crs, path,
                            older, warnings);
 }

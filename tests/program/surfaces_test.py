@@ -69,7 +69,7 @@ class SurfacesTest(thiessen.ProgramTest):
 
     def test_a_dry_day_has_no_isohyets_in_any_format(self):
         self.assertEqual(self.isohyets("--time", "dry")["features"], [])
-        for name in ("l.geojson", "l.gpkg", "l.shp", "l.kml", "l.csv"):
+        for name in ("l.geojson", "l.gpkg", "l.shp", "l.tab", "l.csv"):
             for time in ("dry", "plane"):
                 ran = self.run_program("isohyets", "s.csv", "b.csv", "r.csv", "-o", name, "--time", time, "--overwrite",
                                        *PLANAR)
@@ -86,6 +86,11 @@ class SurfacesTest(thiessen.ProgramTest):
         legend = picture[picture.index('<g class="legend">'):]
         ticks = [float(text) for text in re.findall(r">(-?[0-9.]+)</text>", legend)]
         self.assertTrue(set(levels) <= set(ticks), f"{levels} {ticks}")
+
+    def test_a_format_of_degrees_is_refused_where_the_crs_is_not_known(self):
+        ran = self.run_program("isohyets", "s.csv", "b.csv", "r.csv", "-o", "l.kml", "--time", "x", *PLANAR)
+        self.assertEqual(ran.returncode, 1)
+        self.assertIn("the coordinates' CRS is not known", ran.stderr)
 
     def test_a_geopackage_keeps_its_other_layers(self):
         self.output("cells", "s.csv", "b.csv", "-o", "s.gpkg", *PLANAR)

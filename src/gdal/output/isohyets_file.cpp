@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "gdal/output/layer_formats.h"
 #include "gdal/output/vector_layer.h"
 
 namespace thiessen {
@@ -26,6 +27,7 @@ std::vector<EncodedFile> isohyets_file(std::span<const Isohyet> isohyets,
                                        const std::optional<Crs>& crs, const Provenance& made_by,
                                        const std::string& path, const std::string& older,
                                        Warnings& warnings) {
+  require_known_degrees(path, crs.has_value());
   VectorLayer layer;
   layer.name = "isohyets";
   layer.shapes = VectorLayer::Shapes::lines;

@@ -3,6 +3,7 @@
 #include <cpl_string.h>
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -76,6 +77,20 @@ std::string known_extensions() {
 std::string extension_of(const std::string& path) {
   const std::size_t dot = path.find_last_of("./");
   return dot == std::string::npos || path[dot] == '/' ? "" : lower_case(path.substr(dot + 1));
+}
+
+bool holds_degrees_only(const std::string& extension) {
+  constexpr std::array<std::string_view, 3> formats_of_degrees = {"kml", "kmz", "geojsonl"};
+  return std::find(formats_of_degrees.begin(), formats_of_degrees.end(), extension) !=
+         formats_of_degrees.end();
+}
+
+void require_known_degrees(const std::string& path, bool has_crs) {
+  if (has_crs || !holds_degrees_only(extension_of(path))) return;
+  throw Error(Message{path, 0,
+                      "the format holds longitude and latitude, and the coordinates' CRS is not "
+                      "known",
+                      "name it with " + setting("crs")});
 }
 
 GDALDriver& require_vector_driver(const std::string& path) {

@@ -29,5 +29,15 @@ TEST(VectorDriver, is_known_by_the_extension) {
     EXPECT_THROW(require_vector_driver(sheet), Error) << "spreadsheets hold no geometry";
 }
 
+TEST(LayerFormats, of_degrees_only_want_coordinates_whose_crs_is_known) {
+  for (const char* path : {"l.kml", "l.kmz", "l.geojsonl"}) {
+    EXPECT_THROW(require_known_degrees(path, false), Error) << path;
+    EXPECT_NO_THROW(require_known_degrees(path, true)) << path;
+  }
+  EXPECT_NO_THROW(require_known_degrees("l.gpkg", false));
+  EXPECT_TRUE(holds_degrees_only("kml"));
+  EXPECT_FALSE(holds_degrees_only("gpkg"));
+}
+
 }  // namespace
 }  // namespace thiessen
