@@ -61,6 +61,7 @@ std::vector<PictureBand> picture_bands(const SurfaceRaster& raster, const Rainfa
 
 std::vector<PictureIsohyet> picture_isohyets(std::vector<Isohyet> found, ToStudy& to_study) {
   std::vector<RoundValue> levels;
+  levels.reserve(found.size());
   for (const Isohyet& isohyet : found) levels.push_back(nine_digits(isohyet.level));
   const std::vector<std::string> texts = texts_of(levels);
   std::vector<PictureIsohyet> isohyets;

@@ -52,6 +52,7 @@ std::vector<Point> text_places(std::span<const Point> line, double width) {
   std::stable_sort(places.begin(), places.end(),
                    [](const Place& a, const Place& b) { return a.goodness > b.goodness; });
   std::vector<Point> points;
+  points.reserve(places.size());
   for (const Place& place : places) points.push_back(place.at);
   return points;
 }

@@ -79,10 +79,12 @@ std::vector<const std::vector<Point>*> longest_first(const std::vector<std::vect
     return sum;
   };
   std::vector<std::pair<double, const std::vector<Point>*>> found;
+  found.reserve(lines.size());
   for (const std::vector<Point>& line : lines) found.emplace_back(length(line), &line);
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
   std::vector<const std::vector<Point>*> sorted;
+  sorted.reserve(found.size());
   for (const auto& [sum, line] : found) sorted.push_back(line);
   return sorted;
 }
