@@ -29,6 +29,8 @@ class InputFile {
   const std::string& name() const { return name_; }
   /// The size in bytes when the file was opened; 0 where it is not known, as for a pipe.
   std::size_t size() const { return size_; }
+  /// Whether its bytes may come bit by bit, as those of a pipe do: whoever wants many waits.
+  bool may_wait() const { return file_.is_open() && size_ == 0; }
   /// Reads the next bytes into the beginning of `into`, and returns how many they are; 0 at the
   /// end. Throws Error where reading fails, and Interrupted where a signal came.
   std::size_t read(std::span<char> into);

@@ -11,6 +11,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
@@ -47,28 +48,6 @@ char likely_separator(std::string_view name, char used) {
   return '\0';
 }
 
-/// What stands most often in a header of names; of several the first of comma, semicolon, tab, bar.
-char most_frequent_separator(std::string_view header) {
-  char found = ',';
-  for (const char candidate : {';', '\t', '|'}) {
-    if (std::count(header.begin(), header.end(), candidate) >
-        std::count(header.begin(), header.end(), found))
-      found = candidate;
-  }
-  return found;
-}
-
-/// The text without what stands in quotes.
-std::string outside_quotes(std::string_view text) {
-  std::string outside;
-  bool quoted = false;
-  for (const char c : text) {
-    if (c == '"') quoted = !quoted;
-    if (!quoted) outside += c;
-  }
-  return outside;
-}
-
 }  // namespace
 
 CsvReader::CsvReader(const std::string& file, CsvOptions options)
@@ -78,15 +57,20 @@ CsvReader::CsvReader(InputFile input, CsvOptions options)
     : CsvReader(std::move(input), options, false) {}
 
 CsvReader::CsvReader(InputFile input, CsvOptions options, bool is_on_disk)
-    : options_(options), is_on_disk_(is_on_disk), text_(std::move(input), options.separator) {
+    : options_(options),
+      said_(std::move(options)),
+      is_on_disk_(is_on_disk),
+      text_(std::move(input), options_.separator, options_.encoding) {
   skip_byte_order_mark();
-  if (options_.separator == '\0') find_separator();
+  if (options_.finds_form || options_.separator == '\0') find_form();
   read_header();
   if (options_.has_names) check_header();
+  pass_rows_below_header();
 }
 
 bool CsvReader::next(Row& row) {
   static_assert(csv_block >= number_padding);
+  if (has_first_row_) return next_of_first(row);
   row.padded = true;
   row.fields.resize(header_.size());
   for (;;) {
@@ -95,16 +79,41 @@ bool CsvReader::next(Row& row) {
       complaints_.throw_if_any();
       return false;
     }
-    if (kind == RowKind::bad) continue;
-    if (field_count_ == header_.size()) {
-      row.line = row_line_;
-      return true;
-    }
-    complaints_.add({file(), row_line_,
-                     "row has " + counted(field_count_, "field") + ", the header has " +
-                         std::to_string(header_.size()),
-                     ""});
+    if (kind == RowKind::bad || !is_row(row)) continue;
+    row.line = row_line_;
+    return true;
   }
+}
+
+/// Whether what was read is a row of the table: not where it has other fields than the header,
+/// which is a fault, nor where it has no value at all, as spreadsheets leave such rows behind.
+bool CsvReader::is_row(const Row& row) {
+  if (options_.finds_form && header_.size() > 1 && beyond_ == 0) {
+    const auto kept = std::span(row.fields).first(std::min(field_count_, header_.size()));
+    if (field_count_ > 1 && std::ranges::all_of(kept, &std::string_view::empty)) return false;
+  }
+  const std::size_t columns = header_.size() + form_.columns_passed;
+  if (beyond_ > 0 && field_count_ == columns) {
+    complaints_.add({file(), row_line_,
+                     "a value stands in column " + std::to_string(beyond_) +
+                         ", which has no name and no values in the rows above",
+                     "give the column a name"});
+    return false;
+  }
+  if (field_count_ == columns || field_count_ == header_.size()) return true;
+  complaints_.add(
+      {file(), row_line_,
+       "row has " + counted(field_count_, "field") + ", the header has " + std::to_string(columns),
+       ""});
+  return false;
+}
+
+bool CsvReader::next_of_first(Row& row) {
+  has_first_row_ = false;
+  row.padded = false;
+  row.line = header_line_;
+  row.fields.assign(first_row_.begin(), first_row_.end());
+  return true;
 }
 
 double CsvReader::share_read() const {
@@ -117,7 +126,20 @@ std::unique_ptr<Table> CsvReader::again() const {
   struct stat status = {};
   if (!is_on_disk_ || ::stat(file().c_str(), &status) != 0) return nullptr;
   if (!S_ISREG(status.st_mode)) return nullptr;
-  return std::make_unique<CsvReader>(file(), options_);
+  return std::make_unique<CsvReader>(file(), said_);
+}
+
+std::unique_ptr<Table> CsvReader::first_rows() const {
+  if (auto table = again()) return table;
+  if (beginning_.empty()) return nullptr;
+  InputFile input(file(), [text = beginning_, at = std::size_t{0}](std::span<char> into) mutable {
+    const std::size_t count = text.copy(into.data(), into.size(), at);
+    at += count;
+    return count;
+  });
+  CsvOptions options = said_;
+  options.encoding = "UTF-8";
+  return std::make_unique<CsvReader>(std::move(input), std::move(options));
 }
 
 void CsvReader::skip_byte_order_mark() {
@@ -131,25 +153,43 @@ void CsvReader::skip_byte_order_mark() {
   if (has_mark(next_row_)) fail(1, "begins with two byte order marks");
 }
 
-// The first line that is not blank tells: it holds names, in which separators are rare.
-void CsvReader::find_separator() {
-  constexpr std::size_t beginning = 65536;
-  std::size_t from = next_row_;
-  std::size_t end = from;
-  while (end - next_row_ < beginning) {
-    const std::string_view rest = text_.between(from, text_.end());
-    const std::size_t length = rest.find_first_of("\r\n");
-    end = length == std::string_view::npos ? text_.end() : from + length;
-    const bool blank = trimmed(text_.between(from, end)).empty();
-    if (length != std::string_view::npos && !blank) break;
-    if (length != std::string_view::npos) {
-      from = end + 1;
-    } else if (!read_more()) {
+void CsvReader::find_form() {
+  const std::size_t begin = next_row_;
+  look_at_beginning(begin);
+  options_.separator = form_.separator;
+  text_.set_separator(form_.separator);
+  trims_ = options_.finds_form && form_.has_blanks;
+  if (!is_on_disk_ && !text_.may_wait())
+    beginning_ = text_.between(begin, std::min(text_.end(), begin + csv_beginning_bytes));
+  if (!options_.finds_form) return;
+  next_row_ = begin + form_.header;
+  line_ += count_line_ends(text_.between(begin, next_row_));
+}
+
+/// Reads the beginning, and finds out what it tells. A pipe may bring no more than one row for
+/// long, so that the first tells all, however much comes at once.
+void CsvReader::look_at_beginning(std::size_t begin) {
+  CsvHints hints{options_.separator,
+                 options_.decimal_comma,
+                 options_.skip,
+                 options_.has_names && options_.finds_form && options_.numbers.empty(),
+                 false,
+                 text_.may_wait()};
+  const std::size_t enough = begin + csv_beginning_bytes;
+  const auto look = [&] {
+    form_ = find_csv_form(text_.between(begin, std::min(text_.end(), enough)), hints);
+  };
+  while (text_.end() < enough) {
+    if (hints.one_row) look();
+    if (hints.one_row && form_.has_rows) return;
+    const CsvText::Arrival arrival = text_.read_more(0);
+    if (arrival == CsvText::Arrival::end) {
+      hints.is_all = true;
       break;
     }
+    if (arrival != CsvText::Arrival::more) refuse_bytes(arrival);
   }
-  options_.separator = most_frequent_separator(outside_quotes(text_.between(from, end)));
-  text_.set_separator(options_.separator);
+  look();
 }
 
 void CsvReader::read_header() {
@@ -157,9 +197,44 @@ void CsvReader::read_header() {
   text_.seek(next_row_);
   const RowKind kind = read_row(names);
   complaints_.throw_if_any();
-  if (kind == RowKind::none) fail(0, "is empty");
+  if (kind == RowKind::none) {
+    const bool skips = options_.skip.value_or(0) > 0;
+    fail(0, skips ? "has nothing behind the lines that are skipped" : "is empty",
+         skips ? setting("skip") + " is of all CSV files, " + setting("stations_skip") +
+                     " and the like of one"
+               : Wording());
+  }
   header_line_ = row_line_;
   header_.assign(names.begin(), names.end());
+  if (options_.finds_form) pass_columns();
+  if (!options_.numbers.empty()) number_columns();
+}
+
+/// Calls the columns by their numbers where the first row does not name all columns that are meant.
+/// Where it has each number in the column of that number it is taken for data, such as 1,2,3.
+void CsvReader::number_columns() {
+  bool are_names = true;
+  bool are_in_place = true;
+  for (const std::string& number : options_.numbers) {
+    const auto found = std::ranges::find(header_, number);
+    are_names = are_names && found != header_.end();
+    are_in_place = are_in_place && std::to_string(found - header_.begin() + 1) == number;
+  }
+  if (are_names && !are_in_place) return;
+  first_row_ = std::exchange(header_, {});
+  has_first_row_ = true;
+  for (std::size_t i = 1; i <= first_row_.size(); ++i) header_.push_back(std::to_string(i));
+}
+
+void CsvReader::pass_columns() {
+  form_.columns_passed = std::min(form_.columns_passed, header_.size() - 1);
+  header_.resize(header_.size() - form_.columns_passed);
+}
+
+void CsvReader::pass_rows_below_header() {
+  if (!options_.finds_form) return;
+  std::vector<std::string_view> fields(header_.size());
+  for (std::size_t i = 0; i < form_.rows_passed; ++i) read_row(fields);
 }
 
 void CsvReader::check_header() const {
@@ -189,6 +264,7 @@ void CsvReader::begin_row(std::size_t at) {
   row_ = field_ = at;
   row_line_ = line_;
   field_count_ = 0;
+  beyond_ = 0;
 }
 
 CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
@@ -203,11 +279,11 @@ CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
     }
     const char mark = text_.at(at);
     if (mark == options_.separator) {
-      store(text_.between(field_, at), false);
+      if (mark != ' ' || at != field_) store(text_.between(field_, at), false);
       field_ = at + 1;
     } else if (mark != '"') {
       const bool blank = is_blank_line(at);
-      if (!blank) store(text_.between(field_, at), false);
+      if (!blank && !is_after_blank(at)) store(text_.between(field_, at), false);
       const RowKind kind = end_row(at);
       if (!blank) return kind;
       begin_row(next_row_);
@@ -233,6 +309,15 @@ void CsvReader::store_beyond(std::string_view field, bool in_quotes) {
     fields_->push_back(in_quotes ? field : trimmed(field));
   }
   ++field_count_;
+  if (beyond_ > 0 || header_line_ == 0 || field.empty()) return;
+  if (field_count_ > header_.size() && !equal_ignoring_case(field, known::end_of_record))
+    beyond_ = field_count_;
+}
+
+/// Whether the field that ends here is nothing but a blank at the end of the line, which parts
+/// nothing.
+bool CsvReader::is_after_blank(std::size_t end) const {
+  return options_.separator == ' ' && field_ == end && field_count_ > 0;
 }
 
 CsvReader::RowKind CsvReader::end_row(std::size_t at) {
@@ -252,7 +337,7 @@ CsvReader::RowKind CsvReader::end_row(std::size_t at) {
 CsvReader::RowKind CsvReader::end_last_row() {
   const std::size_t end = next_row_ = text_.end();
   if (is_blank_line(end)) return RowKind::none;
-  store(text_.between(field_, end), false);
+  if (!is_after_blank(end)) store(text_.between(field_, end), false);
   check_lengths(end);
   return RowKind::whole;
 }
@@ -322,9 +407,7 @@ bool CsvReader::read_more(bool in_quotes) {
   const auto before = reinterpret_cast<std::uintptr_t>(text_.pointer(row_));
   const CsvText::Arrival arrival = text_.read_more(row_);
   keep_views(before);
-  if (arrival == CsvText::Arrival::nul || arrival == CsvText::Arrival::not_utf8) {
-    refuse_bytes(arrival);
-  }
+  if (arrival != CsvText::Arrival::more && arrival != CsvText::Arrival::end) refuse_bytes(arrival);
   return arrival == CsvText::Arrival::more;
 }
 
@@ -366,16 +449,20 @@ void CsvReader::check_lengths(std::size_t end) {
 
 void CsvReader::refuse_bytes(CsvText::Arrival arrival) {
   const std::size_t fault = text_.fault();
+  if (arrival == CsvText::Arrival::not_decoded) {
+    fail(line_ + count_line_ends(text_.between(field_, text_.end())),
+         "not " + text_.encoding() + " at byte " + std::to_string(fault),
+         setting("encoding") + " names what it is");
+  }
   const std::size_t line = line_ + count_line_ends(text_.between(field_, fault));
   const std::string place = " at byte " + std::to_string(fault);
   if (arrival == CsvText::Arrival::nul)
     fail(line, "not text: NUL" + place, "is this a text file in UTF-8?");
-  const std::string_view found = text_.between(fault, text_.end()).substr(0, 2);
-  const bool utf16 = fault == 0 && (found == "\xFF\xFE" || found == "\xFE\xFF");
-  fail(line, "not UTF-8" + place + (utf16 ? ": the file is UTF-16" : ""), "save the file as UTF-8");
+  const Wording named = setting("encoding") + " names what it is, such as Latin-1 or cp932";
+  fail(line, "not UTF-8" + place, options_.finds_form ? named : "save the file as UTF-8");
 }
 
-void CsvReader::fail(std::size_t line, std::string text, std::string hint) {
+void CsvReader::fail(std::size_t line, std::string text, Wording hint) {
   complaints_.fail({file(), line, std::move(text), std::move(hint)});
 }
 

@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/utf8.h"
+#include "text/csv_form.h"
 #include "text/csv_text.h"
 #include "text/table.h"
 
@@ -21,14 +24,23 @@ struct CsvLimits {
 
 /// How a CSV file is read.
 struct CsvOptions {
-  /// One ASCII character, neither a quote nor a line end; '\0': that of comma, semicolon, tab and
-  /// bar which stands most often in the header, the first of them where several do.
+  /// One ASCII character, neither a quote nor a line end; '\0': found out, see find_csv_form. Where
+  /// it is a blank, several of them are one, and those at a line's ends part nothing.
   char separator = ',';
   CsvLimits limits = {};
   bool has_names = true;  ///< false: the first row may be data; its fields are not checked as names
+  std::string encoding = {};  ///< of the text, see Decoder; empty: UTF-8, or UTF-16 with its mark
+  /// Whether the file's first 64 kB, from a pipe its first row of data, tell how it is written: see
+  /// find_csv_form. Then blanks round a field outside quotes are no part of it, where the beginning
+  /// has some, rows without any
+  /// value are passed over, and so are columns at the end that have neither a name nor a value.
+  bool finds_form = false;
+  std::optional<std::size_t> skip = {};   ///< lines before the header; nothing: they are found out
+  bool decimal_comma = false;             ///< false: the decimal mark is found out
+  std::vector<std::string> numbers = {};  ///< see CsvDialect
 };
 
-/// A reader of CSV files, which reads one row at a time (RFC 4180, UTF-8).
+/// A reader of CSV files, which reads one row at a time (RFC 4180).
 ///
 /// Lines end in LF, CRLF or CR; the last line need not end. One byte order mark at the beginning is
 /// skipped, and so are lines that are empty or blank. A field that begins with a quote must end
@@ -37,10 +49,10 @@ struct CsvOptions {
 /// Lines are numbered from 1, as an editor numbers them.
 ///
 /// Errors that are gathered and thrown at the end: rows with too few or too many fields, a quote
-/// inside a field, text after a closing quote. Errors that are thrown at once: a NUL byte, bytes
-/// that are not UTF-8 (with their offset from 0), a quote that is never closed, anything beyond the
-/// limits, an empty file, a header name that stands twice, a header of one name that contains
-/// another separator.
+/// inside a field, text after a closing quote, a value in a column that was passed over. Errors
+/// that are thrown at once: a NUL byte, bytes that are not of the encoding (with their offset from
+/// 0), a quote that is never closed, anything beyond the limits, an empty file, a header name that
+/// stands twice, a header of one name that contains another separator.
 ///
 /// Memory: a buffer of at most twice the longest row. Speed: about 500 MB a second and core where
 /// fields are numbers of 1 to 4 digits, none in quotes.
@@ -54,11 +66,17 @@ class CsvReader : public Table {
   const std::string& file() const override { return text_.name(); }
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t header_line() const override { return header_line_; }
+  DecimalMark decimal_mark() const override { return form_.mark; }
   bool next(Row& row) override;
   double share_read() const override;
   std::unique_ptr<Table> again() const override;
+  std::unique_ptr<Table> first_rows() const override;
   /// What parts the fields, be it given or found out.
   char separator() const { return options_.separator; }
+  /// What the beginning told; what was asked for says CsvOptions.
+  const CsvForm& form() const { return form_; }
+  /// In what the file is written; empty for UTF-8.
+  std::string encoding() const { return text_.encoding(); }
   /// Throws Error where the header has a name twice, or seems to use another separator. The
   /// constructor calls it where the options say that there are names.
   void check_header() const;
@@ -69,11 +87,20 @@ class CsvReader : public Table {
 
   CsvReader(InputFile input, CsvOptions options, bool is_on_disk);
   void skip_byte_order_mark();
-  void find_separator();
+  void find_form();
+  void look_at_beginning(std::size_t begin);
   void read_header();
+  void pass_columns();
+  void number_columns();
+  bool next_of_first(Row& row);
+  void pass_rows_below_header();
+  bool is_row(const Row& row);
 
   RowKind read_row(std::vector<std::string_view>& fields);
   void store(std::string_view field, bool in_quotes) {
+    if (trims_ && !in_quotes && !field.empty() &&
+        (is_blank(field.front()) || is_blank(field.back())))
+      field = trimmed(field);
     if (field_count_ < fields_->size()) {
       (*fields_)[field_count_++] = field;
     } else {
@@ -85,6 +112,7 @@ class CsvReader : public Table {
   RowKind end_last_row();
   RowKind skip_rest_of_line(std::size_t from, const std::string& fault, std::size_t column);
   bool is_blank_line(std::size_t end) const;
+  bool is_after_blank(std::size_t end) const;
   void begin_row(std::size_t at);
 
   Follows read_quoted_field();
@@ -95,10 +123,18 @@ class CsvReader : public Table {
   void check_limits(bool in_quotes);
   void check_lengths(std::size_t end);
   void refuse_bytes(CsvText::Arrival arrival);
-  [[noreturn]] void fail(std::size_t line, std::string text, std::string hint = "");
+  [[noreturn]] void fail(std::size_t line, std::string text, Wording hint = {});
+
+  static bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
   CsvOptions options_;
-  bool is_on_disk_;  ///< it has a name by which it can be opened again
+  CsvOptions said_;  ///< the options before anything was found out
+  CsvForm form_;
+  std::string beginning_;               ///< what told the form, where it can be read only once
+  std::vector<std::string> first_row_;  ///< that of a table without a header
+  bool has_first_row_ = false;
+  bool trims_ = false;  ///< whether fields lose the blanks at their ends
+  bool is_on_disk_;     ///< it has a name by which it can be opened again
   CsvText text_;
   std::vector<std::string> header_;
   std::size_t header_line_ = 0;
@@ -112,6 +148,7 @@ class CsvReader : public Table {
   /// How many fields the row has so far. Any beyond the header's are counted, but not kept.
   std::size_t field_count_ = 0;
   std::vector<std::string_view>* fields_ = nullptr;
+  std::size_t beyond_ = 0;  ///< the first field beyond the header's that has a value; 0: none
 };
 
 }  // namespace thiessen

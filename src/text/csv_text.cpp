@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <span>
+#include <utility>
 
 #include "base/utf8.h"
 
@@ -13,20 +14,54 @@ namespace {
 /// scanning.
 constexpr std::size_t window_bytes = std::size_t{256} << 10;
 
+/// Whether this is UTF-8 and needs no decoder.
+bool is_utf8(const std::string& encoding) {
+  return encoding.empty() || equal_ignoring_case(encoding, "UTF-8") ||
+         equal_ignoring_case(encoding, "UTF8");
+}
+
+bool has_mark_of_utf16(std::string_view text) {
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
 }  // namespace
 
-CsvText::CsvText(InputFile input, char separator)
-    : input_(std::move(input)), separator_(separator), buffer_(window_bytes + csv_block) {}
+CsvText::CsvText(InputFile input, char separator, const std::string& encoding)
+    : input_(std::move(input)),
+      separator_(separator),
+      buffer_(window_bytes + csv_block),
+      begun_(!encoding.empty()) {
+  if (!is_utf8(encoding)) decoder_.emplace(encoding);
+}
 
 CsvText::Arrival CsvText::read_more(std::size_t keep_from) {
   if (at_end_) return Arrival::end;
   make_room(keep_from);
   const std::size_t room = buffer_.size() - csv_block - filled_;
-  const std::size_t count = input_.read(std::span(buffer_).subspan(filled_, room));
+  const std::size_t count = read_bytes(std::span(buffer_).subspan(filled_, room));
   filled_ += count;
   at_end_ = count == 0;
+  if (at_end_ && decoder_ && decoder_->fault()) {
+    fault_ = *decoder_->fault();
+    return Arrival::not_decoded;
+  }
   const Arrival arrival = check(at_end_);
   return arrival == Arrival::more && at_end_ ? Arrival::end : arrival;
+}
+
+std::size_t CsvText::read_bytes(std::span<char> into) {
+  if (decoder_) return decoder_->read(input_, into);
+  std::size_t count = input_.read(into);
+  if (std::exchange(begun_, true)) return count;
+  while (count == 1) {  // half a mark, perhaps
+    const std::size_t more = input_.read(into.subspan(count));
+    if (more == 0) return count;
+    count += more;
+  }
+  const std::string_view bytes(into.data(), count);
+  if (!has_mark_of_utf16(bytes)) return count;
+  decoder_.emplace("UTF-16", bytes);
+  return decoder_->read(input_, into);
 }
 
 void CsvText::make_room(std::size_t keep_from) {

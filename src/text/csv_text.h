@@ -3,25 +3,31 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/file.h"
 #include "text/csv_structure.h"
+#include "text/decoder.h"
 
 namespace thiessen {
 
 /// The text of a CSV file, of which a window is in memory. It is checked to be UTF-8 without NUL,
 /// and scanned for the characters that can end a field. Places are byte offsets in the file, from
-/// 0.
+/// 0; where the file is written in another encoding, in its text as UTF-8.
 class CsvText {
  public:
-  CsvText(InputFile input, char separator);
+  /// An empty `encoding` is UTF-8, or UTF-16 where the file begins with the mark of that.
+  CsvText(InputFile input, char separator, const std::string& encoding = {});
 
   const std::string& name() const { return input_.name(); }
   /// The size of the file in bytes; 0 where it is not known.
   std::size_t size() const { return input_.size(); }
+  bool may_wait() const { return input_.may_wait(); }
+  /// In what the file is written; empty for UTF-8.
+  std::string encoding() const { return decoder_ ? decoder_->encoding() : std::string(); }
   /// The place at which the window ends. The file may go on: see read_more.
   std::size_t end() const { return origin_ + filled_; }
   const char* pointer(std::size_t at) const { return buffer_.data() + (at - origin_); }
@@ -31,12 +37,13 @@ class CsvText {
     return {pointer(from), to - from};
   }
 
-  enum class Arrival : std::uint8_t { more, end, nul, not_utf8 };
+  enum class Arrival : std::uint8_t { more, end, nul, not_utf8, not_decoded };
   /// Reads more of the file into the window, and drops what lies before `keep_from`. Pointers may
   /// move: compare `pointer(keep_from)` before and after. The window grows to at most twice what is
   /// kept.
   Arrival read_more(std::size_t keep_from);
-  /// The place of the first byte that is NUL or not UTF-8, after read_more has reported one.
+  /// The place of the first byte that is NUL, not UTF-8, or not of the file's encoding, after
+  /// read_more has reported one; of the last in the file itself.
   std::size_t fault() const { return fault_; }
 
   /// Changes what parts fields; seek has to be called after it.
@@ -58,10 +65,12 @@ class CsvText {
 
  private:
   void look();
+  std::size_t read_bytes(std::span<char> into);
   void make_room(std::size_t keep_from);
   Arrival check(bool last);
 
   InputFile input_;
+  std::optional<Decoder> decoder_;
   char separator_;
   /// The window, one block longer than its contents may be, so that scanning may overshoot.
   std::vector<char> buffer_;
@@ -71,6 +80,7 @@ class CsvText {
   std::size_t block_ = 0;    ///< the start of the 64 bytes that are being scanned
   std::uint64_t marks_ = 0;  ///< the marks in that block that are not yet returned, a bit each
   std::size_t fault_ = 0;
+  bool begun_ = false;
   bool at_end_ = false;
 };
 

@@ -59,7 +59,8 @@ std::string_view without_degrees(std::string_view name) {
   return name;
 }
 
-/// The form of a name in which names that are one are the same text.
+}  // namespace
+
 std::string plain_name(std::string_view name) {
   const auto parts = [](char c) { return c == ' ' || c == '-' || c == '_'; };
   const std::string text = lower_case(without_degrees(trimmed(name)));
@@ -77,8 +78,6 @@ std::string plain_name(std::string_view name) {
   }
   return plain;
 }
-
-}  // namespace
 
 bool same_name(std::string_view a, std::string_view b) {
   return plain_name(a) == plain_name(b);

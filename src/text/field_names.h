@@ -17,6 +17,9 @@ namespace thiessen {
 /// of Latin with an accent are compared without regard to case.
 bool same_name(std::string_view a, std::string_view b);
 
+/// The form of a name in which names that are one (see same_name) are the same text.
+std::string plain_name(std::string_view name);
+
 /// The index in `header` of the first of `names` that stands there (see same_name), or nothing
 /// where none does.
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,

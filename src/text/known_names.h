@@ -300,6 +300,17 @@ inline constexpr std::array<std::string_view, 34> times = {"time",        "date"
                                                            "日付",        "年月日",
                                                            "年月日時",    "時刻"};
 
+/// The parts of a time that stands in several columns.
+inline constexpr std::array<std::string_view, 7> years = {"year", "yyyy",  "yr", "jahr",
+                                                          "año",  "annee", "ano"};
+inline constexpr std::array<std::string_view, 6> months = {"month", "mm",  "mon",
+                                                           "monat", "mes", "mois"};
+inline constexpr std::array<std::string_view, 5> days = {"day", "dd", "tag", "dia", "jour"};
+inline constexpr std::array<std::string_view, 6> hours = {"hour",   "hh",   "hr",
+                                                          "stunde", "hora", "heure"};
+inline constexpr std::array<std::string_view, 5> minutes = {"minute", "min", "minuto", "mi",
+                                                            "minuten"};
+
 /// The value of a reading in such a table; a unit may follow (prcp_mm, rain (mm)).
 inline constexpr std::array<std::string_view, 48> values = {"value",
                                                             "rain",
@@ -354,5 +365,19 @@ inline constexpr std::array<std::string_view, 48> values = {"value",
 /// numbers.
 inline constexpr std::array<std::string_view, 8> gaps = {"NA", "N/A",  "NaN",   "null",
                                                          "-",  "-999", "-9999", "-99.9"};
+
+/// A geometry in WKT.
+inline constexpr std::array<std::string_view, 4> geometries = {"wkt", "wkt_geom", "geometry",
+                                                               "geom"};
+
+/// What stands in a row of units below the header, alone or in brackets.
+inline constexpr std::array<std::string_view, 37> units = {
+    "mm",   "cm",     "m",       "in",     "inch",  "inches", "ft",     "feet",  "mm/h",  "mm/hr",
+    "mm/d", "mm/day", "in/h",    "in/hr",  "l/m2",  "l/m²",   "l/qm",   "kg/m2", "kg/m²", "kg m-2",
+    "°C",   "degC",   "deg C",   "C",      "°F",    "K",      "%",      "hPa",   "m/s",   "m s-1",
+    "°",    "deg",    "degrees", "degree", "0.1mm", "0.1 mm", "1/10 mm"};
+
+/// A column at the end of a table that holds nothing but its own name, or a mark of the end.
+inline constexpr std::string_view end_of_record = "eor";
 
 }  // namespace thiessen::known

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/number.h"
+
 namespace thiessen {
 
 /// One record of a table: its fields as text, and where it stands.
@@ -24,6 +26,8 @@ class Table {
   /// The name of the file as the user gave it, for messages.
   virtual const std::string& file() const = 0;
   virtual const std::vector<std::string>& header() const = 0;
+  /// How numbers are written in it, as far as that is known of its texts.
+  virtual DecimalMark decimal_mark() const { return DecimalMark::point; }
   /// The line on which the header stands, from 1; 0 where there is none.
   virtual std::size_t header_line() const { return 0; }
   /// Reads the next row into `row`; returns false at the end. A row that has too few or too many
@@ -35,6 +39,8 @@ class Table {
   /// Opens the same table once more at its beginning. Returns null where it can be read only once
   /// (a pipe), or might not give its rows in the same order (a database).
   virtual std::unique_ptr<Table> again() const { return nullptr; }
+  /// Opens the rows at the beginning once more, or all; null where they have gone.
+  virtual std::unique_ptr<Table> first_rows() const { return again(); }
 };
 
 }  // namespace thiessen

@@ -143,6 +143,30 @@ void fuzz_table(Bytes& bytes) {
           "other complaints in pieces");
 }
 
+/// A table whose form is found out: whatever it is taken for, it is that once more, and from a pipe
+/// in pieces of any size.
+void fuzz_form(Bytes& bytes) {
+  CsvOptions options;
+  options.finds_form = true;
+  options.separator = bytes.one_of(std::string_view("\0\0\0\0,;\t ", 8));
+  options.encoding = bytes.below(8) == 0 ? "cp932" : "";
+  if (bytes.below(8) == 0) options.skip = bytes.below(3);
+  const std::size_t piece = 1 + bytes.below(8);
+  const std::string text(bytes.rest());
+  const MemoryFile file(text);
+  // A text in another encoding may have another number of lines: UTF-16 of line ends is longer.
+  const std::size_t lines = 2 * text.size() + 1;
+  const Outcome once = read(file.name(), options, lines);
+  const Outcome again = read(file.name(), options, lines);
+  require(once.rows == again.rows && once.complaints == again.complaints, "another form");
+  if (text.empty() || text.size() > MemoryPipe::longest_text) return;
+  const MemoryPipe pipe(text, piece);
+  const Outcome in_pieces = read(pipe.name(), options, lines);
+  const MemoryPipe other(text, piece + 5);
+  require(read(other.name(), options, lines).rows == in_pieces.rows,
+          "another form in other pieces");
+}
+
 template <int Dimension>
 void fuzz_points(std::string_view text) {
   const MemoryFile file(text);
@@ -172,11 +196,13 @@ void fuzz_points(std::string_view text) {
 
 void fuzz_csv(std::span<const std::uint8_t> input) {
   Bytes bytes(input);
-  switch (bytes.below(4)) {
+  switch (bytes.below(5)) {
     case 0:
       return fuzz_points<2>(bytes.rest());
     case 1:
       return fuzz_points<3>(bytes.rest());
+    case 4:
+      return fuzz_form(bytes);
     default:
       return fuzz_table(bytes);
   }

@@ -160,11 +160,10 @@ TEST(CsvReader, names_the_byte_that_is_not_utf8) {
   expect_error("a,b\n1,\xC0\xAF\n", "f.csv:2: not UTF-8 at byte 6");
   expect_error("a,b\n1,\xED\xA0\x80\n", "f.csv:2: not UTF-8 at byte 6");
   expect_error("a,b\n1,\xE4\xB8", "f.csv:2: not UTF-8 at byte 6");
-  expect_error(
-      "\xFF\xFE"
-      "a\0,\0b\0"s,
-      "f.csv:1: not UTF-8 at byte 0: the file is UTF-16");
-  expect_error("\xFE\xFF\0a"s, "f.csv:1: not UTF-8 at byte 0: the file is UTF-16");
+  CsvOptions found;
+  found.finds_form = true;
+  EXPECT_EQ(read("a,b\n1,\xC0\n", found).hints,
+            Fields{"'encoding' names what it is, such as Latin-1 or cp932"});
 }
 
 TEST(CsvReader, refuses_names_that_stand_twice_but_for_none) {
@@ -319,6 +318,70 @@ TEST(CsvReader, survives_every_damage_to_a_small_file) {
     const Outcome outcome = read(text);
     for (const Fields& row : outcome.rows) ASSERT_EQ(row.size(), outcome.header.size());
   }
+}
+
+CsvOptions finding(char separator = '\0') {
+  CsvOptions options;
+  options.separator = separator;
+  options.finds_form = true;
+  return options;
+}
+
+TEST(CsvReader, passes_over_what_stands_round_a_table) {
+  const Outcome outcome = read(
+      "# remark\nTitle\n\ndate;A; B ;;eor\n;mm;mm;;\n 2020 ; 1;\"2 \";;eor\n;;;;\n3;4;5;;\n;;;;\n",
+      finding());
+  EXPECT_EQ(outcome.sentences, Fields{});
+  EXPECT_EQ(outcome.header, (Fields{"date", "A", "B"}));
+  EXPECT_EQ(outcome.rows, (std::vector<Fields>{{"2020", "1", "2 "}, {"3", "4", "5"}}));
+  EXPECT_EQ(outcome.lines, (std::vector<std::size_t>{6, 8}));
+}
+
+TEST(CsvReader, has_blanks_for_one_separator) {
+  const Outcome outcome = read("id  x y\n A 1   2\nB \"3 4\" 5 \n", finding());
+  EXPECT_EQ(outcome.header, (Fields{"id", "x", "y"}));
+  EXPECT_EQ(outcome.rows, (std::vector<Fields>{{"A", "1", "2"}, {"B", "3 4", "5"}}));
+}
+
+TEST(CsvReader, complains_of_a_value_in_a_column_that_was_passed_over) {
+  std::string text = "date,A,\n";
+  for (int i = 0; i < 20'000; ++i) text += std::to_string(i) + ",1,\n";  // beyond the first 64 kB
+  EXPECT_EQ(
+      read(text + "x,1,2\n", finding()).sentences,
+      Fields{"f.csv:20002: a value stands in column 3, which has no name and no values in the "
+             "rows above"});
+}
+
+TEST(CsvReader, reads_other_encodings) {
+  CsvOptions latin = finding();
+  latin.encoding = "Latin-1";
+  EXPECT_EQ(read("id,x\nZ\xFCrich,1\n", latin).rows, (std::vector<Fields>{{"Z\xC3\xBCrich", "1"}}));
+  EXPECT_EQ(read("\xFE\xFF\0i\0d\0\n\0A\0\n"s).rows, (std::vector<Fields>{{"A"}}));
+  CsvOptions japanese;
+  japanese.encoding = "cp932";
+  EXPECT_EQ(read("id\n\x89\x4A\n\x81\xFF\n", japanese).sentences,
+            Fields{"f.csv:3: not cp932 at byte 6"});
+}
+
+TEST(CsvReader, numbers_the_columns_of_a_table_without_a_header) {
+  CsvOptions options = finding();
+  options.numbers = {"1", "3"};
+  const Outcome outcome = read("13/02/2010;A;0,5\n14/02/2010;A;1\n", options);
+  EXPECT_EQ(outcome.header, (Fields{"1", "2", "3"}));
+  EXPECT_EQ(outcome.rows,
+            (std::vector<Fields>{{"13/02/2010", "A", "0,5"}, {"14/02/2010", "A", "1"}}));
+  EXPECT_EQ(outcome.lines, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(read("1,2,3\n4,5,6\n", options).rows.size(), 2U) << "1, 2 and 3 are data";
+  EXPECT_EQ(read("3,x,1\n4,5,6\n", options).header, (Fields{"3", "x", "1"})) << "names";
+}
+
+TEST(CsvReader, finds_its_form_again) {
+  const TemporaryFolder folder;
+  CsvReader reader(folder.write("f.csv", "Title\nid;x\nA;1,5\n"), finding());
+  EXPECT_EQ(reader.decimal_mark(), DecimalMark::comma);
+  EXPECT_EQ(reader.header_line(), 2U);
+  EXPECT_EQ(reader.again()->header(), reader.header());
+  EXPECT_EQ(reader.again()->decimal_mark(), DecimalMark::comma);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace thiessen {
+
+/// What the user says of how a CSV file is written. What is not said is found out.
+struct CsvDialect {
+  char separator = '\0';                 ///< '\0': not said
+  bool decimal_comma = false;            ///< false: not said
+  std::string encoding = {};             ///< empty: not said
+  std::optional<std::size_t> skip = {};  ///< lines before the header
+  /// Numbers by which columns are called. Where the first row has no such name, the file has no
+  /// header, and its columns are called 1, 2, 3...
+  std::vector<std::string> numbers = {};
+};
+
+}  // namespace thiessen
