@@ -112,7 +112,7 @@ class CheckCommand : public Command {
     while (readings->next(step)) {
       throw_if_interrupted();
       ++steps;
-      intervals.note(parse_iso_time(trimmed(step.time)));
+      intervals.note(calendar_time(step.time, step.written));
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
     }
     missing += steps * inputs.never_reporting().size();

@@ -60,6 +60,7 @@ class MapCommand : public Command {
     rainfall_.declare(options(), Need::optional, study_.stations);
     view_.declare_times(options());
     range_.declare_range(options());
+    range_.declare_stamp(options());
     view_.declare_margin(options());
     surface_.declare_map(options());
     view_.declare_look(options());
@@ -159,6 +160,10 @@ class MapCommand : public Command {
                        "--steps writes a grid of them; --time shows one"};
     }
     if (!rainfall_.given()) throw UsageError{"--steps needs RAINFALL", ""};
+    if (range_.stamp_option() != nullptr && kind_of(output_.output) != Kind::netcdf) {
+      throw UsageError{"--stamp is about bounds of times, which a .nc has",
+                       "write a .nc, or leave it out"};
+    }
     if (!view_.times.empty()) {
       throw UsageError{"--time shows one step, and --steps writes all",
                        "--from and --to choose some; leave one of the two out"};
@@ -190,7 +195,7 @@ class MapCommand : public Command {
     const GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
     const RasterOutput output = raster_output(inputs, nullptr);
     if (kind == Kind::netcdf) {
-      NetcdfGrid grid(foreign, output, times_of(steps, rainfall_.name(), warnings));
+      NetcdfGrid grid(foreign, output, times_of(steps, range_.stamp(), rainfall_.name(), warnings));
       fill_grid(inputs, steps, output, grid, warnings);
       grid.close();
       remove_side_files(outputs, output_.output);

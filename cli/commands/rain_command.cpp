@@ -52,6 +52,7 @@ class RainCommand : public Command {
   }
   void check() const override {
     periods_.check();
+    format_.check(periods_.totalling().has_value());
     method_.check();
     if ((method_.methods().size() > 1 || method_.has_isohyets()) && !weights_log_.empty()) {
       throw UsageError{

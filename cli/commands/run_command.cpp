@@ -50,6 +50,7 @@ class RunCommand : public Command {
   }
   void check() const override {
     periods_.check();
+    format_.check(periods_.totalling().has_value());
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     study_.check();
     rainfall_.check();
@@ -89,7 +90,7 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
-            means.note(step.time);
+            means.note(calendar_time(step.time, step.written));
             progress.advance();
             if (common_.quiet) return;
             error.add(step.readings);

@@ -16,17 +16,27 @@ void PeriodOptions::declare_range(OptionList& options) {
                     "only the steps up to this time, and with it: a year, month or day to its end");
 }
 
+void PeriodOptions::declare_stamp(OptionList& options) {
+  stamp_option_ =
+      &options.group("Readings", *this)
+           .add("--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
+                "whether a time with a clock begins its step (default) or ends it, for "
+                "totals and for bounds of times");
+}
+
 void PeriodOptions::declare(OptionList& options) {
   declare_range(options);
+  declare_stamp(options);
   OptionGroup output = options.group("Output", *this);
-  output.add("--every",
-             choice<std::optional<TimePrecision>>(every_, {{"day", TimePrecision::day},
-                                                           {"month", TimePrecision::month},
-                                                           {"year", TimePrecision::year}}),
-             "totals over calendar periods instead of a row a step, and beside them, in "
-             "BASIN_missing, how many of the period's steps have no value or lack in the file; "
-             "with --long rows "
-             "time,basin,rainfall,missing");
+  every_option_ = &output.add(
+      "--every",
+      choice<std::optional<TimePrecision>>(every_, {{"day", TimePrecision::day},
+                                                    {"month", TimePrecision::month},
+                                                    {"year", TimePrecision::year}}),
+      "totals over calendar periods instead of a row a step, and beside them, in "
+      "BASIN_missing, how many of the period's steps have no value or lack in the file; "
+      "with --long rows "
+      "time,basin,rainfall,missing");
   allowed_missing_option_ =
       &output.add("--allow-missing", whole_number(allowed_missing_, 0, 1'000'000'000),
                   "with --every: how many steps without a value a total may pass over; with more "
@@ -36,6 +46,10 @@ void PeriodOptions::declare(OptionList& options) {
 void PeriodOptions::check() const {
   if (allowed_missing_option_ != nullptr && allowed_missing_option_->is_given() && !every_) {
     throw UsageError{"--allow-missing is about totals, and there is no --every",
+                     "give --every day, month or year, or leave it out"};
+  }
+  if (every_option_ != nullptr && stamp_option() != nullptr && !every_) {
+    throw UsageError{"--stamp is about totals, and there is no --every",
                      "give --every day, month or year, or leave it out"};
   }
   if (range_.is_empty()) {
@@ -51,7 +65,7 @@ std::optional<StepTimes> PeriodOptions::times() const {
 
 std::optional<Totalling> PeriodOptions::totalling() const {
   if (!every_) return std::nullopt;
-  return Totalling{*every_, allowed_missing_, range_};
+  return Totalling{*every_, allowed_missing_, range_, stamp_};
 }
 
 }  // namespace thiessen::cli

@@ -7,6 +7,7 @@
 #include "cli/options/option_list.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_periods.h"
+#include "rainfall/series/stamp.h"
 
 namespace thiessen::cli {
 
@@ -16,6 +17,13 @@ class PeriodOptions : public OptionBlock {
   void declare(OptionList& options);
   /// Declares only the options that say which steps count.
   void declare_range(OptionList& options);
+  /// Declares the option that says what times are of their steps.
+  void declare_stamp(OptionList& options);
+  Stamp stamp() const { return stamp_; }
+  /// The option that says so; nullptr where it is not given.
+  const Option* stamp_option() const {
+    return stamp_option_ != nullptr && stamp_option_->is_given() ? stamp_option_ : nullptr;
+  }
   /// Throws UsageError for options that contradict each other.
   void check() const;
   /// What is required of the times of steps: their range, and how precise totals need them; none
@@ -28,6 +36,9 @@ class PeriodOptions : public OptionBlock {
   TimeRange range_;
   std::optional<TimePrecision> every_;
   std::size_t allowed_missing_ = 0;
+  Stamp stamp_ = Stamp::begin;
+  const Option* stamp_option_ = nullptr;
+  const Option* every_option_ = nullptr;
   const Option* from_option_ = nullptr;
   const Option* to_option_ = nullptr;
   const Option* allowed_missing_option_ = nullptr;

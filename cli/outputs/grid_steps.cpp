@@ -15,9 +15,11 @@ namespace {
 
 constexpr const char* takes_any = "a .tif takes any times";
 
-IsoTime calendar_time(const std::string& time, const std::string& file) {
-  const ParsedTime parsed = parse_iso_time(time);
-  if (parsed) return parsed.time;
+IsoTime required_time(const std::string& time, const WrittenTime& written,
+                      const std::string& file) {
+  if (written.parsed) return written.parsed.time;
+  if (!written.fault.empty())
+    throw Error({file, 0, "the time " + quoted(time, 80) + written.fault, written.hint});
   throw Error({file, 0,
                "the time " + quoted(time, 80) +
                    " is no time of the calendar as ISO 8601 writes it, and a .nc needs one",
@@ -27,10 +29,12 @@ IsoTime calendar_time(const std::string& time, const std::string& file) {
 }  // namespace
 
 GridSteps look_through(Readings& readings, const Network& network, const std::string& file) {
-  GridSteps steps{{}, ReportingStations(network.stations().size(), false)};
+  GridSteps steps{{}, {}, ReportingStations(network.stations().size(), false)};
   for (TimeStep step; readings.next(step);) {
     throw_if_interrupted();
     steps.times.push_back(step.time);
+    steps.calendar.push_back(
+        step.written.value_or(WrittenTime{calendar_time(step.time, {}), {}, {}}));
     for (std::uint32_t s = 0; s < step.readings.size(); ++s) {
       if (!std::isnan(step.readings[s])) steps.reports.set(StationIndex{s}, true);
     }
@@ -39,11 +43,12 @@ GridSteps look_through(Readings& readings, const Network& network, const std::st
   return steps;
 }
 
-GridTimes times_of(const GridSteps& steps, const std::string& file, Warnings& warnings) {
+GridTimes times_of(const GridSteps& steps, Stamp stamp, const std::string& file,
+                   Warnings& warnings) {
   std::vector<IsoTime> times;
   StepIntervals intervals;
-  for (const std::string& time : steps.times) {
-    times.push_back(calendar_time(time, file));
+  for (std::size_t i = 0; i < steps.times.size(); ++i) {
+    times.push_back(required_time(steps.times[i], steps.calendar[i], file));
     intervals.note({times.back(), IsoTimeFault::none});
   }
   const auto has_zone = [](const IsoTime& time) { return time.ahead_of_utc.has_value(); };
@@ -58,11 +63,14 @@ GridTimes times_of(const GridSteps& steps, const std::string& file, Warnings& wa
   });
   if (!step && has_moments) {
     warnings.add_notice({file, 0,
-                         "its times have no regular step: in the .nc each lasts until the next, "
-                         "and the last as long as the one before it",
+                         stamp == Stamp::begin
+                             ? "its times have no regular step: in the .nc each lasts until the "
+                               "next, and the last as long as the one before it"
+                             : "its times have no regular step: in the .nc each has lasted since "
+                               "the one before it, and the first as long as the second",
                          ""});
   }
-  return {bounds_of(times, step), zoned != 0};
+  return {bounds_of(times, step, stamp), zoned != 0, stamp};
 }
 
 void write_steps(const Inputs& inputs, const GridSteps& steps, Readings& readings,

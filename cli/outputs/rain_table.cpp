@@ -1,10 +1,13 @@
 #include "cli/outputs/rain_table.h"
 
+#include "base/iso_time.h"
+#include "rainfall/series/dated_readings.h"
+
 namespace thiessen::cli {
 
 RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
                      const std::optional<Totalling>& totalling, const std::string& rainfall)
-    : has_patterns_(format.patterns) {
+    : has_patterns_(format.patterns), iso_times_(format.iso_times), rainfall_(rainfall) {
   if (totalling) {
     totals_.emplace(file, basins, format);
     periods_.emplace(*totalling, rainfall,
@@ -15,6 +18,11 @@ RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const R
 }
 
 void RainTable::prepare(RainStep& step) const {
+  if (iso_times_) {
+    step.time =
+        iso_text(time_of_step(step.time, TimePrecision::year, rainfall_, step.line, step.written));
+    step.written.reset();
+  }
   if (steps_ && !has_patterns_) step.text = steps_->text_of(step);
 }
 

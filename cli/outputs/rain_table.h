@@ -31,6 +31,8 @@ class RainTable {
 
  private:
   bool has_patterns_;
+  bool iso_times_;
+  std::string rainfall_;
   std::optional<RainFile> steps_;
   std::optional<RainTotalsFile> totals_;
   std::optional<RainPeriods> periods_;

@@ -189,4 +189,27 @@ std::string date_text(const IsoTime& time, TimePrecision precision) {
   return text;
 }
 
+std::string iso_text(const IsoTime& time) {
+  std::string text = date_text(time, time.precision);
+  if (time.precision != TimePrecision::instant) return text;
+  const auto append = [&](char before, int number) {
+    text += before;
+    append_digits(text, number, 2);
+  };
+  append('T', time.hour);
+  append(':', time.minute);
+  if (time.second != 0 || time.nanosecond != 0) append(':', time.second);
+  if (time.nanosecond != 0) {
+    text += '.';
+    append_digits(text, time.nanosecond, 9);
+    text.erase(text.find_last_not_of('0') + 1);
+  }
+  if (!time.ahead_of_utc) return text;
+  const int ahead = *time.ahead_of_utc;
+  if (ahead == 0) return text + 'Z';
+  append(ahead < 0 ? '-' : '+', std::abs(ahead) / 60);
+  append(':', std::abs(ahead) % 60);
+  return text;
+}
+
 }  // namespace thiessen

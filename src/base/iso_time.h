@@ -64,6 +64,9 @@ std::int64_t moment_seconds(const IsoTime& time);
 /// zone may bring it a day beyond the years that ISO 8601 writes: -0001-12-31, 10000-01-01.
 std::string time_text(std::int64_t seconds, TimePrecision precision);
 
+/// A time as ISO 8601 writes it, in its own precision: 2013-08-31, 2013-08-31T06:00:00.5+01:00.
+std::string iso_text(const IsoTime& time);
+
 /// The order of two moments. Where both have a zone the moments themselves are compared, otherwise
 /// what the clocks say. 24:00 is 0:00 of the next day.
 std::strong_ordering order_of_moments(const IsoTime& a, const IsoTime& b);

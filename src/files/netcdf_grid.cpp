@@ -147,19 +147,22 @@ void NetcdfGrid::define_times(int time, const GridTimes& times) {
            std::string("seconds since 1970-01-01 00:00:00") + (times.is_utc ? " +00:00" : ""));
   put_text(time_, "calendar", "proleptic_gregorian");
   put_text(time_, "bounds", "time_bnds");
+  put_text(time_, "comment",
+           times.stamp == Stamp::begin ? "a time is when its step begins"
+                                       : "a time with a clock is when its step ends");
   time_bounds_ = variable("time_bnds", NC_DOUBLE, std::array{time, ends});
 }
 
 void NetcdfGrid::put_times(const GridTimes& times) {
-  std::vector<double> begins;
+  std::vector<double> stamps;
   std::vector<double> bounds;
   for (const TimeBounds& step : times.bounds) {
-    begins.push_back(step.begin);
+    stamps.push_back(times.stamp == Stamp::begin ? step.begin : step.end);
     bounds.insert(bounds.end(), {step.begin, step.end});
   }
   const std::array<std::size_t, 2> first{0, 0};
-  const std::array<std::size_t, 2> count{begins.size(), 2};
-  check(nc_put_vara_double(file_, time_, first.data(), count.data(), begins.data()));
+  const std::array<std::size_t, 2> count{stamps.size(), 2};
+  check(nc_put_vara_double(file_, time_, first.data(), count.data(), stamps.data()));
   check(nc_put_vara_double(file_, time_bounds_, first.data(), count.data(), bounds.data()));
 }
 

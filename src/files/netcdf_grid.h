@@ -7,6 +7,7 @@
 
 #include "gdal/output/grid_file.h"
 #include "gdal/output/raster_output.h"
+#include "rainfall/series/stamp.h"
 #include "rainfall/series/time_bounds.h"
 
 namespace thiessen {
@@ -14,7 +15,8 @@ namespace thiessen {
 /// The times of a grid's steps, in their order.
 struct GridTimes {
   std::vector<TimeBounds> bounds;
-  bool is_utc = false;  ///< whether they are counted in UTC, because a zone is written
+  bool is_utc = false;         ///< whether they are counted in UTC, because a zone is written
+  Stamp stamp = Stamp::begin;  ///< which of its bounds is the time of a step
 };
 
 /// A grid as NetCDF-4 by the conventions CF-1.8: `rainfall(time, y, x)`, or (time, lat, lon) in a

@@ -22,6 +22,7 @@ struct RainFormat {
   bool patterns = false;  ///< rows for basins have a column `pattern` that refers to WeightsLog
   /// Whether standard errors are written too, in columns `<basin id>_se` or a column `se`.
   bool errors = false;
+  bool iso_times = false;  ///< times are written as ISO 8601, and not as they came
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...[,<basin

@@ -161,5 +161,12 @@ TEST(IsoTime, writes_dates) {
   EXPECT_EQ(date_text(at("0987-12-31"), P::year), "0987");
 }
 
+TEST(IsoTime, is_written_in_its_own_precision) {
+  for (const char* text : {"2013", "2013-08", "2013-08-31", "2013-08-31T06:00", "2013-08-31T24:00",
+                           "2013-08-31T06:00:07.05", "2013-08-31T06:00Z", "2013-08-31T06:00-03:30"})
+    EXPECT_EQ(iso_text(parse_iso_time(text).time), text);
+  EXPECT_EQ(iso_text(parse_iso_time("20130831 0600").time), "2013-08-31T06:00");
+}
+
 }  // namespace
 }  // namespace thiessen

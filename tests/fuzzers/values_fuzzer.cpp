@@ -25,6 +25,7 @@
 #include "rainfall/series/step_length.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_order.h"
+#include "readings/times/time_reader.h"
 
 namespace thiessen::fuzzers {
 namespace {
@@ -248,11 +249,31 @@ void read_field(Bytes& bytes) {
     require(number.fault == NumberFault::not_a_number, "a number that is said to be none");
 }
 
+/// Times that are not ISO 8601: what is read exists, can be written, and is the same once more.
+void read_written_times(std::string_view text) {
+  TimeReader reader;
+  TimeReader once_more;
+  std::size_t line = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view one = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    const auto time = reader.read(one, ++line);
+    const auto again = once_more.read(one, line);
+    require(time.has_value() == again.has_value(), "another time once more");
+    if (!time || !time->parsed) continue;
+    const ParsedTime iso = parse_iso_time(iso_text(time->parsed.time));
+    require(iso && order_of_moments(iso.time, time->parsed.time) == 0,
+            "a time that does not read back");
+    require(again->parsed && order_of_moments(again->parsed.time, iso.time) == 0, "another moment");
+  }
+}
+
 }  // namespace
 
 void fuzz_values(std::span<const std::uint8_t> input) {
   Bytes bytes(input);
-  switch (bytes.below(8)) {
+  switch (bytes.below(9)) {
     case 0:
     case 1:
       read_number(bytes.rest(), DecimalMark::point);
@@ -269,6 +290,8 @@ void fuzz_values(std::span<const std::uint8_t> input) {
       return read_time(bytes.rest());
     case 5:
       return order_times(bytes.rest());
+    case 8:
+      return read_written_times(bytes.rest());
     default:
       return read_field(bytes);
   }

@@ -57,6 +57,22 @@ TEST(ValuesFuzzer, finds_nothing_in_random_numbers_and_fields) {
   }
 }
 
+constexpr std::array written = {
+    "31/12/2010 06:00"sv, "12/31/2010 6:00:00 PM"sv, "1.2.2010"sv,
+    "2010123109"sv,       "31-Dec-2010 2400"sv,      "01JAN2000:13:00"sv,
+    "Dec 31, 2010"sv,     "2010/12/31 0000 UTC"sv,   "20160101 00:00+01:30"sv};
+
+TEST(ValuesFuzzer, finds_nothing_in_times_written_otherwise) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(1000); ++round) {
+    std::string text;
+    for (int i = 0; i < 3; ++i)
+      text += damaged(seeded, std::string(written[seeded.below(written.size())]), 2) + "\n";
+    expect_no_complaint(fuzz_values, input_of({8}, text));
+    if (HasFailure()) return;
+  }
+}
+
 TEST(ValuesFuzzer, finds_nothing_in_random_doubles) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(10000); ++round) {

@@ -16,11 +16,18 @@ const char* name_of(TimePrecision precision) {
 
 }  // namespace
 
+ParsedTime calendar_time(std::string_view time, const std::optional<WrittenTime>& written) {
+  return written ? written->parsed : parse_iso_time(trimmed(time));
+}
+
 IsoTime time_of_step(std::string_view text, TimePrecision least, const std::string& file,
-                     std::size_t line) {
-  const ParsedTime parsed = parse_iso_time(trimmed(text));
+                     std::size_t line, const std::optional<WrittenTime>& written) {
+  const ParsedTime parsed = calendar_time(text, written);
   const std::string time = "time " + quoted(text, longest_time);
-  const std::string wanted = std::string("wanted: ") + iso_time_forms;
+  if (written && !written->fault.empty())
+    throw Error({file, line, time + written->fault, written->hint});
+  const Wording wanted = std::string("wanted: ") + iso_time_forms + "; " + setting("time_format") +
+                         " says how else, such as %d/%m/%y %H:%M";
   if (parsed.fault == IsoTimeFault::form)
     throw Error({file, line, time + " is not written as ISO 8601 wants it", wanted});
   if (parsed.fault == IsoTimeFault::value)
@@ -61,9 +68,12 @@ bool DatedReadings::read(TimeStep& step) {
 
 bool DatedReadings::counts(const TimeStep& step) {
   try {
-    return wanted_.range.holds(time_of_step(step.time, wanted_.least, file_, step.line));
+    return wanted_.range.holds(
+        time_of_step(step.time, wanted_.least, file_, step.line, step.written));
   } catch (const Error& error) {
-    complaints_.add(error);
+    // How times are written is told once: twenty lines that say the same hide what differs.
+    const bool form = calendar_time(step.time, step.written).fault == IsoTimeFault::form;
+    if (!form || !std::exchange(told_form_, true)) complaints_.add(error);
     return false;
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,10 +17,11 @@ struct StepTimes {
   TimePrecision least = TimePrecision::year;  ///< least precision of a time
 };
 
-/// Parses the time of a step. Throws Error, with file and line (0 where it is not known), if the
-/// time is not ISO 8601 or is less precise than `least`.
+/// The time of a step by the calendar: what is `written`, or the text as ISO 8601. Throws Error,
+/// with file and line (0 where it is not known), if that is not known or is less precise than
+/// `least`.
 IsoTime time_of_step(std::string_view text, TimePrecision least, const std::string& file,
-                     std::size_t line);
+                     std::size_t line, const std::optional<WrittenTime>& written = {});
 
 /// Readings that pass on only the steps of other readings whose times are in a range.
 ///
@@ -46,9 +48,10 @@ class DatedReadings : public Readings {
   StepTimes wanted_;
   Warnings& warnings_;
   Complaints complaints_;
-  bool any_ = false;   ///< whether any step is in the range
-  std::string first_;  ///< first time of all
-  std::string last_;   ///< last time before the first in the range
+  bool told_form_ = false;  ///< whether it was said that times are written in no known way
+  bool any_ = false;        ///< whether any step is in the range
+  std::string first_;       ///< first time of all
+  std::string last_;        ///< last time before the first in the range
 };
 
 }  // namespace thiessen

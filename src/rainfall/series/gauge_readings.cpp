@@ -45,8 +45,8 @@ void MeanReadings::add(std::span<const double> readings) {
   }
 }
 
-void MeanReadings::note(const std::string& time) {
-  intervals_.note(parse_iso_time(time));
+void MeanReadings::note(const ParsedTime& time) {
+  intervals_.note(time);
 }
 
 std::optional<StepLength> MeanReadings::step() const {
@@ -87,7 +87,7 @@ std::vector<GaugeReadings> read_steps(Readings& readings, const Network& network
   TimeStep step;
   while (readings.next(step)) {
     throw_if_interrupted();
-    intervals.note(parse_iso_time(step.time));
+    intervals.note(calendar_time(step.time, step.written));
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (step.time == times[i]) steps[i] = {values_of(network, step.readings), step.time, {}};
     }
@@ -105,7 +105,7 @@ GaugeReadings read_gauges(Readings& readings, const Network& network, const std:
   TimeStep step;
   while (readings.next(step)) {
     throw_if_interrupted();
-    means.note(step.time);
+    means.note(calendar_time(step.time, step.written));
     means.add(step.readings);
   }
   GaugeReadings shown = means.of_reporting();

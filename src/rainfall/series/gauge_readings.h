@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/iso_time.h"
 #include "geometry/long_sum.h"
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
@@ -38,7 +39,7 @@ class MeanReadings {
 
   void add(std::span<const double> readings);
   /// Takes note of the time of a step, so that the means know the length of a step.
-  void note(const std::string& time);
+  void note(const ParsedTime& time);
   /// The length of a step, by the times that were noted: see StepIntervals.
   std::optional<StepLength> step() const;
   /// The means of the gauges that have a reading in some step; the others have none.

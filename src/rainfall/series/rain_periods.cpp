@@ -49,7 +49,7 @@ RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
     : totalling_(totalling), file_(std::move(file)), take_(std::move(take)) {}
 
 void RainPeriods::add(const RainStep& step) {
-  const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line);
+  const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line, step.written);
   if (!begun_.empty() && step.time != text_before_ && time.precision == before_.precision &&
       time.ahead_of_utc == before_.ahead_of_utc && order_of_moments(time, before_) == 0) {
     throw Error({file_, step.line,
@@ -59,9 +59,10 @@ void RainPeriods::add(const RainStep& step) {
   before_ = time;
   text_before_ = step.time;
   intervals_.note({time, IsoTimeFault::none});
-  if (!open_ || number_of(time) != held_.back().number) {
+  const IsoTime within = within_step(time);
+  if (!open_ || number_of(within) != held_.back().number) {
     if (open_) end();
-    begin(time, step);
+    begin(within, step);
   }
   ++held_.back().steps;
   held_.back().last_ahead = time.ahead_of_utc.value_or(0);
@@ -96,6 +97,14 @@ void RainPeriods::end() {
     taken_.push_back({sum.values > 0 ? sum.rainfall.value() : no_value, sum.missing});
   totals_.add(taken_);
   open_ = false;
+}
+
+/// A moment of the step: its time, or where that ends the step the second before it.
+IsoTime RainPeriods::within_step(const IsoTime& time) const {
+  if (totalling_.stamp == Stamp::begin || time.precision != TimePrecision::instant) return time;
+  IsoTime within = parse_iso_time(time_text(clock_seconds(time) - 1, TimePrecision::instant)).time;
+  within.ahead_of_utc = time.ahead_of_utc;
+  return within;
 }
 
 std::int64_t RainPeriods::number_of(const IsoTime& time) const {
@@ -152,14 +161,18 @@ std::int64_t RainPeriods::expected(std::int64_t number, const StepLength& step,
     return clock_seconds(limit) +
            (zones ? std::int64_t{60} * (*in_line_with.ahead_of_utc - *limit.ahead_of_utc) : 0);
   };
-  if (const auto& from = totalling_.range.from) low = std::max(low, clock(*from));
+  // The range is of times as they are written, a second behind what is counted where they end
+  // steps.
+  const std::int64_t behind = totalling_.stamp == Stamp::end ? 1 : 0;
+  if (const auto& from = totalling_.range.from) low = std::max(low, clock(*from) - behind);
   if (const auto& to = totalling_.range.to) {
     IsoTime end = *to;
     if (to->precision == TimePrecision::year) end.month = 12;
     if (to->precision <= TimePrecision::month) {
       end.day = days_in_month(end);
     }
-    high = std::min(high, clock(end) + (to->precision == TimePrecision::instant ? 1 : day_seconds));
+    high = std::min(
+        high, clock(end) - behind + (to->precision == TimePrecision::instant ? 1 : day_seconds));
   }
   return count_within(low, high - std::int64_t{60} * growth, clock_seconds(in_line_with),
                       step.seconds);

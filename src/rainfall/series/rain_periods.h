@@ -13,6 +13,7 @@
 #include "geometry/long_sum.h"
 #include "rainfall/series/held_totals.h"
 #include "rainfall/series/rain_series.h"
+#include "rainfall/series/stamp.h"
 #include "rainfall/series/step_intervals.h"
 #include "rainfall/series/time_range.h"
 
@@ -29,10 +30,12 @@ struct Totalling {
   TimePrecision every = TimePrecision::month;  ///< not instant
   std::size_t allowed_missing = 0;  ///< steps that may lack a value in a period with a total
   TimeRange range = {};             ///< the steps that count; what lies beyond does not lack
+  Stamp stamp = Stamp::begin;       ///< what the times of the steps are
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
 /// time says as it is written: 24:00 belongs to the day that it ends, and time zones play no part.
+/// Where times end their steps, midnight belongs to the day, month or year before it.
 ///
 /// The steps of a period follow each other; the periods come in any order, each once. A total is
 /// the sum of the steps that have a value. There is no total where no step has a value, or where
@@ -71,6 +74,7 @@ class RainPeriods {
 
   void begin(const IsoTime& time, const RainStep& step);
   void end();
+  IsoTime within_step(const IsoTime& time) const;
   std::int64_t number_of(const IsoTime& time) const;
   std::string text_of(std::int64_t number) const;
   std::int64_t begin_of(std::int64_t number) const;

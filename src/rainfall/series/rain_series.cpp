@@ -22,6 +22,7 @@ class Block {
     for (count_ = 0; count_ < most && readings.next(step); ++count_) {
       if (count_ == steps_.size()) steps_.emplace_back();
       steps_[count_].time = step.time;
+      steps_[count_].written = step.written;
       steps_[count_].readings.assign(step.readings.begin(), step.readings.end());
       steps_[count_].text.clear();
       steps_[count_].line = step.line;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,11 @@ namespace thiessen {
 /// One step of a series of areal rainfall.
 struct RainStep {
   std::string time;
-  std::vector<double> readings;       ///< by station; NaN where it is silent
-  std::vector<BasinRainfall> basins;  ///< by basin, or by basin and method
-  std::string text;                   ///< what `prepare` makes of it
-  std::size_t line = 0;               ///< see TimeStep
+  std::vector<double> readings;             ///< by station; NaN where it is silent
+  std::vector<BasinRainfall> basins;        ///< by basin, or by basin and method
+  std::string text;                         ///< what `prepare` makes of it
+  std::size_t line = 0;                     ///< see TimeStep
+  std::optional<WrittenTime> written = {};  ///< see TimeStep
 };
 
 /// How a series is computed; the result does not depend on it.

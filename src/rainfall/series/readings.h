@@ -2,10 +2,23 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "base/iso_time.h"
 
 namespace thiessen {
+
+/// What a time says that is not written as ISO 8601 wants it.
+struct WrittenTime {
+  ParsedTime parsed;  ///< by the calendar; with a fault where that is not known
+  Wording fault;      ///< what is wrong with the time, behind its text; may be empty
+  Wording hint;
+  bool breaks_format = false;  ///< whether it contradicts how the times of its file are written
+};
 
 /// What the gauges read at one time; NaN where a gauge is silent.
 struct TimeStep {
@@ -13,7 +26,12 @@ struct TimeStep {
   std::span<const double>
       readings;  ///< one for each station, in the stations' order; valid until the next step
   std::size_t line = 0;  ///< where the time first came; 0 where that is not known
+  /// What the time says; nothing where it is to be read as ISO 8601.
+  std::optional<WrittenTime> written = {};
 };
+
+/// The time of a step by the calendar.
+ParsedTime calendar_time(std::string_view time, const std::optional<WrittenTime>& written);
 
 /// A table of readings, read one time step after the other in the order in which the times first
 /// came.

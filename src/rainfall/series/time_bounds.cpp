@@ -53,10 +53,27 @@ double end_of_moment(double begin, std::span<const double> sorted) {
   return before == sorted.begin() ? begin : begin + (begin - *(before - 1));
 }
 
+/// The last of the sorted times that is earlier; without one the time moved back by the next gap.
+double begin_of_moment(double end, std::span<const double> sorted) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), end);
+  if (at != sorted.begin()) return *(at - 1);
+  const auto next = std::upper_bound(sorted.begin(), sorted.end(), end);
+  return next == sorted.end() ? end : end - (*next - end);
+}
+
+/// The bounds of a step that ends at a moment.
+TimeBounds until(const IsoTime& time, const std::optional<StepLength>& step,
+                 std::span<const double> sorted) {
+  const double end = seconds_of(time);
+  if (!step) return {begin_of_moment(end, sorted), end};
+  if (step->months != 0) return {seconds_of(months_later(time, -step->months)), end};
+  return {end - static_cast<double>(step->seconds), end};
+}
+
 }  // namespace
 
 std::vector<TimeBounds> bounds_of(std::span<const IsoTime> times,
-                                  const std::optional<StepLength>& step) {
+                                  const std::optional<StepLength>& step, Stamp stamp) {
   std::vector<double> sorted;
   sorted.reserve(times.size());
   for (const IsoTime& time : times) sorted.push_back(seconds_of(time));
@@ -64,6 +81,10 @@ std::vector<TimeBounds> bounds_of(std::span<const IsoTime> times,
   std::vector<TimeBounds> bounds;
   bounds.reserve(times.size());
   for (const IsoTime& time : times) {
+    if (stamp == Stamp::end && time.precision == TimePrecision::instant) {
+      bounds.push_back(until(time, step, sorted));
+      continue;
+    }
     const std::optional<StepLength> length = step ? step : length_of(time.precision);
     const double begin = seconds_of(time);
     if (!length) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/iso_time.h"
+#include "rainfall/series/stamp.h"
 #include "rainfall/series/step_length.h"
 
 namespace thiessen {
@@ -16,11 +17,12 @@ struct TimeBounds {
   double end;
 };
 
-/// The bounds of steps whose times tell when they begin. A step is as long as the file's step.
-/// Where the file has none, a year, month or day lasts to its end, and a moment until the next
-/// later time; the last one is as long as the step before it, and one alone has no length. Cost: n
-/// log n.
+/// The bounds of steps whose times tell when they begin, or end. A step is as long as the file's
+/// step. Where the file has none, a year, month or day lasts to its end, and a moment until the
+/// next later time; the last one is as long as the step before it, and one alone has no length.
+/// Where times end their steps it is the other way round. Cost: n log n.
 std::vector<TimeBounds> bounds_of(std::span<const IsoTime> times,
-                                  const std::optional<StepLength>& step);
+                                  const std::optional<StepLength>& step,
+                                  Stamp stamp = Stamp::begin);
 
 }  // namespace thiessen

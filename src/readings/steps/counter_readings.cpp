@@ -46,7 +46,7 @@ bool CounterReadings::next(TimeStep& step) {
 }
 
 void CounterReadings::require_order(const TimeStep& step) {
-  const ParsedTime time = parse_iso_time(trimmed(step.time));
+  const ParsedTime time = calendar_time(step.time, step.written);
   if (time && time_before_ && *time_before_ &&
       order_of_moments(time.time, time_before_->time) == std::strong_ordering::less) {
     throw Error({file_, step.line,

@@ -14,8 +14,8 @@ constexpr std::int64_t shortest_month = std::int64_t{28} * 86'400;  // seconds
 
 }  // namespace
 
-void MixedSteps::note(std::string_view time, std::size_t line, std::span<const double> readings) {
-  const ParsedTime parsed = parse_iso_time(trimmed(time));
+void MixedSteps::note(const ParsedTime& parsed, std::string_view time, std::size_t line,
+                      std::span<const double> readings) {
   intervals_.note(parsed);
   if (intervals_.has_labels()) return;
   note_form(parsed.time, time, line, readings);

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "rainfall/network/network.h"
+#include "rainfall/series/readings.h"
 #include "rainfall/series/step_intervals.h"
 #include "readings/steps/monthly_readings.h"
 #include "readings/steps/spaced_readings.h"
@@ -32,7 +33,12 @@ class MixedSteps {
 
   /// Takes note of a step, in the order of the file. `readings` has one entry a station, NaN where
   /// it is silent.
-  void note(std::string_view time, std::size_t line, std::span<const double> readings);
+  void note(std::string_view time, std::size_t line, std::span<const double> readings) {
+    note(calendar_time(time, {}), time, line, readings);
+  }
+  /// The same of a time that says `parsed`.
+  void note(const ParsedTime& parsed, std::string_view time, std::size_t line,
+            std::span<const double> readings);
 
   /// The file's intervals as far as they were noted.
   const StepIntervals& intervals() const { return intervals_; }

@@ -69,7 +69,8 @@ TEST(DatedReadings, report_every_wrong_time_at_the_end) {
   EXPECT_EQ(outcome.sentences, (Texts{"r.csv:3: time 'storm' is not written as ISO 8601 wants it",
                                       "r.csv:5: time '2013-02-30' does not exist"}));
   EXPECT_EQ(outcome.hints.at(0),
-            "wanted: 2013, 2013-08, 2013-08-31, 2013-08-31T06:00 or 20130831T0600");
+            "wanted: 2013, 2013-08, 2013-08-31, 2013-08-31T06:00 or 20130831T0600; 'time_format' "
+            "says how else, such as %d/%m/%y %H:%M");
 }
 
 TEST(DatedReadings, report_wrong_times_outside_the_range_too) {
@@ -77,17 +78,23 @@ TEST(DatedReadings, report_wrong_times_outside_the_range_too) {
 }
 
 TEST(DatedReadings, list_twenty_wrong_times_and_count_the_rest) {
-  const Outcome outcome = read(Texts(1000, "storm"), {});
+  const Outcome outcome = read(Texts(1000, "2013-02-30"), {});
   EXPECT_EQ(outcome.sentences.size(), 20u);
   EXPECT_EQ(outcome.unlisted, 980u);
 }
 
+TEST(DatedReadings, say_once_that_times_are_written_otherwise) {
+  const Outcome outcome = read(Texts(1000, "storm"), {});
+  EXPECT_EQ(outcome.sentences.size(), 1u);
+  EXPECT_EQ(outcome.unlisted, 0u);
+}
+
 TEST(DatedReadings, report_what_else_is_wrong_in_the_order_of_the_lines) {
-  const Outcome outcome = read(
-      std::make_unique<ReadingsOf>(Texts{"2013", "x", "y"}, Message{"r.csv", 3, "bad", ""}), {});
-  EXPECT_EQ(outcome.sentences,
-            (Texts{"r.csv:3: time 'x' is not written as ISO 8601 wants it", "r.csv:3: bad",
-                   "r.csv:4: time 'y' is not written as ISO 8601 wants it"}));
+  const Outcome outcome = read(std::make_unique<ReadingsOf>(Texts{"2013", "2013-13", "2013-14"},
+                                                            Message{"r.csv", 3, "bad", ""}),
+                               {});
+  EXPECT_EQ(outcome.sentences, (Texts{"r.csv:3: time '2013-13' does not exist", "r.csv:3: bad",
+                                      "r.csv:4: time '2013-14' does not exist"}));
 }
 
 TEST(DatedReadings, say_at_least_what_is_asked_for) {

@@ -93,7 +93,7 @@ TEST(GaugeReadings, know_the_length_of_a_step_by_the_times) {
   MeanReadings means(network());
   for (const char* time : {"2020-01-01", "2020-01-02"}) {
     EXPECT_EQ(means.step(), std::nullopt);
-    means.note(time);
+    means.note(parse_iso_time(time));
   }
   EXPECT_EQ(means.step(), (StepLength{0, 86'400}));
   EXPECT_EQ(means.of_all().step, means.step());

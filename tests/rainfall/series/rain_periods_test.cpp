@@ -217,7 +217,37 @@ TEST(RainPeriods, refuse_times_that_do_not_say_them) {
             "shorter than the steps");
   EXPECT_EQ(fault_of({{"storm", {1}}}, years),
             "r.csv: time 'storm' is not written as ISO 8601 wants it; wanted: 2013, 2013-08, "
-            "2013-08-31, 2013-08-31T06:00 or 20130831T0600");
+            "2013-08-31, 2013-08-31T06:00 or 20130831T0600; 'time_format' says how else, such as "
+            "%d/%m/%y %H:%M");
+}
+
+TEST(RainPeriods, midnight_ends_the_day_before_where_times_end_steps) {
+  const Steps steps = {{"2013-08-30T12:00", {1}},
+                       {"2013-08-31T00:00", {2}},
+                       {"2013-08-31T12:00", {4}},
+                       {"2013-09-01T00:00", {8}}};
+  Totalling ends{TimePrecision::day, 0, {}, Stamp::end};
+  EXPECT_EQ(totals_of(steps, ends), (Steps{{"2013-08-30", {3}}, {"2013-08-31", {12}}}));
+  ends.every = TimePrecision::month;
+  EXPECT_TRUE(std::isnan(totals_of(steps, ends).at(0).second.at(0))) << "August lacks 58 steps";
+  ends.allowed_missing = 58;
+  EXPECT_EQ(totals_of(steps, ends), (Steps{{"2013-08", {15}}}));
+  ends.allowed_missing = 57;
+  EXPECT_TRUE(std::isnan(totals_of(steps, ends).at(0).second.at(0)));
+  EXPECT_EQ(totals_of({{"2013-08-31", {1}}, {"2013-09-01", {2}}},
+                      {TimePrecision::day, 0, {}, Stamp::end}),
+            (Steps{{"2013-08-31", {1}}, {"2013-09-01", {2}}}))
+      << "a date is the whole day";
+}
+
+TEST(RainPeriods, what_lies_beyond_a_range_does_not_lack_where_times_end_steps) {
+  Totalling ends{TimePrecision::day, 0, {}, Stamp::end};
+  ends.range.from = parse_iso_time("2013-08-31T12:00").time;
+  ends.range.to = parse_iso_time("2013-09-01T12:00").time;
+  EXPECT_EQ(
+      totals_of({{"2013-08-31T12:00", {1}}, {"2013-09-01T00:00", {2}}, {"2013-09-01T12:00", {4}}},
+                ends),
+      (Steps{{"2013-08-31", {3}}, {"2013-09-01", {4}}}));
 }
 
 }  // namespace

@@ -10,14 +10,15 @@ namespace {
 
 /// The bounds as texts of time_text, `begin/end`.
 std::vector<std::string> texts(std::initializer_list<const char*> times,
-                               const std::optional<StepLength>& step = {}) {
+                               const std::optional<StepLength>& step = {},
+                               Stamp stamp = Stamp::begin) {
   std::vector<IsoTime> parsed;
   for (const char* time : times) parsed.push_back(parse_iso_time(time).time);
   std::vector<std::string> found;
   const auto text = [](double seconds) {
     return time_text(static_cast<std::int64_t>(seconds), TimePrecision::instant);
   };
-  for (const TimeBounds& bounds : bounds_of(parsed, step))
+  for (const TimeBounds& bounds : bounds_of(parsed, step, stamp))
     found.push_back(text(bounds.begin) + "/" + text(bounds.end));
   return found;
 }
@@ -49,6 +50,19 @@ TEST(TimeBounds, without_a_step_a_moment_lasts_until_the_next_later_one) {
 TEST(TimeBounds, are_in_utc_where_times_have_a_zone) {
   EXPECT_EQ(texts({"2020-01-01T00:00+02:00"}, StepLength{0, 3600}),
             (Texts{"2019-12-31T22:00/2019-12-31T23:00"}));
+}
+
+TEST(TimeBounds, lie_before_times_that_end_their_steps) {
+  EXPECT_EQ(texts({"2020-02-29T00:00", "2020-02-29T06:00"}, StepLength{0, 21'600}, Stamp::end),
+            (Texts{"2020-02-28T18:00/2020-02-29T00:00", "2020-02-29T00:00/2020-02-29T06:00"}));
+  EXPECT_EQ(texts({"2020-03-01T00:00"}, StepLength{1, 0}, Stamp::end),
+            (Texts{"2020-02-01T00:00/2020-03-01T00:00"}));
+  EXPECT_EQ(texts({"2020-01-01T02:00", "2020-01-01T05:00", "2020-01-01T06:00"}, {}, Stamp::end),
+            (Texts{"2019-12-31T23:00/2020-01-01T02:00", "2020-01-01T02:00/2020-01-01T05:00",
+                   "2020-01-01T05:00/2020-01-01T06:00"}));
+  EXPECT_EQ(texts({"2020-01-01"}, StepLength{0, 86'400}, Stamp::end),
+            (Texts{"2020-01-01T00:00/2020-01-02T00:00"}))
+      << "a date is the whole day";
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "text/table.h"
+
+namespace thiessen {
+
+/// The columns of a table in which a time stands, and what each of them holds of it.
+class TimeColumns {
+ public:
+  enum class Part { text, year, month, day, hour, minute };
+  struct Column {
+    std::size_t field = 0;
+    Part part = Part::text;
+  };
+
+  /// One column, whose text is the time.
+  TimeColumns(std::size_t field = 0)
+      : columns_{{field, Part::text}} {}  // NOLINT(google-explicit-constructor)
+  /// Requires a column.
+  explicit TimeColumns(std::vector<Column> columns) : columns_(std::move(columns)) {}
+
+  /// What a column of this name holds.
+  static Part part_called(std::string_view name);
+
+  bool has(std::size_t field) const;
+  const std::vector<Column>& columns() const { return columns_; }
+  /// The time of a row, as it is written. Of several columns, without the blanks round them: year,
+  /// month and day are put together as 2010-12-31, an hour and a minute follow as 06:00, and all
+  /// else stands in its order with blanks between. Valid until the next call or the next row.
+  std::string_view text(const Row& row);
+
+ private:
+  std::string_view joined(const Row& row);
+
+  std::vector<Column> columns_;
+  std::string text_;
+};
+
+}  // namespace thiessen

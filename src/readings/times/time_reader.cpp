@@ -1,0 +1,124 @@
+#include "readings/times/time_reader.h"
+
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "base/number.h"
+#include "base/utf8.h"
+#include "readings/times/time_shape.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t most_formats = 16;
+
+}  // namespace
+
+TimeReader::TimeReader(const std::string& format) {
+  if (format.empty()) return;
+  if (!TimeFormat::is_sound(format)) {
+    throw Error({"", 0, setting("time_format", format) + " does not say what time it is",
+                 "such as %d/%m/%Y %H:%M, or excel for serial numbers"});
+  }
+  given_.emplace(format);
+}
+
+void TimeReader::see(std::string_view text, std::size_t line) {
+  if (given_) {
+    const Parsed<double> number = parse_number(trimmed(text));
+    if (given_->is_excel() && number && number.value != std::floor(number.value))
+      serials_have_clocks_ = true;
+    return;
+  }
+  // A time that may be read in two ways tells nothing here, and others may follow.
+  if (!trimmed(text).empty()) read(text, line);
+  is_begun_ = false;
+}
+
+std::optional<WrittenTime> TimeReader::read(std::string_view text, std::size_t line) {
+  text = trimmed(text);
+  if (given_) return read_given(text);
+  if (const ParsedTime iso = parse_iso_time(text); iso || iso.fault == IsoTimeFault::value)
+    return std::nullopt;
+  const Formats* formats = formats_of(text);
+  if (formats == nullptr) return std::nullopt;
+  const ParsedTime first = formats->one.read(text);
+  if (!formats->month_first) {
+    return WrittenTime{first, {}, {}};
+  }
+  const ParsedTime second = formats->month_first->read(text);
+  if (first && second && order_of_moments(first.time, second.time) != 0 &&
+      order_ == Order::unknown) {
+    is_begun_ = true;
+    return ambiguous(first, second, *formats);
+  }
+  return read_ordered(text, line, first, second);
+}
+
+WrittenTime TimeReader::read_given(std::string_view text) const {
+  WrittenTime time{given_->read(text), {}, {}};
+  if (time.parsed && given_->is_excel() && serials_have_clocks_)
+    time.parsed.time.precision = TimePrecision::instant;
+  if (time.parsed) return time;
+  time.breaks_format = true;
+  time.fault = time.parsed.fault == IsoTimeFault::value
+                   ? Wording(" does not exist")
+                   : " is not written as " + setting("time_format", given_->text()) + " says";
+  return time;
+}
+
+/// A time whose order is known, or that leaves no choice, and so tells it.
+WrittenTime TimeReader::read_ordered(std::string_view text, std::size_t line,
+                                     const ParsedTime& day_first, const ParsedTime& month_first) {
+  if (bool(day_first) != bool(month_first)) {
+    const Order order = day_first ? Order::day_first : Order::month_first;
+    if (order_ == Order::unknown && !is_begun_) {
+      order_ = order;
+      told_by_ = text;
+      told_in_ = line;
+    }
+    if (order_ != Order::unknown && order_ != order) return contradiction();
+    return {day_first ? day_first : month_first, {}, {}};
+  }
+  return {order_ == Order::month_first ? month_first : day_first, {}, {}};
+}
+
+WrittenTime TimeReader::contradiction() const {
+  const bool day = order_ == Order::day_first;
+  WrittenTime time;
+  time.parsed.fault = IsoTimeFault::value;
+  time.breaks_format = true;
+  time.fault = std::string(" has the ") + (day ? "month" : "day") + " first, and " +
+               quoted(told_by_, 80) + " in line " + std::to_string(told_in_) + " the " +
+               (day ? "day" : "month");
+  return time;
+}
+
+WrittenTime TimeReader::ambiguous(const ParsedTime& day_first, const ParsedTime& month_first,
+                                  const Formats& formats) {
+  const auto date = [](const ParsedTime& time) { return date_text(time.time, TimePrecision::day); };
+  WrittenTime time;
+  time.parsed.fault = IsoTimeFault::form;
+  time.fault = " could be " + date(day_first) + " or " + date(month_first);
+  time.hint = setting("time_format", "'" + formats.one.text() + "'") + " reads it as " +
+              date(day_first) + ", '" + formats.month_first->text() + "' as " + date(month_first);
+  return time;
+}
+
+/// The formats in which a text is written: of the last ones, those that read it.
+const TimeReader::Formats* TimeReader::formats_of(std::string_view text) {
+  for (const Formats& formats : formats_) {
+    if (formats.one.read(text) || (formats.month_first && formats.month_first->read(text)))
+      return &formats;
+  }
+  TimeShape shape = time_shape(text);
+  if (shape.format.empty()) return nullptr;
+  if (formats_.size() == most_formats) formats_.clear();
+  Formats formats{TimeFormat(std::move(shape.format)), std::nullopt};
+  if (!shape.month_first.empty()) formats.month_first.emplace(std::move(shape.month_first));
+  formats_.push_back(std::move(formats));
+  return &formats_.back();
+}
+
+}  // namespace thiessen

@@ -1,0 +1,220 @@
+#include "readings/times/time_shape.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "base/utf8.h"
+
+namespace thiessen {
+namespace {
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+/// What is left of a text.
+class Rest {
+ public:
+  explicit Rest(std::string_view text) : text_(text) {}
+
+  bool empty() const { return text_.empty(); }
+  char front() const { return text_.empty() ? '\0' : text_[0]; }
+  std::size_t digits() const {
+    return static_cast<std::size_t>(std::ranges::find_if_not(text_, is_digit) - text_.begin());
+  }
+  std::string_view letters() const {
+    return text_.substr(
+        0, static_cast<std::size_t>(std::ranges::find_if_not(text_, is_letter) - text_.begin()));
+  }
+  std::string_view take(std::size_t count) {
+    const std::string_view taken = text_.substr(0, count);
+    text_.remove_prefix(taken.size());
+    return taken;
+  }
+  bool take(std::string_view text) {
+    if (!text_.starts_with(text)) return false;
+    text_.remove_prefix(text.size());
+    return true;
+  }
+  void take_blanks() {
+    while (front() == ' ') text_.remove_prefix(1);
+  }
+
+ private:
+  std::string_view text_;
+};
+
+bool is_month_name(std::string_view name) {
+  constexpr std::array<std::string_view, 12> names = {
+      "january", "february", "march",     "april",   "may",      "june",
+      "july",    "august",   "september", "october", "november", "december"};
+  return std::ranges::any_of(names, [&](std::string_view month) {
+    return equal_ignoring_case(name, month) || equal_ignoring_case(name, month.substr(0, 3));
+  });
+}
+
+/// A date as far as its shape tells.
+using Date = std::optional<TimeShape>;
+
+/// 20101231, 2010123109, 201012310930, 20101231093000.
+Date joined_digits(Rest& rest, std::size_t digits) {
+  const std::string_view text = rest.take(digits);
+  if (text < "1800" || text > "2200") return std::nullopt;
+  std::string format = "%Y%m%d";
+  if (digits >= 10) format += "%H";
+  if (digits >= 12) format += "%M";
+  if (digits >= 14) format += "%S";
+  return TimeShape{format, ""};
+}
+
+/// 2010/12/31, 2010.12.31, 2010-1-5, 2010/12.
+Date year_first(Rest& rest) {
+  rest.take(4);
+  const std::string mark(rest.take(1));
+  if (std::string_view("/.- ").find(mark) == std::string_view::npos) return std::nullopt;
+  if (rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
+  rest.take(rest.digits());
+  if (rest.empty())
+    return mark == "/" || mark == "." ? Date({"%Y" + mark + "%m", ""}) : std::nullopt;
+  if (!rest.take(mark) || rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
+  rest.take(rest.digits());
+  return TimeShape{"%Y" + mark + "%m" + mark + "%d", ""};
+}
+
+/// 31-Dec-2010, 31 December 2010, 01JAN2000, behind its day and what parts it from the month.
+Date named_month(Rest& rest, const std::string& mark) {
+  const std::string_view name = rest.letters();
+  if (!is_month_name(name)) return std::nullopt;
+  rest.take(name.size());
+  if (!rest.take(mark) || rest.digits() != 4) return std::nullopt;
+  rest.take(4);
+  return TimeShape{"%d" + mark + "%b" + mark + "%Y", ""};
+}
+
+/// 31/12/2010, 12/31/2010, 12/2010 and dates with the name of a month.
+Date year_last(Rest& rest) {
+  rest.take(rest.digits());
+  if (is_letter(rest.front())) return named_month(rest, "");
+  const std::string mark(rest.take(1));
+  if (std::string_view("/.- ").find(mark) == std::string_view::npos) return std::nullopt;
+  if (is_letter(rest.front())) return named_month(rest, mark);
+  if (rest.digits() == 4 && mark == "/") {
+    rest.take(4);
+    return TimeShape{"%m/%Y", ""};
+  }
+  if (rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
+  rest.take(rest.digits());
+  if (!rest.take(mark) || rest.digits() != 4) return std::nullopt;
+  rest.take(4);
+  return TimeShape{"%d" + mark + "%m" + mark + "%Y", "%m" + mark + "%d" + mark + "%Y"};
+}
+
+/// Dec 31, 2010 and December 31 2010.
+Date month_name_first(Rest& rest) {
+  const std::string_view name = rest.letters();
+  if (!is_month_name(name)) return std::nullopt;
+  rest.take(name.size());
+  if (!rest.take(" ") || rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
+  rest.take(rest.digits());
+  const std::string comma = rest.take(",") ? "," : "";
+  if (!rest.take(" ") || rest.digits() != 4) return std::nullopt;
+  rest.take(4);
+  return TimeShape{"%b %d" + comma + " %Y", ""};
+}
+
+Date date_shape(Rest& rest) {
+  const std::size_t digits = rest.digits();
+  if (digits == 0) return month_name_first(rest);
+  if (digits == 4) return year_first(rest);
+  if (digits <= 2) return year_last(rest);
+  const bool joined = digits == 8 || digits == 10 || digits == 12 || digits == 14;
+  return joined ? joined_digits(rest, digits) : std::nullopt;
+}
+
+/// What parts the clock from the date, as a format has it; nothing where nothing known does.
+std::optional<std::string> part(Rest& rest) {
+  for (const char* mark : {"T", ", ", ":", " "}) {
+    if (!rest.take(mark)) continue;
+    rest.take_blanks();
+    return mark;
+  }
+  return std::nullopt;
+}
+
+/// 06:00, 6:00:00, 6:00:00.5, 0600, 060000, 6: its format; nothing where it is none.
+std::optional<std::string> clock_shape(Rest& rest) {
+  const std::size_t digits = rest.digits();
+  rest.take(digits);
+  if (digits == 4) return "%H%M";
+  if (digits == 6) return "%H%M%S";
+  if (digits != 1 && digits != 2) return std::nullopt;
+  if (!rest.take(":")) return "%H";
+  if (rest.digits() != 2) return std::nullopt;
+  rest.take(2);
+  if (!rest.take(":")) return "%H:%M";
+  if (rest.digits() != 2) return std::nullopt;
+  rest.take(2);
+  if (rest.take(".")) rest.take(rest.digits());
+  return "%H:%M:%S";
+}
+
+/// AM or PM behind a clock makes it one of twelve hours.
+bool take_half_of_day(Rest& rest, std::string& format) {
+  rest.take_blanks();
+  const std::string_view letters = rest.letters();
+  if (!equal_ignoring_case(letters, "AM") && !equal_ignoring_case(letters, "PM")) return false;
+  rest.take(letters.size());
+  format[format.find("%H") + 1] = 'I';
+  format += " %p";
+  return true;
+}
+
+/// The format of a zone at the end; nothing where the end is none.
+std::optional<std::string> zone_shape(Rest& rest) {
+  rest.take_blanks();
+  if (rest.empty()) return "";
+  const std::string_view name = rest.letters();
+  if (name == "UTC" || name == "GMT" || name == "Z") {
+    rest.take(name.size());
+    return rest.empty() ? std::optional<std::string>(" %Z") : std::nullopt;
+  }
+  if (!rest.take("+") && !rest.take("-")) return std::nullopt;
+  const std::size_t digits = rest.digits();
+  rest.take(digits);
+  if (rest.empty())
+    return digits == 4 || digits == 2 ? std::optional<std::string>(" %z") : std::nullopt;
+  if (digits != 2 || !rest.take(":") || rest.digits() != 2) return std::nullopt;
+  rest.take(2);
+  return rest.empty() ? std::optional<std::string>(" %Ez") : std::nullopt;
+}
+
+}  // namespace
+
+TimeShape time_shape(std::string_view text) {
+  Rest rest(trimmed(text));
+  Date date = date_shape(rest);
+  if (!date) return {};
+  std::string clock;
+  if (!rest.empty()) {
+    const std::optional<std::string> mark = part(rest);
+    if (!mark) return {};
+    const std::optional<std::string> shape = clock_shape(rest);
+    if (!shape) return {};
+    clock = *shape;
+    take_half_of_day(rest, clock);
+    const std::optional<std::string> zone = zone_shape(rest);
+    if (!zone) return {};
+    clock = *mark + clock + *zone;
+  }
+  date->format += clock;
+  if (!date->month_first.empty()) date->month_first += clock;
+  return *date;
+}
+
+}  // namespace thiessen

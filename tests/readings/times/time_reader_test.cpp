@@ -1,0 +1,93 @@
+#include "readings/times/time_reader.h"
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <string>
+
+#include "base/error.h"
+
+namespace thiessen {
+namespace {
+
+/// What a time says: as ISO 8601, its fault, or that it is a label or ISO 8601 anyway.
+std::string told(TimeReader& reader, const std::string& text, std::size_t line = 9) {
+  const std::optional<WrittenTime> time = reader.read(text, line);
+  if (!time) return "as it is";
+  if (!time->fault.empty()) return time->fault.plain().substr(1);
+  return time->parsed ? iso_text(time->parsed.time) : "does not exist";
+}
+
+TimeReader reader_that_saw(std::initializer_list<const char*> times) {
+  TimeReader reader;
+  std::size_t line = 1;
+  for (const char* time : times) reader.see(time, ++line);
+  return reader;
+}
+
+TEST(TimeReader, leaves_times_of_iso_8601_and_labels) {
+  TimeReader reader;
+  for (const char* text :
+       {"2010-12-31", "2010-12-31 06:00", "2010-13-01", "storm 1", "", "20101231"})
+    EXPECT_EQ(told(reader, text), "as it is") << text;
+}
+
+TEST(TimeReader, reads_what_can_be_read_in_one_way) {
+  TimeReader reader;
+  EXPECT_EQ(told(reader, "2010/12/31"), "2010-12-31");
+  EXPECT_EQ(told(reader, "31-Dec-2010"), "2010-12-31");
+  EXPECT_EQ(told(reader, " 2010123109 "), "2010-12-31T09:00");
+  EXPECT_EQ(told(reader, "01/01/2010"), "2010-01-01") << "both ways are one";
+  EXPECT_EQ(told(reader, "2010/02/30"), "does not exist");
+}
+
+TEST(TimeReader, finds_the_order_by_a_day_above_12) {
+  TimeReader day_first = reader_that_saw({"01/02/2010", "13/02/2010"});
+  EXPECT_EQ(told(day_first, "01/02/2010"), "2010-02-01");
+  TimeReader month_first = reader_that_saw({"01/02/2010", "02/13/2010"});
+  EXPECT_EQ(told(month_first, "01/02/2010 06:00"), "2010-01-02T06:00");
+}
+
+TEST(TimeReader, shows_both_readings_where_nothing_tells) {
+  TimeReader reader = reader_that_saw({"01/02/2010", "02/02/2010"});
+  const std::optional<WrittenTime> time = reader.read("01/02/2010", 2);
+  EXPECT_EQ(time->fault.plain(), " could be 2010-02-01 or 2010-01-02");
+  EXPECT_EQ(time->hint.plain(),
+            "time_format = '%d/%m/%Y' reads it as 2010-02-01, '%m/%d/%Y' as 2010-01-02");
+  EXPECT_FALSE(time->breaks_format) << "it may be a label";
+  EXPECT_EQ(told(reader, "13/02/2010"), "2010-02-13") << "this leaves no choice";
+  EXPECT_EQ(told(reader, "01/02/2010"), "could be 2010-02-01 or 2010-01-02") << "it came too late";
+}
+
+TEST(TimeReader, the_first_time_of_a_pipe_may_tell) {
+  TimeReader reader;
+  EXPECT_EQ(told(reader, "13/02/2010"), "2010-02-13");
+  EXPECT_EQ(told(reader, "01/02/2010"), "2010-02-01");
+}
+
+TEST(TimeReader, a_contradiction_is_a_fault_of_the_file) {
+  TimeReader reader = reader_that_saw({"13/02/2010"});
+  EXPECT_EQ(told(reader, "02/13/2010"), "has the month first, and '13/02/2010' in line 2 the day");
+  EXPECT_TRUE(reader.read("02/13/2010", 9)->breaks_format);
+}
+
+TEST(TimeReader, reads_all_times_as_the_user_says) {
+  TimeReader reader("%d/%m/%Y");
+  EXPECT_EQ(told(reader, "01/02/2010"), "2010-02-01");
+  EXPECT_EQ(told(reader, "2010-12-31"), "is not written as time_format = %d/%m/%Y says");
+  EXPECT_TRUE(reader.read("storm 1", 9)->breaks_format);
+  EXPECT_THROW(TimeReader("%H:%M"), Error);
+}
+
+TEST(TimeReader, serial_numbers_have_clocks_where_one_has) {
+  TimeReader days("excel");
+  days.see("40543", 2);
+  EXPECT_EQ(told(days, "40543"), "2010-12-31");
+  TimeReader hours("excel");
+  hours.see("40543", 2);
+  hours.see("40543.25", 3);
+  EXPECT_EQ(told(hours, "40543"), "2010-12-31T00:00");
+}
+
+}  // namespace
+}  // namespace thiessen

@@ -1,0 +1,56 @@
+#include "readings/times/time_shape.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "readings/times/time_format.h"
+
+namespace thiessen {
+namespace {
+
+/// What a time says that has one shape; else its shapes.
+std::string told(const std::string& text) {
+  const TimeShape shape = time_shape(text);
+  if (shape.format.empty()) return "none";
+  if (!shape.month_first.empty()) return shape.format + " or " + shape.month_first;
+  const ParsedTime parsed = TimeFormat(shape.format).read(text);
+  return parsed ? iso_text(parsed.time) : "not " + shape.format;
+}
+
+TEST(TimeShape, of_what_can_be_read_in_one_way) {
+  EXPECT_EQ(told("2010/12/31"), "2010-12-31");
+  EXPECT_EQ(told("2010.1.5"), "2010-01-05");
+  EXPECT_EQ(told("2010-1-5 9:30"), "2010-01-05T09:30");
+  EXPECT_EQ(told("2010/12"), "2010-12");
+  EXPECT_EQ(told("12/2010"), "2010-12");
+  EXPECT_EQ(told("2010123109"), "2010-12-31T09:00");
+  EXPECT_EQ(told("201012310930"), "2010-12-31T09:30");
+  EXPECT_EQ(told("20101231093015"), "2010-12-31T09:30:15");
+  EXPECT_EQ(told("20160101 00:00"), "2016-01-01T00:00");
+  EXPECT_EQ(told("20160101 2400"), "2016-01-01T24:00");
+  EXPECT_EQ(told("2016-01-01 0000 UTC"), "2016-01-01T00:00Z");
+  EXPECT_EQ(told("2016/01/01 06:00+01:30"), "2016-01-01T06:00+01:30");
+  EXPECT_EQ(told("31-Dec-2010"), "2010-12-31");
+  EXPECT_EQ(told("31-dec-2010 06:00"), "2010-12-31T06:00");
+  EXPECT_EQ(told("01JAN2000"), "2000-01-01");
+  EXPECT_EQ(told("01JAN2000:13:00:00"), "2000-01-01T13:00");
+  EXPECT_EQ(told("01JAN2000, 24:00"), "2000-01-01T24:00");
+  EXPECT_EQ(told("1 January 2000"), "2000-01-01");
+  EXPECT_EQ(told("Dec 31, 2010"), "2010-12-31");
+}
+
+TEST(TimeShape, of_what_has_a_day_that_may_be_a_month) {
+  EXPECT_EQ(told("31/12/2010"), "%d/%m/%Y or %m/%d/%Y");
+  EXPECT_EQ(told("1.2.2010 06:00"), "%d.%m.%Y %H:%M or %m.%d.%Y %H:%M");
+  EXPECT_EQ(told("1/2/2010 6:00:00 PM"), "%d/%m/%Y %I:%M:%S %p or %m/%d/%Y %I:%M:%S %p");
+}
+
+TEST(TimeShape, is_unknown_of_labels_and_of_years_of_two_digits) {
+  for (const char* text : {"", "storm 1", "31/12/10", "1", "2010", "201012", "31-Foo-2010", "40543",
+                           "1262304000", "2010/12/31 x", "31/12-2010", "12:00", "2010/12/31 6:0"})
+    EXPECT_EQ(told(text), "none") << text;
+}
+
+}  // namespace
+}  // namespace thiessen
