@@ -160,6 +160,57 @@ std::string names_section() {
          names_entry("no reading, beside an empty field", known::gaps);
 }
 
+std::string csv_section() {
+  return ".SH CSV FILES\n" +
+         roff_paragraph(
+             "How a CSV is written is found out file by file, from its first 64 kB (from a pipe: "
+             "from what comes up to the end of its first row of data), and said in one notice "
+             "where that is not with commas, decimal points and in UTF-8. The separator is a "
+             "comma, "
+             "a semicolon, a tab, a bar, or blanks; a first line such as sep=; names it. Numbers "
+             "have decimal commas where one of them cannot be anything else and none has a point; "
+             "1,234 alone may be 1.234 or 1234, and is an error. UTF-16 is known by its mark; "
+             "other "
+             "encodings are named, by --encoding. What contradicts later is an error.") +
+         ".PP\n" +
+         roff_paragraph(
+             "Passed over are lines before the header that begin with # (unless the last names the "
+             "columns below it); a preamble, where the first line looks like no header and a later "
+             "one has a known name; below the header rows of units, and of formats such as 5s 15s; "
+             "blanks round fields; rows without any value; columns at the end that have neither a "
+             "name nor values, or are called eor; a first column without a name where another one "
+             "is the time. Where --time-field, or --id, --x and --y, are numbers that the first "
+             "row "
+             "does not have as names, the file has no header, and columns are counted from 1.");
+}
+
+std::string times_section() {
+  return ".SH TIMES\n" +
+         roff_paragraph(
+             "Times of ISO 8601 are read, and those that can be read in one way only: 2010/12/31, "
+             "31.12.2010, 12/31/2010 6:00 PM, 31-Dec-2010, 01JAN2000, Dec 31, 2010, 2010123109, "
+             "201012310930, each with a clock (06:00, 0600, 24:00, 2400) and a zone (UTC, GMT, Z, "
+             "+0100) or without. Whether the day or the month stands first is told by a day above "
+             "12 in the first 64 kB; where there is none, 01/02/2010 is an error that shows both "
+             "readings where a calendar is needed, and a label elsewhere; what contradicts later "
+             "is "
+             "an error. --time-format tells any other form, as strptime(3) has it: %d %m %Y %y %b "
+             "%j %H %M %S %I %p %z %Z and the like, with English names of months; excel reads the "
+             "serial numbers of spreadsheets from 1 March 1900 on.") +
+         ".PP\n" +
+         roff_paragraph(
+             "A time may stand in several columns: year, month and day, with hour and minute or "
+             "without, are found by these names, and --time-field, repeated, names any, whose "
+             "texts "
+             "are put together with blanks between.") +
+         ".PP\n" +
+         roff_paragraph(
+             "A time with a clock begins its step, or with --stamp end ends it: then midnight "
+             "belongs to the day before it, and the bounds in a .nc lie before their times. A date "
+             "without a clock is the whole day either way. --from and --to are about times as they "
+             "are written.");
+}
+
 std::string status_section() {
   std::string text = ".SH EXIT STATUS\n";
   const auto add = [&](const char* status, const char* meaning) {
@@ -188,7 +239,8 @@ std::string examples_section(const Catalogue& commands) {
 
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
-         notes_sections(commands) + names_section() + status_section() + examples_section(commands);
+         notes_sections(commands) + csv_section() + times_section() + names_section() +
+         status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli

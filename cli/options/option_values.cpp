@@ -7,6 +7,8 @@
 #include "base/utf8.h"
 #include "cli/options/name_lists.h"
 #include "map/sheet/picture.h"
+#include "readings/times/time_format.h"
+#include "text/decoder.h"
 
 namespace thiessen::cli {
 namespace {
@@ -138,8 +140,34 @@ OptionValue separator(char& target) {
     const bool is_tab = text == "tab" || text == "\\t";
     const bool is_character = text.size() == 1 && static_cast<unsigned char>(text[0]) < 0x80 &&
                               std::string("\"\r\n").find(text[0]) == std::string::npos;
-    if (!is_tab && !is_character) refuse("one character, such as ';', or tab", text);
-    target = is_tab ? '\t' : text[0];
+    const bool is_blank = text == "blank";
+    if (!is_tab && !is_blank && !is_character)
+      refuse("one character, such as ';', or tab or blank", text);
+    target = is_tab ? '\t' : is_blank ? ' ' : text[0];
+  });
+}
+
+OptionValue time_format(std::string& target) {
+  return value_of("FORMAT", [&target](const std::string& text) {
+    if (!TimeFormat::is_sound(text))
+      refuse("a format with year, month and day, such as '%d/%m/%Y %H:%M', or excel", text);
+    target = text;
+  });
+}
+
+OptionValue encoding(std::string& target) {
+  return value_of("ENCODING", [&target](const std::string& text) {
+    if (!is_encoding(text)) refuse("an encoding such as Latin-1 or cp932", text);
+    target = text;
+  });
+}
+
+OptionValue lines(std::optional<std::size_t>& target) {
+  return value_of("N", [&target](const std::string& text) {
+    constexpr std::size_t most = 10'000;
+    const auto number = parse_size(text);
+    if (!number || number.value > most) refuse("a number of lines, at most 10000", text);
+    target = number.value;
   });
 }
 

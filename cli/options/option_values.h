@@ -54,6 +54,12 @@ std::optional<std::vector<double>> rising_numbers_in(const std::string& text);
 
 /// One character, or `tab`.
 OptionValue separator(char& target);
+/// A format of times (see TimeFormat).
+OptionValue time_format(std::string& target);
+/// An encoding of texts that can be read.
+OptionValue encoding(std::string& target);
+/// A number of lines.
+OptionValue lines(std::optional<std::size_t>& target);
 
 /// WIDTH or WIDTHxHEIGHT in pixels or, with mm behind it, in millimetres; the height is 0 where it
 /// is not given.

@@ -43,12 +43,19 @@ void RainfallOptions::declare_as_option(OptionList& options, const std::string& 
 
 void RainfallOptions::declare_meaning(OptionList& options) {
   OptionGroup readings = options.group("Readings", *this);
+  csv_.declare_for(readings, "RAINFALL");
   readings.add("--missing", texts(readings_.missing, "V"),
                "a further text or number that means no reading; may be repeated");
   readings.add("--trace", texts(readings_.trace, "V"),
                "a further text or number that means 0; may be repeated");
-  of_tables_.push_back(
-      &readings.add("--time-field", text(readings_.time_field, "FIELD"), "the time's column"));
+  of_tables_.push_back(&readings.add(
+      "--time-field", texts(readings_.time_fields, "FIELD"),
+      "the time's column; repeated for several, such as year, month and day, or date and "
+      "clock; a number in a file without a header"));
+  of_tables_.push_back(&readings.add(
+      "--time-format", time_format(readings_.time_format),
+      "how times are written, such as '%d/%m/%Y %H:%M', or excel for serial numbers; else "
+      "ISO 8601, and what can be read in one way only"));
   of_tables_.push_back(&readings.add("--station-field", text(readings_.station_field, "FIELD"),
                                      "the station's column in a long table"));
   readings.add("--value-field", text(readings_.value_field, "FIELD"),
@@ -114,9 +121,17 @@ std::string RainfallOptions::name() const {
   return rainfall == "-" ? "standard input" : rainfall;
 }
 
-ReadingsOptions RainfallOptions::readings(bool decimal_comma) const {
+CsvDialect RainfallOptions::csv(const CsvDialect& all) const {
+  CsvDialect said = csv_.or_else(all);
+  std::vector<std::string> columns = readings_.time_fields;
+  columns.insert(columns.end(), {readings_.station_field, readings_.value_field});
+  said.numbers = readings_.time_fields.empty() ? std::vector<std::string>() : numbers_in(columns);
+  return said;
+}
+
+ReadingsOptions RainfallOptions::readings(const CsvDialect& all) const {
   ReadingsOptions options = readings_;
-  options.decimal_comma = decimal_comma;
+  options.decimal_comma = csv(all).decimal_comma;
   if (scale_option_->is_given()) options.scale = scale_;
   return options;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
 #include "readings/readings_reader.h"
 
@@ -19,8 +20,10 @@ class RainfallOptions : public OptionBlock {
   /// Declares RAINFALL as the value of an option under the given heading, and not as an argument.
   void declare_as_option(OptionList& options, const std::string& group, const std::string& name,
                          const std::string& help);
-  /// The settings of the reader. `decimal_comma` is passed in because it is an option of the study.
-  ReadingsOptions readings(bool decimal_comma) const;
+  /// The settings of the reader, where the study says `all` of all CSV files.
+  ReadingsOptions readings(const CsvDialect& all) const;
+  /// What is said of how RAINFALL is written, where it is a CSV.
+  CsvDialect csv(const CsvDialect& all) const;
   /// Throws UsageError for options that are about readings where there are none.
   void check() const;
   /// Throws UsageError for a factor beside a unit.
@@ -42,6 +45,7 @@ class RainfallOptions : public OptionBlock {
   void check_event() const;
 
   ReadingsOptions readings_;
+  CsvOptionsOf csv_;
   double scale_ = 1;
   const std::string* stations_ = nullptr;
   const Option* scale_option_ = nullptr;

@@ -53,9 +53,10 @@ void StudyOptions::declare_layers(OptionGroup group) {
             "only the stations that meet this OGR attribute filter");
   of_basins_.push_back(
       &group.add("--basins-where", text(basins_where_, "SQL"), "only the basins that meet it"));
-  group.add("--separator", cli::separator(separator_),
-            "what parts the fields of CSV files; default found out, file by file");
-  group.add("--decimal-comma", flag(decimal_comma_), "numbers of CSV files are written 1,5");
+  csv_.declare(group);
+  stations_csv_.declare_for(group, "STATIONS");
+  for (const Option* option : basins_csv_.declare_for(group, "BASINS"))
+    of_basins_.push_back(option);
 }
 
 void StudyOptions::declare_method(OptionGroup group) {
@@ -106,8 +107,8 @@ StudyRequest StudyOptions::request() const {
   s.layer = stations_layer_;
   s.where = stations_where_;
   s.crs = crs_;
-  s.separator = separator_;
-  s.decimal_comma = decimal_comma_;
+  s.csv = stations_csv_.or_else(csv_.said());
+  s.csv.numbers = numbers_in({id_, x_, y_});
   request.stations.id = id_;
   request.stations.x = x_;
   request.stations.y = y_;
@@ -116,8 +117,8 @@ StudyRequest StudyOptions::request() const {
   request.stations.attributes = attributes;
   if (basins_option_->is_given()) {
     BasinsRequest& b = request.basins.emplace();
-    b.source = {basins,         basins_layer_, basins_where_, basins_crs_,   "basins_layer",
-                "basins_where", "basins_crs",  separator_,    decimal_comma_};
+    b.source = {basins,         basins_layer_,  basins_where_, basins_crs_,
+                "basins_layer", "basins_where", "basins_crs",  basins_csv_.or_else(csv_.said())};
     b.id = basin_id_;
   }
   request.opened = opened;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
 #include "files/study_files.h"
 
@@ -26,8 +27,8 @@ class StudyOptions : public OptionBlock {
   /// empty.
   StudyRequest request() const;
   bool has_basins() const { return basins_option_->is_given(); }
-  char separator() const { return separator_; }
-  bool decimal_comma() const { return decimal_comma_; }
+  /// What is said of how all CSV files are written.
+  const CsvDialect& csv() const { return csv_.said(); }
   double tolerance() const { return tolerance_; }
   bool allow_far() const { return allow_far_; }
   /// Whether pictures name the stations.
@@ -47,8 +48,7 @@ class StudyOptions : public OptionBlock {
   std::string crs_, basins_crs_, plane_, metric_;
   std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
   double tolerance_ = 0.1;
-  char separator_ = '\0';
-  bool decimal_comma_ = false;
+  CsvOptionsOf csv_, stations_csv_, basins_csv_;
   bool mend_ = false;
   bool skip_unplaced_ = false;
   bool allow_far_ = false;

@@ -10,6 +10,7 @@
 #include "files/station_fields.h"
 #include "readings/heard_stations.h"
 #include "readings/readings_layout.h"
+#include "readings/times/time_columns.h"
 #include "text/field_names.h"
 #include "text/table.h"
 
@@ -17,7 +18,9 @@ namespace thiessen {
 namespace {
 
 constexpr std::size_t longest_field = std::size_t{1} << 20U;
-constexpr ReadingsLayout layout = {true, 0, 1, 2};
+ReadingsLayout layout() {
+  return {true, TimeColumns(0), 1, 2};
+}
 
 /// The stations that the filter keeps, as a long table of one time.
 class EventTable : public Table {
@@ -33,6 +36,7 @@ class EventTable : public Table {
 
   const std::string& file() const override { return features_.file(); }
   const std::vector<std::string>& header() const override { return header_; }
+  DecimalMark decimal_mark() const override { return features_.decimal_mark(); }
   std::size_t header_line() const override { return features_.header_line(); }
 
   bool next(Row& row) override {
@@ -73,7 +77,7 @@ std::unique_ptr<Readings> open_event(const StationsRequest& request,
                                      std::span<const Station> stations,
                                      std::span<const std::string> passed_over,
                                      const ReadingsOptions& options, Warnings& warnings) {
-  return open_long_readings(std::make_unique<EventTable>(request, options.value_field), layout,
+  return open_long_readings(std::make_unique<EventTable>(request, options.value_field), layout(),
                             stations, passed_over, options, warnings);
 }
 
@@ -85,7 +89,7 @@ ReportingStations stations_in_event(const StationsRequest& request,
   HeardStations heard(known);
   try {
     EventTable table(request, options.value_field);
-    heard.look_through(table, layout, options);
+    heard.look_through(table, layout(), options);
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);
   }

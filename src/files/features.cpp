@@ -1,7 +1,6 @@
 #include "files/features.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
@@ -11,20 +10,17 @@
 #include "gdal/layers/geometry_text.h"
 #include "gdal/layers/opening.h"
 #include "text/field_names.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::array<std::string_view, 5> geometry_names = {"wkt", "wkt_geom", "geometry", "geom",
-                                                            "the_geom"};
-
 std::unique_ptr<Table> open_rows(const Source& source, std::size_t longest_field,
                                  Warnings& warnings) {
-  CsvOptions options;
-  options.separator = source.separator;
-  options.limits.field_bytes = longest_field;
-  options.limits.row_bytes = std::max(options.limits.row_bytes, longest_field);
-  return open_csv(source.file, options, warnings);
+  CsvLimits limits;
+  limits.field_bytes = longest_field;
+  limits.row_bytes = std::max(limits.row_bytes, longest_field);
+  return open_csv(source.file, source.csv, limits, warnings);
 }
 
 }  // namespace
@@ -55,8 +51,8 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
           {}});
     }
     table_ = open_rows(source, longest_field, warnings);
-    wkt_ = find_field(header(), geometry_names);
-    if (source.decimal_comma) mark_ = DecimalMark::comma;
+    wkt_ = find_field(header(), known::geometries);
+    mark_ = table_->decimal_mark();
   }
   if (source.where.empty()) return;
   if (layer_ == nullptr) load_rows();
@@ -114,7 +110,7 @@ bool Features::has_geometry() const {
 }
 
 bool Features::may_not_be_geometries() const {
-  return layer_ == nullptr && wkt_ && !same_name(header()[*wkt_], geometry_names.front());
+  return layer_ == nullptr && wkt_ && !same_name(header()[*wkt_], known::geometries.front());
 }
 
 FieldType Features::type(std::size_t field) const {

@@ -10,7 +10,7 @@
 
 namespace thiessen {
 
-std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separator,
+std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, const CsvDialect& said,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings) {
@@ -20,7 +20,7 @@ std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, char separa
   if (options.keep_flagged) {
     throw Error({rainfall, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
   }
-  return open_readings(open_table(rainfall, separator, warnings), stations, passed_over, options,
+  return open_readings(open_table(rainfall, said, warnings), stations, passed_over, options,
                        warnings);
 }
 
@@ -32,7 +32,7 @@ bool can_be_read_again(const std::string& rainfall) {
   return kind != Type::fifo && kind != Type::character && kind != Type::socket;
 }
 
-ReportingStations stations_that_report(const std::string& rainfall, char separator,
+ReportingStations stations_that_report(const std::string& rainfall, const CsvDialect& said,
                                        std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options) {
@@ -43,7 +43,7 @@ ReportingStations stations_that_report(const std::string& rainfall, char separat
     if (is_dly(rainfall)) {
       heard.look_through_dly(dly_files(rainfall), options.keep_flagged);
     } else {
-      heard.look_through(*open_table(rainfall, separator, told_later), options);
+      heard.look_through(*open_table(rainfall, said, told_later), options);
     }
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);

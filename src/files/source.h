@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "text/csv_dialect.h"
+
 namespace thiessen {
 
 /// A file of stations or basins as its reader names it, and what the user says of it. A text is
@@ -14,8 +16,7 @@ struct Source {
   std::string layer_setting = "stations_layer";  ///< names of these settings in messages
   std::string where_setting = "stations_where";
   std::string crs_setting = "crs";
-  char separator = '\0';       ///< of a CSV's fields; '\0': it is found out
-  bool decimal_comma = false;  ///< a CSV's numbers have a decimal comma
+  CsvDialect csv = {};  ///< how it is written, where it is a CSV
 };
 
 }  // namespace thiessen

@@ -5,6 +5,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "geometry/shape_points.h"
+#include "text/csv_records.h"
 
 namespace thiessen {
 
@@ -41,7 +42,7 @@ std::optional<double> StationPositions::read_number(const Station& station, std:
   } else if (const auto angle = degrees_text(text); angle && may_be_angle(*angle)) {
     return read_angle(*angle, text, what, axis);
   } else {
-    complain(what + " is no number: " + quoted(text, 60),
+    complain(what + no_number_for_its_comma(text) + ": " + quoted(text, 60),
              parse_number(text, DecimalMark::comma) ? setting("decimal_comma") + " reads 1,5 as 1.5"
                                                     : Wording());
   }

@@ -6,11 +6,10 @@
 
 namespace thiessen {
 
-std::unique_ptr<Table> open_table(const std::string& file, char separator, Warnings& warnings) {
+std::unique_ptr<Table> open_table(const std::string& file, const CsvDialect& said,
+                                  Warnings& warnings) {
   if (file != "-" && read_by_gdal(file)) return std::make_unique<Layer>(file, "", "", &warnings);
-  CsvOptions options;
-  options.separator = separator;
-  return open_csv(file, options, warnings);
+  return open_csv(file, said, {}, warnings);
 }
 
 }  // namespace thiessen

@@ -33,15 +33,15 @@ void HeardStations::hear(StationIndex station) {
 
 void HeardStations::look_through(Table& table, const ReadingsOptions& options) {
   const ReadingsLayout layout = find_layout(table, stations_, options);
-  const ReadingGrammar grammar = grammar_of(options);
+  const ReadingGrammar grammar = grammar_of(options, table);
   if (layout.is_long) {
     look_through_long(table, layout, grammar);
   } else {
-    look_through_wide(table, layout.time, grammar);
+    look_through_wide(table, layout, grammar);
   }
 }
 
-void HeardStations::look_through_wide(Table& table, std::size_t time_field,
+void HeardStations::look_through_wide(Table& table, const ReadingsLayout& layout,
                                       const ReadingGrammar& grammar) {
   struct Column {
     std::size_t field;
@@ -49,7 +49,7 @@ void HeardStations::look_through_wide(Table& table, std::size_t time_field,
   };
   std::vector<Column> silent;
   for (std::size_t i = 0; i < table.header().size(); ++i) {
-    if (i == time_field) continue;
+    if (layout.time.has(i) || i == layout.index) continue;
     const ReadingsStations::Found found = stations_.find(table.header()[i]);
     if (found.standing == Standing::known) silent.push_back({i, found.station});
   }

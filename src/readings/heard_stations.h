@@ -33,7 +33,7 @@ class HeardStations {
   void look_through(Table& table, const ReadingsOptions& options);
   /// The same of a long table whose columns are known.
   void look_through(Table& table, const ReadingsLayout& layout, const ReadingsOptions& options) {
-    look_through_long(table, layout, grammar_of(options));
+    look_through_long(table, layout, grammar_of(options, table));
   }
   /// Looks through `.dly` files of GHCN-Daily, as open_dly_readings reads them. Throws as above.
   void look_through_dly(const std::vector<std::string>& files, bool keep_flagged);
@@ -42,7 +42,7 @@ class HeardStations {
   bool all() const { return silent_ == 0; }
 
  private:
-  void look_through_wide(Table& table, std::size_t time_field, const ReadingGrammar& grammar);
+  void look_through_wide(Table& table, const ReadingsLayout& layout, const ReadingGrammar& grammar);
   void look_through_long(Table& table, const ReadingsLayout& layout, const ReadingGrammar& grammar);
   void hear(StationIndex station);
 

@@ -24,7 +24,8 @@ CalendarMonth after(CalendarMonth month, std::int32_t months) {
 }
 
 void refuse_table_options(const std::string& rainfall, const ReadingsOptions& options) {
-  const std::pair<const char*, bool> given[] = {{"time_field", !options.time_field.empty()},
+  const std::pair<const char*, bool> given[] = {{"time_field", !options.time_fields.empty()},
+                                                {"time_format", !options.time_format.empty()},
                                                 {"station_field", !options.station_field.empty()},
                                                 {"value_field", !options.value_field.empty()},
                                                 {"missing", !options.missing.empty()},

@@ -5,6 +5,7 @@
 
 #include "base/utf8.h"
 #include "readings/named_stations.h"
+#include "text/csv_records.h"
 
 namespace thiessen {
 namespace {
@@ -33,7 +34,8 @@ void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
   } else {
     message.text = "reading " + shown + station +
                    (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
-                                                              : " is no number");
+                    : grammar.wants_decimal_comma(field) ? no_number_for_its_comma(trimmed(field))
+                                                         : " is no number");
   }
   complaints_.add(std::move(message));
 }
@@ -85,6 +87,13 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
   } else if (first_unknown_.size() < stations_named) {
     first_unknown_.emplace_back(id);
   }
+}
+
+void ReadingsFindings::note_format(const TimeStep& step) {
+  if (!step.written || !step.written->breaks_format || std::exchange(told_format_, true)) return;
+  complaints_.add({file_, step.line,
+                   "time " + quoted(step.time, longest_field_shown) + step.written->fault,
+                   step.written->hint});
 }
 
 void ReadingsFindings::note_empty_time(std::size_t line) {

@@ -59,7 +59,11 @@ class ReadingsFindings {
   /// Takes note of a large amount of rain, which stands as `field` in the file.
   void note_amount(double amount, const Place& place, std::string_view field);
   /// Takes note of a time step, once its readings are known, in the order of the file.
-  void note_step(const TimeStep& step) { steps_.note(step.time, step.line, step.readings); }
+  void note_step(const TimeStep& step) {
+    steps_.note(calendar_time(step.time, step.written), step.time, step.line, step.readings);
+  }
+  /// Complains of a time that is not written as those of its file are; of the first alone.
+  void note_format(const TimeStep& step);
   /// Takes note of a station that is in no list; each is reported once. `text` and `hint` are those
   /// of the complaint; the hint gives way to what is known of a station that may be meant.
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
@@ -99,6 +103,7 @@ class ReadingsFindings {
   };
 
   std::string file_;
+  bool told_format_ = false;
   const ReadingsStations& stations_;
   bool ignore_unknown_;
   double millimetres_ = 1;  ///< that a reading of 1 stands for

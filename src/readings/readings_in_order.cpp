@@ -15,12 +15,12 @@ bool fits(std::size_t line, std::size_t from) {
 
 }  // namespace
 
-bool is_in_time_order(Table& table, std::size_t time_field) {
+bool is_in_time_order(Table& table, TimeColumns times) {
   TimeOrder order;
   Row row;
   try {
     while (table.next(row)) {
-      const std::string_view time = row.fields[time_field];
+      const std::string_view time = times.text(row);
       if (order.is_last(time) || trimmed(time).empty()) continue;
       if (!order.follows(time)) return false;
     }

@@ -7,13 +7,14 @@
 #include "readings/readings_order.h"
 #include "readings/readings_pieces.h"
 #include "readings/readings_rows.h"
+#include "readings/times/time_columns.h"
 
 namespace thiessen {
 
 /// Whether the rows of each time stand together and no time comes back, as far as TimeOrder can
 /// tell. Reads the whole table, or up to the row where this does not hold. Rows that cannot be read
 /// are not reported here.
-bool is_in_time_order(Table& table, std::size_t time_field);
+bool is_in_time_order(Table& table, TimeColumns times);
 
 /// The pieces of a long table for which is_in_time_order is true, read one time after the other.
 class OrderedPieces : public ReadingsPieces {

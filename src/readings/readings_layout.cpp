@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "base/utf8.h"
 #include "readings/rain_unit.h"
@@ -94,6 +96,73 @@ bool looks_long(const LayoutFinder& finder) {
   return station && value && !finder.is_station(*station) && !finder.is_station(*value);
 }
 
+/// The columns of the time that the user names. Where a format is given, it is of their texts as
+/// they stand.
+std::optional<TimeColumns> named_time(const LayoutFinder& finder, const ReadingsOptions& options) {
+  std::vector<TimeColumns::Column> columns;
+  for (const std::string& name : options.time_fields) {
+    const bool has_parts = options.time_fields.size() > 1 && options.time_format.empty();
+    columns.push_back({finder.column_named(name, setting("time_field")),
+                       has_parts ? TimeColumns::part_called(name) : TimeColumns::Part::text});
+  }
+  if (columns.empty()) return std::nullopt;
+  return TimeColumns(std::move(columns));
+}
+
+/// The columns of year, month and day, if the table has them, and those of hour and minute.
+std::optional<TimeColumns> time_in_parts(const LayoutFinder& finder) {
+  using Part = TimeColumns::Part;
+  const std::pair<Names, Part> parts[] = {{known::years, Part::year},
+                                          {known::months, Part::month},
+                                          {known::days, Part::day},
+                                          {known::hours, Part::hour},
+                                          {known::minutes, Part::minute}};
+  std::vector<TimeColumns::Column> columns;
+  for (const auto& [names, part] : parts) {
+    const auto found = finder.column_among(names, false);
+    if (!found && part <= Part::day) return std::nullopt;
+    if (!found) break;
+    columns.push_back({*found, part});
+  }
+  return TimeColumns(std::move(columns));
+}
+
+/// A column that is called time or the like, and not for the day or the hour alone.
+std::optional<std::size_t> whole_time(const LayoutFinder& finder, const Table& table) {
+  const auto found = finder.column_among(known::times, false);
+  if (!found || TimeColumns::part_called(table.header()[*found]) != TimeColumns::Part::text)
+    return std::nullopt;
+  return found;
+}
+
+void find_time_of_wide(const LayoutFinder& finder, const Table& table,
+                       const ReadingsOptions& options, ReadingsLayout& layout) {
+  if (const auto named = named_time(finder, options)) {
+    layout.time = *named;
+    return;
+  }
+  const auto whole = whole_time(finder, table);
+  if (whole == std::size_t{0}) return;
+  const bool has_index = !table.header().empty() && trimmed(table.header()[0]).empty();
+  if (whole && has_index) {
+    layout.time = *whole;
+    layout.index = 0;
+    return;
+  }
+  const auto parts = time_in_parts(finder);
+  if (!parts || !(parts->has(0) || has_index)) return;
+  layout.time = *parts;
+  if (!parts->has(0)) layout.index = 0;
+}
+
+TimeColumns time_of_long(const LayoutFinder& finder, const Table& table,
+                         const ReadingsOptions& options) {
+  if (const auto named = named_time(finder, options)) return *named;
+  if (const auto whole = whole_time(finder, table)) return *whole;
+  if (const auto parts = time_in_parts(finder)) return *parts;
+  return finder.column("", setting("time_field"), known::times, false);
+}
+
 }  // namespace
 
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
@@ -103,16 +172,14 @@ ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
   layout.is_long =
       !options.station_field.empty() || !options.value_field.empty() || looks_long(finder);
   if (!layout.is_long) {
-    if (!options.time_field.empty()) {
-      layout.time = finder.column_named(options.time_field, setting("time_field"));
-    }
+    find_time_of_wide(finder, table, options, layout);
     return layout;
   }
-  layout.time = finder.column(options.time_field, setting("time_field"), known::times, false);
+  layout.time = time_of_long(finder, table, options);
   layout.station =
       finder.column(options.station_field, setting("station_field"), known::station_ids, false);
   layout.value = finder.column(options.value_field, setting("value_field"), known::values, true);
-  if (layout.time == layout.station || layout.time == layout.value ||
+  if (layout.time.has(layout.station) || layout.time.has(layout.value) ||
       layout.station == layout.value) {
     finder.fail("time, station and value are not three columns",
                 "see " + setting("time_field") + ", " + setting("station_field") + " and " +

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "readings/readings_reader.h"
 #include "readings/readings_stations.h"
+#include "readings/times/time_columns.h"
 #include "text/table.h"
 
 namespace thiessen {
@@ -11,15 +13,18 @@ namespace thiessen {
 /// Which columns of a table hold what; columns are numbered from 0.
 struct ReadingsLayout {
   bool is_long = false;
-  std::size_t time = 0;
-  std::size_t station = 0;  ///< only of a long table
-  std::size_t value = 0;    ///< only of a long table
+  TimeColumns time;
+  std::size_t station = 0;                ///< only of a long table
+  std::size_t value = 0;                  ///< only of a long table
+  std::optional<std::size_t> index = {};  ///< of a wide table: a column that numbers its rows
 };
 
 /// Decides by the header whether a table is wide or long: see open_readings. Column names compare
-/// without regard to case; that of the value may have a unit, as in prcp_mm or "Rain (in)". Throws
-/// Error if a column that the user names is not there, or if the columns of a long table cannot be
-/// found.
+/// without regard to case; that of the value may have a unit, as in prcp_mm or "Rain (in)". Where
+/// no column of times is named, columns called year, month and day (and hour and minute) are the
+/// time together, and the first column of a wide table is not if it has no name and another is
+/// called time or the like. Throws Error if a column that the user names is not there, or if the
+/// columns of a long table cannot be found.
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
                            const ReadingsOptions& options);
 

@@ -36,6 +36,8 @@ bool LongReadings::next(TimeStep& step) {
     } while (has_piece_ && piece_.first_line == first_line);
     ++steps_;
     step.readings = readings_;
+    step.written = rows_.source().times.read(step.time, step.line);
+    findings.note_format(step);
     findings.note_step(step);
     if (findings.complaints().empty() && twice_.empty()) return true;
   }
@@ -53,7 +55,7 @@ double LongReadings::share_read() const {
 void LongReadings::begin() {
   done_ = true;  // if an exception comes, no step follows it
   const std::unique_ptr<Table> again = rows_.again();
-  if (again && is_in_time_order(*again, rows_.time_field())) {
+  if (again && is_in_time_order(*again, rows_.time())) {
     pieces_ = std::make_unique<OrderedPieces>(rows_);
   } else {
     pieces_ = std::make_unique<ScatteredPieces>(rows_);

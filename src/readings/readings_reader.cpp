@@ -1,17 +1,52 @@
 #include "readings/readings_reader.h"
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "readings/converted_readings.h"
 #include "readings/readings_layout.h"
 #include "readings/readings_long.h"
 #include "readings/readings_wide.h"
 #include "readings/steps/counter_readings.h"
+#include "readings/times/time_columns.h"
+#include "readings/times/time_reader.h"
+#include "text/csv_form.h"
+#include "text/field_names.h"
 
 namespace thiessen {
+namespace {
 
-ReadingGrammar grammar_of(const ReadingsOptions& options) {
-  const DecimalMark mark = options.decimal_comma ? DecimalMark::comma : DecimalMark::point;
+/// Has the reader of times see those with which the table begins.
+void look_at_times(const Table& table, const ReadingsLayout& layout, TimeReader& times) {
+  const std::unique_ptr<Table> first = table.first_rows();
+  if (!first) return;
+  TimeColumns columns = layout.time;
+  std::string last;
+  try {
+    Row row;
+    for (std::size_t bytes = 0; bytes < csv_beginning_bytes && first->next(row);) {
+      for (const std::string_view field : row.fields) bytes += field.size() + 1;
+      const std::string_view time = columns.text(row);
+      if (time == last) continue;
+      times.see(last = time, row.line);
+    }
+  } catch (const Error&) {
+    // The error is met again, and reported, when the rows are read.
+  }
+}
+
+std::string columns_told(const Table& table, const ReadingsLayout& layout) {
+  std::vector<std::string> names;
+  for (const TimeColumns::Column& column : layout.time.columns())
+    names.push_back(table.header()[column.field]);
+  return "its times stand in the columns " + listed(names);
+}
+
+}  // namespace
+
+ReadingGrammar grammar_of(const ReadingsOptions& options, const Table& table) {
+  const DecimalMark mark = options.decimal_comma ? DecimalMark::comma : table.decimal_mark();
   return {options.missing, options.trace, mark};
 }
 
@@ -27,8 +62,13 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   const ReadingsStations& stations = *known;
   ReadingsFindings findings(file, stations, options.ignore_unknown, warnings);
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
-  ReadingsSource source{std::move(table), std::move(known), grammar_of(options),
-                        std::move(findings)};
+  const ReadingGrammar grammar = grammar_of(options, *table);
+  TimeReader times(options.time_format);
+  look_at_times(*table, layout, times);
+  if (options.time_fields.empty() && layout.time.columns().size() > 1)
+    warnings.add_notice({file, 0, columns_told(*table, layout), {}});
+  ReadingsSource source{std::move(table), std::move(known), grammar, std::move(findings),
+                        std::move(times)};
   std::unique_ptr<Readings> readings;
   if (layout.is_long) {
     readings = std::make_unique<LongReadings>(std::move(source), layout);

@@ -19,7 +19,8 @@ namespace thiessen {
 /// What the user says about RAINFALL. Where the name of a field is empty, its column is found by
 /// the usual names.
 struct ReadingsOptions {
-  std::string time_field;
+  std::vector<std::string> time_fields;  ///< one, or several whose texts together are the time
+  std::string time_format;               ///< see TimeFormat; empty: see TimeReader
   std::string station_field;
   std::string value_field;
   std::vector<std::string> missing;  ///< further texts and numbers that mean "no reading"
@@ -39,8 +40,9 @@ struct ReadingsOptions {
 
 struct ReadingsLayout;
 
-/// The grammar of the fields of readings that the options ask for.
-ReadingGrammar grammar_of(const ReadingsOptions& options);
+/// The grammar of the fields of readings that the options ask for, with the decimal mark of the
+/// table where they ask for none.
+ReadingGrammar grammar_of(const ReadingsOptions& options, const Table& table);
 
 /// More rain than any gauge has caught in a year (26,470 mm). A reading above it gets a warning.
 constexpr double more_than_a_year = 30'000;
@@ -51,7 +53,7 @@ constexpr double more_than_a_day = 1'825;
 /// Opens the readings in a table, wide or long. `passed_over` holds the ids of the stations that
 /// the user's filter left out. The stations, the ids and `warnings` must outlive the result.
 ///
-/// A wide table has the time in its first column (or in `time_field`) and a station in each other
+/// A wide table has the time in its first column (or in `time_fields`) and a station in each other
 /// column. It is read a row at a time.
 ///
 /// A table is long if a station column and a value column are found and neither header is a

@@ -6,10 +6,9 @@
 
 namespace thiessen {
 
-RepeatedTimes::RepeatedTimes(std::unique_ptr<Table> again, std::size_t time_field,
-                             std::size_t memory)
+RepeatedTimes::RepeatedTimes(std::unique_ptr<Table> again, TimeColumns columns, std::size_t memory)
     : again_(std::move(again)),
-      time_field_(time_field),
+      columns_(std::move(columns)),
       times_(PieceSorter::Order::by_time, memory) {}
 
 void RepeatedTimes::note(std::string_view time, std::size_t line) {
@@ -40,7 +39,7 @@ void RepeatedTimes::read_again() {
   Row row;
   try {
     while (again_->next(row)) {
-      const std::string_view time = row.fields[time_field_];
+      const std::string_view time = columns_.text(row);
       if (!trimmed(time).empty()) gather(time, row.line);
     }
   } catch (const Error&) {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "readings/readings_order.h"
 #include "readings/readings_sorter.h"
+#include "readings/times/time_columns.h"
 #include "text/table.h"
 
 namespace thiessen {
@@ -22,7 +23,7 @@ class RepeatedTimes {
   static constexpr std::size_t usual_memory = std::size_t{32} << 20;
 
   /// `again` is the table once more (see Table::again), or null where it cannot be read twice.
-  RepeatedTimes(std::unique_ptr<Table> again, std::size_t time_field,
+  RepeatedTimes(std::unique_ptr<Table> again, TimeColumns columns,
                 std::size_t memory = usual_memory);
 
   /// Takes the next time and its line.
@@ -41,7 +42,7 @@ class RepeatedTimes {
   void read_again();
 
   std::unique_ptr<Table> again_;
-  std::size_t time_field_;
+  TimeColumns columns_;
   TimeOrder order_;
   PieceSorter times_;
   bool begun_ = false;

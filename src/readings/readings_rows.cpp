@@ -14,7 +14,7 @@ LongRows::LongRows(ReadingsSource source, const ReadingsLayout& layout)
 bool LongRows::next(LongRow& row) {
   while (source_.next(row_)) {
     row.line = row_.line;
-    row.time = row_.fields[layout_.time];
+    row.time = layout_.time.text(row_);
     const bool has_time = !trimmed(row.time).empty();
     if (!has_time) source_.findings.note_empty_time(row.line);
     const ReadingsStations::Found found = station_of(row_);

@@ -30,7 +30,7 @@ class LongRows {
   ReadingsSource& source() { return source_; }
   /// The table once more, or null where it cannot be read twice: see Table::again.
   std::unique_ptr<Table> again() const { return source_.table->again(); }
-  std::size_t time_field() const { return layout_.time; }
+  const TimeColumns& time() const { return layout_.time; }
 
  private:
   ReadingsStations::Found station_of(const Row& row);

@@ -5,6 +5,7 @@
 #include "readings/readings_findings.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_stations.h"
+#include "readings/times/time_reader.h"
 #include "text/table.h"
 
 namespace thiessen {
@@ -16,6 +17,7 @@ struct ReadingsSource {
       stations;  ///< at a fixed address: `findings` refers to it
   ReadingGrammar grammar;
   ReadingsFindings findings;
+  TimeReader times{};
 
   /// Reads the next row; returns false at the end. There the complaints of the table join those
   /// found here.

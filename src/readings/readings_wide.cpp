@@ -14,9 +14,10 @@ using Standing = ReadingsStations::Standing;
 
 WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
     : source_(std::move(source)),
-      time_field_(layout.time),
+      time_(layout.time),
+      index_(layout.index),
       readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()),
-      repeated_(source_.table->again(), time_field_) {
+      repeated_(source_.table->again(), time_) {
   match_columns();
   source_.findings.complaints().throw_if_any();
 }
@@ -36,7 +37,7 @@ void WideReadings::match_columns() {
   constexpr std::size_t none = 0;  // a column's number counts from 1
   std::vector<std::size_t> column_of(readings_.size(), none);
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (i == time_field_) continue;
+    if (!is_of_stations(i)) continue;
     const ReadingsStations::Found found = source_.stations->find(header[i]);
     if (found.standing == Standing::unknown) note_unknown_column(i);
     if (found.standing != Standing::known) continue;
@@ -58,12 +59,12 @@ void WideReadings::match_columns() {
 void WideReadings::require_a_station() const {
   const std::vector<std::string>& header = source_.table->header();
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (i == time_field_) continue;
+    if (!is_of_stations(i)) continue;
     if (source_.stations->find(header[i]).standing != Standing::unknown) return;
   }
   Wording hint;
   for (std::size_t i = 0; i < header.size() && hint.empty(); ++i) {
-    if (i != time_field_) hint = source_.stations->meant_by(header[i]).hint;
+    if (is_of_stations(i)) hint = source_.stations->meant_by(header[i]).hint;
   }
   if (hint.empty()) {
     hint = "where a row is one reading, " + setting("station_field") + " and " +
@@ -91,9 +92,11 @@ bool WideReadings::next(TimeStep& step) {
   while (source_.next(row_)) {
     read_row();
     ++steps_;
-    if (!source_.findings.complaints().empty()) continue;
-    step.time = row_.fields[time_field_];
+    step.time = time_.text(row_);
     step.line = row_.line;
+    step.written = source_.times.read(step.time, step.line);
+    source_.findings.note_format(step);
+    if (!source_.findings.complaints().empty()) continue;
     step.readings = readings_;
     source_.findings.note_step(step);
     return true;
@@ -114,7 +117,7 @@ void WideReadings::conclude() {
 }
 
 void WideReadings::read_row() {
-  const std::string_view time = row_.fields[time_field_];
+  const std::string_view time = time_.text(row_);
   if (trimmed(time).empty()) {
     source_.findings.note_empty_time(row_.line);
   } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rainfall/series/readings.h"
@@ -26,6 +27,7 @@ class WideReadings : public Readings {
     StationIndex station;
   };
 
+  bool is_of_stations(std::size_t field) const { return !time_.has(field) && field != index_; }
   void match_columns();
   void require_a_station() const;
   void note_unknown_column(std::size_t field);
@@ -33,7 +35,8 @@ class WideReadings : public Readings {
   void conclude();
 
   ReadingsSource source_;
-  std::size_t time_field_;
+  TimeColumns time_;
+  std::optional<std::size_t> index_;
   std::vector<Column> columns_;  ///< the columns of known stations
   std::vector<double> readings_;
   RepeatedTimes repeated_;

@@ -367,8 +367,8 @@ inline constexpr std::array<std::string_view, 8> gaps = {"NA", "N/A",  "NaN",   
                                                          "-",  "-999", "-9999", "-99.9"};
 
 /// A geometry in WKT.
-inline constexpr std::array<std::string_view, 4> geometries = {"wkt", "wkt_geom", "geometry",
-                                                               "geom"};
+inline constexpr std::array<std::string_view, 5> geometries = {"wkt", "wkt_geom", "geometry",
+                                                               "geom", "the_geom"};
 
 /// What stands in a row of units below the header, alone or in brackets.
 inline constexpr std::array<std::string_view, 37> units = {

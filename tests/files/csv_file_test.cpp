@@ -10,9 +10,11 @@
 namespace thiessen {
 namespace {
 
+using namespace std::literals;
+
 std::vector<std::string> ids_in(const std::string& file) {
   Warnings warnings;
-  const auto csv = open_csv(file, {}, warnings);
+  const auto csv = open_csv(file, {}, {}, warnings);
   std::vector<std::string> ids;
   for (Row row; csv->next(row);) ids.emplace_back(row.fields[0]);
   return ids;
@@ -61,7 +63,26 @@ TEST_F(CsvFile, is_read_from_an_archive_of_one) {
   EXPECT_EQ(ids_in(folder_.path("a.zip")), ids_);
   EXPECT_EQ(ids_in("/vsizip/" + folder_.path("a.zip") + "/a.csv"), ids_);
   Warnings warnings;
-  EXPECT_EQ(open_csv(folder_.path("a.zip"), {}, warnings)->again(), nullptr);
+  EXPECT_EQ(open_csv(folder_.path("a.zip"), {}, {}, warnings)->again(), nullptr);
+}
+
+TEST_F(CsvFile, is_told_in_one_notice_how_it_is_written) {
+  const auto notice = [&](const std::string& text, const CsvDialect& said = {}) {
+    const std::string file = folder_.write("n.csv", text);
+    Warnings warnings;
+    open_csv(file, said, {}, warnings);
+    EXPECT_LE(warnings.notices().size(), 1U);
+    if (warnings.notices().empty()) return std::string();
+    return warnings.notices()[0].sentence().substr(file.size() + 2);
+  };
+  EXPECT_EQ(notice("id,x,y\nA,1.5,2\n"), "");
+  EXPECT_EQ(notice("id;x;y\nA;1,5;2\n"),
+            "its fields are parted by semicolons, and its numbers have decimal commas");
+  EXPECT_EQ(notice("id;x;y\nA;1,5;2\n", {';', true, "", {}}), "");
+  EXPECT_EQ(notice("Gauges\n\nid\tx\ty\n\tm\tm\nA\t1\t2\n"),
+            "its fields are parted by tabs, its header stands in line 3, below 2 lines that are "
+            "passed over, and below its header a line of units (m) is passed over");
+  EXPECT_EQ(notice("\xFF\xFEi\0d\0\n\0a\0\n\0"s), "it is written in UTF-16");
 }
 
 TEST_F(CsvFile, in_an_archive_that_is_damaged_is_an_error) {

@@ -127,7 +127,7 @@ TEST(Features, a_csv_has_no_layers) {
 
 TEST(Features, numbers_of_a_csv_alone_may_have_a_decimal_comma) {
   Source source;
-  source.decimal_comma = true;
+  source.csv.decimal_comma = true;
   EXPECT_EQ(Opened("s.csv", "id\na\n", source).features.decimal_mark(), DecimalMark::comma);
   EXPECT_EQ(Opened("s.csv", "id\na\n").features.decimal_mark(), DecimalMark::point);
   EXPECT_EQ(Opened("s.geojson", point("{}"), source).features.decimal_mark(), DecimalMark::point);

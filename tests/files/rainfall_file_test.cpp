@@ -18,7 +18,9 @@ const std::vector<Station> stations = {{"USC00050001", {}}};
 double first(const std::string& rainfall, const ReadingsOptions& options = {},
              char separator = '\0') {
   Warnings warnings;
-  const auto readings = open_rainfall(rainfall, separator, stations, {}, options, warnings);
+  CsvDialect said;
+  said.separator = separator;
+  const auto readings = open_rainfall(rainfall, said, stations, {}, options, warnings);
   TimeStep step;
   EXPECT_TRUE(readings->next(step));
   return step.readings[0];

@@ -56,7 +56,7 @@ TEST(StationsFile, finds_fields_by_name_in_the_contracts_order) {
 
 TEST(StationsFile, takes_the_first_field_for_the_id_where_no_name_tells) {
   const StationsFile file = read("what,easting,northing\n 1,5,6\n");
-  EXPECT_EQ(file.stations.at(0).id, " 1");
+  EXPECT_EQ(file.stations.at(0).id, "1") << "blanks outside quotes are none of it";
   EXPECT_EQ(file.crs_origin, CrsOrigin::none);
   EXPECT_FALSE(file.crs);
 }
@@ -86,8 +86,8 @@ TEST(StationsFile, lists_wanted_and_found_names) {
 }
 
 TEST(StationsFile, reports_every_bad_row) {
-  const auto found =
-      complaints("id,x,y\na,1,2\nb,nan,2\nc,1,1e999\nd,0x10,2\ne,,2\na,3,4\n,1,1\nf,\"1,5\",2\n");
+  const auto found = complaints(
+      "id,x,y\na,1,2\nb,nan,2\nc,1,1e999\nd,0x10,2\ne,,2\na,3,4\n,1,1\nf,\"1,5\",2\ng,2.5,1\n");
   ASSERT_EQ(found.size(), 7U);
   EXPECT_EQ(found[0], "s.csv:3: 'x' of station 'b' is no number: 'nan'");
   EXPECT_EQ(found[1], "s.csv:4: 'y' of station 'c' is outside the range of numbers: '1e999'");
@@ -110,8 +110,8 @@ TEST(StationsFile, reports_bad_rows_of_both_kinds) {
 
 TEST(StationsFile, reads_decimal_commas_where_told) {
   StationsRequest wanted;
-  wanted.source.separator = ';';
-  wanted.source.decimal_comma = true;
+  wanted.source.csv.separator = ';';
+  wanted.source.csv.decimal_comma = true;
   EXPECT_EQ(read("id;x;y\na;1,5;-2,25\n", wanted).stations.at(0).position, (Point{1.5, -2.25}));
 }
 

@@ -17,7 +17,9 @@ using Texts = std::vector<std::string>;
 /// A table that nothing is warned of.
 std::unique_ptr<Table> opened(const std::string& file, char separator = '\0') {
   static Warnings warnings;
-  auto table = open_table(file, separator, warnings);
+  CsvDialect said;
+  said.separator = separator;
+  auto table = open_table(file, said, warnings);
   EXPECT_TRUE(warnings.messages().empty());
   return table;
 }

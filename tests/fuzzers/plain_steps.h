@@ -13,6 +13,7 @@
 #include "base/utf8.h"
 #include "fuzzers/plain_readings.h"
 #include "rainfall/series/step_length.h"
+#include "readings/times/time_shape.h"
 
 namespace thiessen::fuzzers {
 
@@ -23,10 +24,14 @@ class PlainSteps {
   explicit PlainSteps(const Steps& steps) : steps_(steps) {
     for (const Step& step : steps) {
       const ParsedTime parsed = parse_iso_time(trimmed(step.time));
-      if (!parsed) return;
-      times_.push_back(parsed.time);
+      has_other_forms_ = has_other_forms_ || (!parsed && !time_shape(step.time).format.empty());
+      if (parsed && times_.size() == static_cast<std::size_t>(&step - steps.data()))
+        times_.push_back(parsed.time);
     }
   }
+
+  /// Whether a time may be read that is not of ISO 8601, which this does not judge.
+  bool has_other_forms() const { return has_other_forms_; }
 
   /// Whether a table of these steps is refused: some times have a zone and some none, or some
   /// gauges report in longer steps than the others.
@@ -160,6 +165,7 @@ class PlainSteps {
 
   const Steps& steps_;
   std::vector<IsoTime> times_;
+  bool has_other_forms_ = false;
 };
 
 }  // namespace thiessen::fuzzers

@@ -88,7 +88,7 @@ void write_tables(Bytes& bytes) {
   const MemoryFile wide(known.wide());
   require_read(wide.name(), stations, options, known.steps(), "when wide");
 
-  options.time_field = "t";
+  options.time_fields = {"t"};
   options.station_field = "s";
   options.value_field = "v";
   std::vector<PlainReadings::Entry> entries = known.entries();
@@ -126,7 +126,8 @@ void read_any_table(Bytes& bytes) {
   const auto read = [&](const std::string& file) -> std::optional<Steps> {
     try {
       Steps steps = read_table(file, stations, options, separator);
-      require(!PlainSteps(steps).are_mixed(), "mixed steps that are not refused");
+      const PlainSteps judge(steps);
+      require(!judge.are_mixed() || judge.has_other_forms(), "mixed steps that are not refused");
       return steps;
     } catch (const Error& error) {
       require_placed(error, file, lines_of(text));

@@ -45,7 +45,7 @@ struct Finder {
 void expect_long(const ReadingsLayout& layout, std::size_t time, std::size_t station,
                  std::size_t value) {
   EXPECT_TRUE(layout.is_long);
-  EXPECT_EQ(layout.time, time);
+  EXPECT_TRUE(layout.time.has(time));
   EXPECT_EQ(layout.station, station);
   EXPECT_EQ(layout.value, value);
 }
@@ -79,18 +79,18 @@ TEST(Layout, is_wide_where_a_header_is_a_stations_id) {
 
 TEST(Layout, of_a_wide_table_has_the_time_first_or_where_the_user_says) {
   Finder finder;
-  EXPECT_EQ(finder.layout({"B", "A", "time"}).time, 0U);
-  finder.options.time_field = "When";
-  EXPECT_EQ(finder.layout({"A", "when", "When"}).time, 2U) << "the very name first";
-  EXPECT_EQ(finder.layout({"A", "B", " when"}).time, 2U);
-  finder.options.time_field = "date";
+  EXPECT_TRUE(finder.layout({"B", "A", "time"}).time.has(0));
+  finder.options.time_fields = {"When"};
+  EXPECT_TRUE(finder.layout({"A", "when", "When"}).time.has(2)) << "the very name first";
+  EXPECT_TRUE(finder.layout({"A", "B", " when"}).time.has(2));
+  finder.options.time_fields = {"date"};
   EXPECT_EQ(finder.complaint({"A", "when"}),
             "r.csv:4: there is no column 'date'; the columns are 'A', 'when' | see 'time_field'");
 }
 
 TEST(Layout, is_long_where_the_user_names_a_column_of_one) {
   Finder finder{{"A"}, {}, {}};
-  finder.options.time_field = "Zeit";
+  finder.options.time_fields = {"Zeit"};
   finder.options.station_field = "สถานี";
   finder.options.value_field = "雨";
   expect_long(finder.layout({"雨", "id", "สถานี", "Zeit"}), 3, 2, 0);
@@ -116,6 +116,36 @@ TEST(Layout, names_what_was_looked_for_and_what_was_found) {
   EXPECT_TRUE(finder.complaint({"time", "station", "rain"})
                   .starts_with("r.csv:4: time, station and value are not three columns; "));
   EXPECT_TRUE(contains(finder.complaint(Texts(30, "c")), " and 20 more"));
+}
+
+std::vector<std::size_t> time_columns(const ReadingsLayout& layout) {
+  std::vector<std::size_t> fields;
+  for (const TimeColumns::Column& column : layout.time.columns()) fields.push_back(column.field);
+  return fields;
+}
+
+using Fields = std::vector<std::size_t>;
+
+TEST(Layout, has_a_time_in_several_columns) {
+  Finder finder;
+  EXPECT_EQ(time_columns(finder.layout({"station", "Year", "Month", "Day", "rain"})),
+            (Fields{1, 2, 3}));
+  EXPECT_EQ(time_columns(finder.layout({"station", "date", "Year", "Month", "Day", "rain"})),
+            Fields{1})
+      << "a whole time before its parts";
+  EXPECT_EQ(time_columns(finder.layout({"year", "month", "day", "hour", "A"})),
+            (Fields{0, 1, 2, 3}));
+  EXPECT_EQ(time_columns(finder.layout({"day", "A"})), Fields{0}) << "no year";
+  finder.options.time_fields = {"d", "t"};
+  EXPECT_EQ(time_columns(finder.layout({"t", "A", "d"})), (Fields{2, 0}));
+}
+
+TEST(Layout, of_a_wide_table_passes_over_an_index_without_a_name) {
+  const Finder finder;
+  const ReadingsLayout layout = finder.layout({"", "date", "A"});
+  EXPECT_EQ(time_columns(layout), Fields{1});
+  EXPECT_EQ(layout.index, std::size_t{0});
+  EXPECT_EQ(time_columns(finder.layout({"", "A", "B"})), Fields{0}) << "it is the time itself";
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ TEST_F(LongRowsTest, have_a_time_a_station_and_an_amount) {
   EXPECT_EQ(row.station, StationIndex{0});
   EXPECT_TRUE(std::isnan(row.amount));
   EXPECT_FALSE(table.next(row));
-  EXPECT_EQ(table.time_field(), 2U);
+  EXPECT_TRUE(table.time().has(2));
 }
 
 TEST_F(LongRowsTest, without_a_time_are_passed_over_with_a_complaint_and_their_readings_checked) {

@@ -159,9 +159,9 @@ TEST(WideReadings, refuse_two_columns_of_one_station) {
 
 TEST(WideReadings, may_have_the_time_in_a_named_column) {
   Reader reader;
-  reader.options.time_field = "When";
+  reader.options.time_fields = {"When"};
   expect_readings(reader.read("A,B,when,C\n1,2,x,3\n"), {"x"}, {{1, 2, 3}});
-  reader.options.time_field = "date";
+  reader.options.time_fields = {"date"};
   EXPECT_EQ(reader.read("A,B,when,C\n").sentences,
             Texts{"r.csv:1: there is no column 'date'; the columns are 'A', 'B', 'when', 'C'"});
 }

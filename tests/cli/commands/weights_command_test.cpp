@@ -10,6 +10,13 @@ TEST(WeightsCommand, TakesReadingsByAnOption) {
   EXPECT_EQ(group_of("weights", "--cache"), "Method");
 }
 
+/// A value that the option takes.
+std::string value_of(const std::string& option) {
+  if (option.ends_with("separator")) return ";";
+  if (option.ends_with("encoding")) return "Latin-1";
+  return option.ends_with("format") ? "%Y" : "2013";
+}
+
 TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
   const Commands commands("thiessen");
   std::size_t refused = 0;
@@ -19,12 +26,13 @@ TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
     ++refused;
     std::vector<std::string> line{"weights", "s", "b", option.name};
     const bool is_chosen = !option.value.choices.empty();
-    if (!option.is_flag()) line.push_back(is_chosen ? option.value.choices.front() : "2013");
+    if (!option.is_flag())
+      line.push_back(is_chosen ? option.value.choices.front() : value_of(option.name));
     EXPECT_EQ(refusal(line), option.name + " is about readings, and there is no --influence");
     line.insert(line.end(), {"--influence", "r"});
     EXPECT_EQ(refusal(line), "");
   }
-  EXPECT_EQ(refused, 15u);
+  EXPECT_EQ(refused, 20u);
 }
 
 TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {

@@ -79,15 +79,41 @@ TEST(RainfallOptions, say_how_readings_are_read) {
   given.read({"r.csv", "--missing", "M", "--missing", "-77", "--trace", "T", "--time-field", "When",
               "--station-field", "Where", "--value-field", "What", "--ignore-unknown",
               "--keep-flagged"});
-  const ReadingsOptions readings = given.block.readings(true);
+  CsvDialect all;
+  all.decimal_comma = true;
+  const ReadingsOptions readings = given.block.readings(all);
   EXPECT_EQ(readings.missing, (std::vector<std::string>{"M", "-77"}));
   EXPECT_EQ(readings.trace, std::vector<std::string>{"T"});
-  EXPECT_EQ(readings.time_field, "When");
+  EXPECT_EQ(readings.time_fields, std::vector<std::string>{"When"});
   EXPECT_EQ(readings.station_field, "Where");
   EXPECT_EQ(readings.value_field, "What");
   EXPECT_TRUE(readings.ignore_unknown);
   EXPECT_TRUE(readings.keep_flagged);
   EXPECT_TRUE(readings.decimal_comma);
+}
+
+TEST(RainfallOptions, say_how_their_file_is_written_before_what_is_said_of_all) {
+  Rainfall given;
+  given.read({"r.csv", "--rainfall-separator", ";", "--rainfall-encoding", "Latin-1"});
+  CsvDialect all;
+  all.separator = ',';
+  all.skip = 2;
+  EXPECT_EQ(given.block.csv(all).separator, ';');
+  EXPECT_EQ(given.block.csv(all).encoding, "Latin-1");
+  EXPECT_EQ(given.block.csv(all).skip, 2U);
+}
+
+TEST(RainfallOptions, say_how_times_are_written) {
+  Rainfall given;
+  given.read({"r.csv", "--time-field", "2", "--time-field", "1", "--time-format", "%d/%m/%Y",
+              "--value-field", "4"});
+  const ReadingsOptions readings = given.block.readings({});
+  EXPECT_EQ(readings.time_fields, (std::vector<std::string>{"2", "1"}));
+  EXPECT_EQ(readings.time_format, "%d/%m/%Y");
+  EXPECT_EQ(given.block.csv({}).numbers, (std::vector<std::string>{"2", "1", "4"}));
+  Rainfall named;
+  named.read({"r.csv", "--time-field", "2", "--value-field", "rain"});
+  EXPECT_TRUE(named.block.csv({}).numbers.empty()) << "not all are numbers";
 }
 
 TEST(RainfallOptions, are_about_readings_that_are_given) {
@@ -103,9 +129,9 @@ TEST(RainfallOptions, are_about_readings_that_are_given) {
 TEST(RainfallOptions, are_the_readers_own_unless_told) {
   Rainfall given;
   given.read({"r.csv"});
-  const ReadingsOptions readings = given.block.readings(false);
+  const ReadingsOptions readings = given.block.readings({});
   EXPECT_TRUE(readings.missing.empty() && readings.trace.empty());
-  EXPECT_TRUE(readings.time_field.empty() && readings.station_field.empty());
+  EXPECT_TRUE(readings.time_fields.empty() && readings.station_field.empty());
   EXPECT_FALSE(readings.ignore_unknown || readings.keep_flagged || readings.decimal_comma);
 }
 

@@ -30,7 +30,7 @@ TEST(StudyOptions, ask_for_a_study_of_stations_alone_where_there_are_no_basins) 
   EXPECT_FALSE(request.metric);
   EXPECT_EQ(request.plane, "");
   EXPECT_EQ(request.tolerance, 0.1);
-  EXPECT_EQ(request.stations.source.separator, '\0');
+  EXPECT_EQ(request.stations.source.csv.separator, '\0');
 }
 
 TEST(StudyOptions, tell_stations_and_basins_apart) {
@@ -92,10 +92,28 @@ TEST(StudyOptions, how_numbers_and_fields_are_written_holds_for_both_files) {
   given.read({"s.csv", "b.csv", "--separator", ";", "--decimal-comma"});
   const StudyRequest request = given.block.request();
   for (const Source& source : {request.stations.source, request.basins->source}) {
-    EXPECT_EQ(source.separator, ';');
-    EXPECT_TRUE(source.decimal_comma);
+    EXPECT_EQ(source.csv.separator, ';');
+    EXPECT_TRUE(source.csv.decimal_comma);
   }
-  EXPECT_EQ(given.block.separator(), ';');
+  EXPECT_EQ(given.block.csv().separator, ';');
+}
+
+TEST(StudyOptions, say_how_one_file_is_written_before_what_they_say_of_all) {
+  Study given;
+  given.read({"s.csv", "b.csv", "--separator", "tab", "--basins-separator", "blank", "--encoding",
+              "cp932", "--stations-encoding", "Latin-1", "--stations-skip", "3",
+              "--basins-decimal-comma"});
+  const StudyRequest request = given.block.request();
+  const CsvDialect& stations = request.stations.source.csv;
+  const CsvDialect& basins = request.basins->source.csv;
+  EXPECT_EQ(stations.separator, '\t');
+  EXPECT_EQ(basins.separator, ' ');
+  EXPECT_EQ(stations.encoding, "Latin-1");
+  EXPECT_EQ(basins.encoding, "cp932");
+  EXPECT_EQ(stations.skip, 3U);
+  EXPECT_EQ(basins.skip, std::nullopt);
+  EXPECT_FALSE(stations.decimal_comma);
+  EXPECT_TRUE(basins.decimal_comma);
 }
 
 TEST(StudyOptions, choose_the_metric_and_the_tolerance) {
