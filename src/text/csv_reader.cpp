@@ -51,10 +51,10 @@ char likely_separator(std::string_view name, char used) {
 }  // namespace
 
 CsvReader::CsvReader(const std::string& file, CsvOptions options)
-    : CsvReader(InputFile(file), options, file != "-") {}
+    : CsvReader(InputFile(file), std::move(options), file != "-") {}
 
 CsvReader::CsvReader(InputFile input, CsvOptions options)
-    : CsvReader(std::move(input), options, false) {}
+    : CsvReader(std::move(input), std::move(options), false) {}
 
 CsvReader::CsvReader(InputFile input, CsvOptions options, bool is_on_disk)
     : options_(options),

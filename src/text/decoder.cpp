@@ -15,13 +15,16 @@ namespace {
 
 constexpr std::size_t raw_bytes = std::size_t{64} << 10;
 
-const iconv_t refused = reinterpret_cast<iconv_t>(-1);  // NOLINT(performance-no-int-to-ptr)
+bool is_refused(iconv_t conversion) {
+  return conversion == reinterpret_cast<iconv_t>(-1);  // NOLINT(performance-no-int-to-ptr)
+}
 
 /// Names are tried as they are, with hyphens for what parts their words, and without: Windows 1252
 /// is iconv's WINDOWS-1252, and Latin-1 its LATIN1.
 iconv_t open_conversion(const std::string& name) {
   // What follows a slash would change what iconv does with bytes that it cannot read.
-  if (name.empty() || name.find('/') != std::string::npos) return refused;
+  iconv_t conversion = reinterpret_cast<iconv_t>(-1);  // NOLINT(performance-no-int-to-ptr)
+  if (name.empty() || name.find('/') != std::string::npos) return conversion;
   std::string hyphened = name;
   std::ranges::replace_if(
       hyphened, [](char c) { return c == '_' || c == ' '; }, '-');
@@ -29,10 +32,10 @@ iconv_t open_conversion(const std::string& name) {
   std::erase(joined, '-');
   for (const std::string& spelling : {name, hyphened, joined}) {
     if (spelling.empty()) continue;
-    const iconv_t conversion = ::iconv_open("UTF-8", spelling.c_str());
-    if (conversion != refused) return conversion;
+    conversion = ::iconv_open("UTF-8", spelling.c_str());
+    if (!is_refused(conversion)) break;
   }
-  return refused;
+  return conversion;
 }
 
 }  // namespace
@@ -42,8 +45,8 @@ void Decoder::Close::operator()(void* conversion) const {
 }
 
 bool is_encoding(const std::string& name) {
-  const iconv_t conversion = open_conversion(name);
-  if (conversion == refused) return false;
+  iconv_t conversion = open_conversion(name);
+  if (is_refused(conversion)) return false;
   ::iconv_close(conversion);
   return true;
 }
@@ -52,8 +55,8 @@ Decoder::Decoder(std::string encoding, std::string_view begun)
     : encoding_(std::move(encoding)),
       raw_(std::max(raw_bytes, begun.size())),
       end_(begun.copy(raw_.data(), begun.size())) {
-  const iconv_t conversion = open_conversion(encoding_);
-  if (conversion == refused) {
+  iconv_t conversion = open_conversion(encoding_);
+  if (is_refused(conversion)) {
     throw Error({"", 0, quoted(encoding_, 80) + " is no encoding that is known here",
                  "such as Latin-1, Windows-1252 or cp932"});
   }
