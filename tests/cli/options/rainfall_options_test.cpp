@@ -60,12 +60,12 @@ TEST(RainfallOptions, of_tables_have_no_use_beside_an_event) {
 TEST(RainfallOptions, multiply_or_convert) {
   Rainfall scaled;
   scaled.read({"r.csv", "--scale", "0.1"});
-  EXPECT_EQ(scaled.block.readings(false).scale, 0.1);
+  EXPECT_EQ(scaled.block.readings({}).scale, 0.1);
   Rainfall converted;
   converted.read({"r.csv", "--from-unit", "0.01in", "--to-unit", "in"});
-  EXPECT_FALSE(converted.block.readings(false).scale);
-  EXPECT_EQ(converted.block.readings(false).from_unit->name(), "0.01in");
-  EXPECT_EQ(converted.block.readings(false).to_unit->name(), "in");
+  EXPECT_FALSE(converted.block.readings({}).scale);
+  EXPECT_EQ(converted.block.readings({}).from_unit->name(), "0.01in");
+  EXPECT_EQ(converted.block.readings({}).to_unit->name(), "in");
   Rainfall both;
   both.read({"r.csv", "--scale", "2", "--to-unit", "in"});
   EXPECT_EQ(both.contradiction(),
