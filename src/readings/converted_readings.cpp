@@ -33,12 +33,14 @@ AmountConversion conversion_from(const RainUnit& unit, const ReadingsOptions& op
 
 AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn& column,
                                Warnings& warnings) {
-  const std::optional<RainUnit> named = unit_in_name(column.name);
-  const std::string called = "column " + quoted(column.name, 60);
+  const std::optional<RainUnit> below = rain_unit(column.unit);
+  const std::optional<RainUnit> named = below ? below : unit_in_name(column.name);
+  const std::string called =
+      column.name.empty() ? "the table" : "column " + quoted(column.name, 60);
   if (options.scale) {
     if (named && !is_same(*named, millimetre)) {
       warnings.add_notice({column.file, column.line,
-                           called + " is multiplied by " + setting("scale") +
+                           "the readings of " + called + " are multiplied by " + setting("scale") +
                                " alone, and not taken from " + named->name() + " to another unit",
                            ""});
     }
@@ -47,8 +49,9 @@ AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn
   if (options.from_unit) {
     if (named && !is_same(*named, *options.from_unit)) {
       warnings.add({column.file, column.line,
-                    called + " is taken to be in " + options.from_unit->name() + ", as " +
-                        setting("from_unit") + " says, against its name",
+                    "the readings of " + called + " are taken to be in " +
+                        options.from_unit->name() + ", as " + setting("from_unit") +
+                        " says, against its own " + named->name(),
                     ""});
     }
     return conversion_from(*options.from_unit, options);

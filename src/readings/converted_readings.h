@@ -20,16 +20,16 @@ struct AmountConversion {
                            ///< unit is not known
 };
 
-/// The column of values of a long table, for messages; `name` is empty for a wide one, which has
-/// none.
+/// The column of values of a long table, or all of a wide one.
 struct ValueColumn {
   std::string file;
-  std::size_t line = 0;
-  std::string name;
+  std::size_t line = 0;  ///< of the header
+  std::string name;      ///< empty for a wide table
+  std::string unit;      ///< what a row below the header says; empty where there is none
 };
 
-/// Settles what is done to readings by what the user says and by the unit in their column's name,
-/// which is believed, and told in a notice where it means a conversion. Throws Error where another
+/// Settles what is done to readings by what the user says and by the unit below their column's name
+/// or in it, which is believed, and told in a notice where it means a conversion. Throws Error where another
 /// unit is wanted and that of the readings is not known.
 AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn& column,
                                Warnings& warnings);

@@ -52,14 +52,42 @@ ReadingGrammar grammar_of(const ReadingsOptions& options, const Table& table) {
 
 namespace {
 
+/// The unit below the names of a wide table's stations. Throws Error where they have several.
+std::string unit_of_stations(const Table& table, const ReadingsStations& stations) {
+  std::string unit;
+  for (std::size_t i = 0; i < table.header().size(); ++i) {
+    const std::string other = table.unit(i);
+    if (other.empty() || other == unit) continue;
+    if (stations.find(table.header()[i]).standing != ReadingsStations::Standing::known) continue;
+    if (!unit.empty()) {
+      throw Error({table.file(), table.header_line() + 1,
+                   "its stations read in " + unit + " and in " + other,
+                   setting("from_unit") + " says one for all"});
+    }
+    unit = other;
+  }
+  return unit;
+}
+
+ValueColumn values_of(const Table& table, const ReadingsLayout& layout,
+                      const ReadingsStations& stations, const ReadingsOptions& options) {
+  ValueColumn column{table.file(), table.header_line(), "", ""};
+  if (layout.is_long) {
+    column.name = table.header()[layout.value];
+    column.unit = table.unit(layout.value);
+  } else if (!options.from_unit) {
+    column.unit = unit_of_stations(table, stations);
+  }
+  return column;
+}
+
 std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<Table> table,
                                   std::unique_ptr<const ReadingsStations> known,
                                   const ReadingsOptions& options, Warnings& warnings) {
   const std::string file = table->file();
-  const std::string column = layout.is_long ? table->header()[layout.value] : "";
-  const AmountConversion conversion =
-      conversion_of(options, {file, table->header_line(), column}, warnings);
   const ReadingsStations& stations = *known;
+  const AmountConversion conversion =
+      conversion_of(options, values_of(*table, layout, stations, options), warnings);
   ReadingsFindings findings(file, stations, options.ignore_unknown, warnings);
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
   const ReadingGrammar grammar = grammar_of(options, *table);

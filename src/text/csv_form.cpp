@@ -221,23 +221,31 @@ class FormFinder {
 
   bool is_row_of_units(const Fields& fields) {
     std::set<std::string_view> units;
-    for (const std::string_view field : fields) {
+    form_.column_units.assign(fields.size(), "");
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      const std::string_view field = fields[i];
       if (is_unit(field)) {
+        form_.column_units[i] = without_brackets(field);
         if (units.insert(field).second)
           form_.units += (form_.units.empty() ? "" : ", ") + std::string(field);
       } else if (has_digit(field)) {
         form_.units.clear();
+        form_.column_units.clear();
         return false;
       }
     }
     return !units.empty() && fields.size() >= 2;
   }
 
+  static std::string_view without_brackets(std::string_view text) {
+    const bool has_some = text.size() >= 2 && (text.front() == '(' || text.front() == '[');
+    return has_some ? trimmed(text.substr(1, text.size() - 2)) : text;
+  }
+
   static bool is_unit(std::string_view text) {
-    if (text.size() >= 2 && (text.front() == '(' || text.front() == '['))
-      text = trimmed(text.substr(1, text.size() - 2));
-    return std::ranges::any_of(
-        known::units, [&](std::string_view unit) { return equal_ignoring_case(text, unit); });
+    return std::ranges::any_of(known::units, [&](std::string_view unit) {
+      return equal_ignoring_case(without_brackets(text), unit);
+    });
   }
 
   /// Splits the rows below the header.

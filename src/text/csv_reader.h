@@ -67,6 +67,9 @@ class CsvReader : public Table {
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t header_line() const override { return header_line_; }
   DecimalMark decimal_mark() const override { return form_.mark; }
+  std::string unit(std::size_t field) const override {
+    return field < form_.column_units.size() ? form_.column_units[field] : std::string();
+  }
   bool next(Row& row) override;
   double share_read() const override;
   std::unique_ptr<Table> again() const override;

@@ -28,6 +28,8 @@ class Table {
   virtual const std::vector<std::string>& header() const = 0;
   /// How numbers are written in it, as far as that is known of its texts.
   virtual DecimalMark decimal_mark() const { return DecimalMark::point; }
+  /// What a row of units below the header says of a column; empty where there is none.
+  virtual std::string unit(std::size_t /*field*/) const { return {}; }
   /// The line on which the header stands, from 1; 0 where there is none.
   virtual std::size_t header_line() const { return 0; }
   /// Reads the next row into `row`; returns false at the end. A row that has too few or too many

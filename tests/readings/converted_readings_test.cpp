@@ -19,10 +19,11 @@ struct Settled {
   Texts warnings;
 };
 
-Settled settle(const ReadingsOptions& options, const std::string& column) {
+Settled settle(const ReadingsOptions& options, const std::string& column,
+               const std::string& unit = "") {
   Settled settled;
   Warnings warnings;
-  settled.conversion = conversion_of(options, {"r.csv", 1, column}, warnings);
+  settled.conversion = conversion_of(options, {"r.csv", 1, column, unit}, warnings);
   for (const Message& notice : warnings.notices()) settled.notices.push_back(notice.sentence());
   for (const Message& warning : warnings.messages()) settled.warnings.push_back(warning.sentence());
   return settled;
@@ -39,6 +40,14 @@ TEST(AmountConversion, believes_the_name_of_the_column_and_says_so) {
   EXPECT_TRUE(millimetres.conversion.factor.is_one());
   EXPECT_EQ(millimetres.conversion.unit, "mm");
   EXPECT_EQ(millimetres.notices, Texts{});
+}
+
+TEST(AmountConversion, believes_a_row_of_units_before_the_name) {
+  EXPECT_EQ(settle({}, "rain", "inches").conversion.factor.of(1), 25.4);
+  EXPECT_EQ(settle({}, "prcp_in", "mm").conversion.unit, "mm");
+  EXPECT_TRUE(settle({}, "prcp_in", "mm").conversion.factor.is_one());
+  EXPECT_EQ(settle({}, "", "cm").notices,
+            Texts{"r.csv:1: the readings of the table are converted from cm to mm"});
 }
 
 TEST(AmountConversion, keeps_the_time_of_a_rate) {
@@ -59,8 +68,8 @@ TEST(AmountConversion, goes_by_the_user_against_the_name_with_a_warning) {
   const Settled tenths = settle(options, "prcp_in");
   EXPECT_EQ(tenths.conversion.factor.of(25), 2.5);
   EXPECT_EQ(tenths.warnings,
-            Texts{"r.csv:1: column 'prcp_in' is taken to be in 0.1mm, as 'from_unit' says, against "
-                  "its name"});
+            Texts{"r.csv:1: the readings of column 'prcp_in' are taken to be in 0.1mm, as "
+                  "'from_unit' says, against its own in"});
 }
 
 TEST(AmountConversion, may_keep_inches) {
@@ -86,8 +95,8 @@ TEST(AmountConversion, multiplies_alone_where_a_factor_is_given) {
   EXPECT_EQ(scaled.conversion.factor.of(2), 5);
   EXPECT_EQ(scaled.conversion.unit, "");
   EXPECT_EQ(scaled.notices,
-            Texts{"r.csv:1: column 'prcp_in' is multiplied by 'scale' alone, and not taken from in "
-                  "to another unit"});
+            Texts{"r.csv:1: the readings of column 'prcp_in' are multiplied by 'scale' alone, and "
+                  "not taken from in to another unit"});
 }
 
 TEST(ConvertedReadings, of_long_tables_leave_gaps_and_codes_alone) {
