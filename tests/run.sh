@@ -86,7 +86,7 @@ tests() {
     mkdir -p "$locales"
     localedef -i tr_TR -f UTF-8 "$locales/tr_TR.UTF-8" || return
   fi
-  LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham run_ctest "$build"
+  LOCPATH=$locales LC_ALL=tr_TR.UTF-8 LANG=tr_TR.UTF-8 TZ=Pacific/Chatham run_ctest "$build" "$@"
 }
 
 build() {
@@ -117,7 +117,7 @@ seconds_of() { # PART: what it took or, where that is not known, what it takes o
 
 estimate() {
   local name sum=0 told=''
-  for name in "${parts[@]}"; do
+  for name in "${parts[@]}" "${labels[@]}"; do
     wants "$name" || continue
     sum=$((sum + $(seconds_of "$name")))
     told+=", $name $(seconds_of "$name")"
@@ -147,17 +147,19 @@ tests/run.sh [PART...]: all parts, or those that are named:
   lint        clang-tidy over src/ and cli/
   sanitized   the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer
   tests       every test, in a Turkish locale; ctest runs them in yours
+or only some of the tests, by their label: core, files, oracles, golden or program.
 What needs the build brings it up to date first.
 END
 }
 
 parts=(layout scripts includes build lint sanitized tests)
+labels=(core files oracles golden program)
 for part; do
   case $part in
     -h | --help) help && exit ;;
   esac
-  if [[ " ${parts[*]} " != *" $part "* ]]; then
-    printf "run.sh: error: there is no part '%s'\nhint: the parts are: %s\n" "$part" "${parts[*]}" >&2
+  if [[ " ${parts[*]} ${labels[*]} " != *" $part "* ]]; then
+    printf "run.sh: error: there is no part '%s'\nhint: the parts are: %s\n" "$part" "${parts[*]} ${labels[*]}" >&2
     exit 2
   fi
 done
@@ -170,7 +172,7 @@ wants() {
 
 "$clone/samples/packages.sh" build tests
 
-if wants lint tests; then chosen=" build$chosen"; fi
+if wants lint tests "${labels[@]}"; then chosen=" build$chosen"; fi
 estimate
 if wants layout; then part layout check 'Checking the layout of the C++ files (clang-format)' layout; fi
 if wants scripts; then part scripts check 'Checking the scripts (shellcheck)' scripts; fi
@@ -181,6 +183,9 @@ if wants sanitized; then
   part sanitized check 'Testing the core with Clang, AddressSanitizer and UndefinedBehaviorSanitizer' sanitized
 fi
 if wants tests; then part tests check 'Testing in a Turkish locale' tests; fi
+for label in "${labels[@]}"; do
+  if wants "$label"; then part "$label" check "Testing $label in a Turkish locale" tests -L "$label"; fi
+done
 
 say
 if [ ${#failures[@]} -gt 0 ]; then
