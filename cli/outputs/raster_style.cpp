@@ -23,6 +23,15 @@ std::string short_text(double value) {
   return {text.data(), end.ptr};
 }
 
+/// The largest value below a bound that a raster of floats holds: QGIS has a class reach up to its
+/// value, and one that equals the bound is of the class above.
+double just_below(double bound) {
+  const auto nearest = static_cast<float>(bound);
+  return static_cast<double>(nearest) < bound
+             ? static_cast<double>(nearest)
+             : static_cast<double>(std::nextafter(nearest, -HUGE_VALF));
+}
+
 }  // namespace
 
 StationStyle::StationStyle(std::vector<std::string> ids, int columns)
@@ -81,11 +90,19 @@ RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::span<const dou
     }
     classes_.back().high = held;
   }
-  for (const RasterClass& c : classes_) entries_.push_back(entry(c));
+  if (classes.bounds().empty()) {
+    for (const RasterClass& c : classes_) entries_.push_back(entry(c));
+  } else {
+    lay_entries(classes);
+  }
 }
 
 RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::string unit)
     : unit_(std::move(unit)) {
+  lay_entries(classes);
+}
+
+void RainfallStyle::lay_entries(const RainfallClasses& classes) {
   const std::vector<double>& bounds = classes.bounds();
   if (classes.has_dry()) entries_.push_back({0, "dry", classes.colour(0)});
   for (std::size_t i = 0; i < classes.count(); ++i) {
@@ -94,7 +111,7 @@ RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::string unit)
                              : i == 0       ? "below " + high
                              : high.empty() ? "from " + short_text(bounds[i - 1])
                                             : short_text(bounds[i - 1]) + " to " + high;
-    const double value = i < bounds.size() ? bounds[i] : HUGE_VAL;
+    const double value = i < bounds.size() ? just_below(bounds[i]) : HUGE_VAL;
     entries_.push_back({value, unit_.empty() ? text : text + " " + unit_, classes.class_colour(i)});
   }
 }

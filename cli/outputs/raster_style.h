@@ -44,9 +44,10 @@ class StationStyle {
 /// The colours of rainfall in a raster: those that a picture of the same readings has.
 class RainfallStyle {
  public:
-  /// Of cells: `readings` are by station, NaN where there is none.
+  /// The style of cells, whose `readings` are by station, NaN where there is none.
   RainfallStyle(const RainfallClasses& classes, std::span<const double> readings, std::string unit);
-  /// Of a surface, whose values lie anywhere between the readings; no value is of one class alone.
+  /// The style of a surface, whose values lie anywhere between the readings; no value is of one
+  /// class alone.
   RainfallStyle(const RainfallClasses& classes, std::string unit);
 
   /// The readings of one colour lie between a class's ends, as a raster of floats holds them.
@@ -55,6 +56,8 @@ class RainfallStyle {
   EncodedFile file(const std::string& path) const;
 
  private:
+  /// Entries by the classes' bounds, so that the style fits the rasters of a series alike.
+  void lay_entries(const RainfallClasses& classes);
   StyleEntry entry(const RasterClass& c) const;
 
   std::vector<RasterClass> classes_;

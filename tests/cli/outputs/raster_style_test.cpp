@@ -47,7 +47,7 @@ TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
     EXPECT_GT(classes[i].low, classes[i - 1].high);
     EXPECT_TRUE(differ(classes[i].colour, classes[i - 1].colour));
   }
-  EXPECT_NE(style.file("map.tif").bytes.find("8 mm\""), std::string::npos);
+  EXPECT_NE(style.file("map.tif").bytes.find("label=\"from "), std::string::npos);
 }
 
 TEST(RainfallStyle, of_no_readings_has_no_classes) {
@@ -70,6 +70,9 @@ TEST(RainfallStyle, takes_the_classes_and_colours_that_are_asked_for) {
   for (const char* label :
        {"label=\"dry\"", "label=\"below 2 mm\"", "label=\"2 to 5 mm\"", "label=\"from 5 mm\""})
     EXPECT_NE(surface.find(label), std::string::npos) << label;
+  EXPECT_EQ(cells.file("map.tif").bytes, surface) << "so that it fits all rasters of a series";
+  EXPECT_NE(surface.find("value=\"1.9999998807907104\""), std::string::npos)
+      << "the float before 2, which itself is of the class above";
 }
 
 }  // namespace
