@@ -90,7 +90,7 @@ class RunCommand : public Command {
           [&](const RainStep& step) {
             series.add(step);
             means.add(step.readings);
-            means.note(calendar_time(step.time, step.written));
+            means.note(step.time, calendar_time(step.time, step.written));
             progress.advance();
             if (common_.quiet) return;
             error.add(step.readings);

@@ -77,7 +77,10 @@ Placing StationPositions::read_geometry(Station& station) {
     if (is_nowhere && request_.skip_unplaced) return Placing::nowhere;
     if (geometry.type.empty()) return complain(what + " has no geometry", leave_out(true));
     if (geometry.type != "Point" && geometry.type != "MultiPoint") {
-      return complain(what + " is a " + geometry.type + ", and not a point", leave_out());
+      return complain(what + " is a " + geometry.type + ", and not a point",
+                      geometry.polygons.empty() ? leave_out()
+                                                : "are " + input("stations") + " and " +
+                                                      input("basins") + " in each other's place?");
     }
     if (geometry.points.empty())
       return complain(what + " has an empty geometry", leave_out(geometry.type == "Point"));

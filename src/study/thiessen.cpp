@@ -167,6 +167,8 @@ std::vector<BasinRainfall> Thiessen::rainfall(std::span<const double> readings) 
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isinf(readings[i]))
       throw Error({"", 0, "the reading of " + named(stations()[i]) + " is not finite", ""});
+    if (readings[i] < 0)
+      throw Error({"", 0, "the reading of " + named(stations()[i]) + " is negative", ""});
   }
   return held_->rainfall.at(readings);
 }

@@ -179,6 +179,14 @@ TEST(Thiessen, refuses_more_or_fewer_readings_than_stations) {
   EXPECT_THROW(study.weights({true}), Error);
 }
 
+TEST(Thiessen, refuses_a_negative_reading) {
+  const Thiessen study(two_gauges());
+  EXPECT_EQ(complaints_of([&] {
+              study.rainfall(std::vector<double>{1, -5});
+            }),
+            std::vector<std::string>{"the reading of station 'b' is negative"});
+}
+
 TEST(Thiessen, the_cells_of_a_basin_cover_it) {
   const Thiessen study(two_gauges());
   const auto cells = study.cells();

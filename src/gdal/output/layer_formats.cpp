@@ -98,7 +98,7 @@ GDALDriver& require_vector_driver(const std::string& path) {
   if (extension.empty()) refuse(path, "the extension tells the format, and there is none");
   GDALDriver* driver = find_driver(extension);
   if (driver == nullptr)
-    refuse(path, "no format of cells has the extension ." + printable(extension));
+    refuse(path, "no vector format has the extension ." + printable(extension));
   return *driver;
 }
 

@@ -69,10 +69,16 @@ Page bare_page(const Picture& picture, const Extent& extent, const PageStyle& st
 PageStyle page_style(int width, int height, int dots_to_the_inch) {
   constexpr int smallest_em = 11;
   constexpr double largest_em = 10.0 / 72;  // inches
+  constexpr double least_em = 9.0 / 72;  // so that names, which are smaller, can be read on paper
   const double tall = height > 0 ? height : 0.75 * width;
   PageStyle style;
   double em = std::sqrt(width * tall) / 60;
-  if (dots_to_the_inch > 0) em = std::min(em, largest_em * dots_to_the_inch);
+  if (dots_to_the_inch > 0) {
+    em = std::min(em, largest_em * dots_to_the_inch);
+    // But for a heading and a legend there must be room.
+    const double room = std::min(width / 26.0, tall / 17.0);
+    em = std::max(em, std::min(least_em * dots_to_the_inch, room));
+  }
   style.em = std::max(smallest_em, static_cast<int>(std::lround(em)));
   style.hairline = std::max(1, style.ems(0.06));
   style.bare = width < style.ems(24) || tall < style.ems(16);

@@ -64,6 +64,10 @@ std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnin
   Sheet sheet(picture);
   std::string bytes =
       page_file(sheet.page, picture, format, [&](Canvas& canvas) { draw(canvas, picture, sheet); });
+  if (sheet.page.style.bare) {
+    warnings.add_notice(
+        {{}, 0, "the picture is too small for a title and a legend, and is the map alone", ""});
+  }
   warn_of_fonts(sheet.type, warnings);
   warn_of_outside(sheet.classes, warnings);
   return bytes;

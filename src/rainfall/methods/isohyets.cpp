@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "base/error.h"
 
 namespace thiessen {
 namespace {
@@ -23,7 +24,10 @@ std::vector<double> isohyet_levels(double least, double largest, double interval
   std::vector<double> levels;
   if (!(largest > least)) return levels;
   const double step = interval > 0 ? interval : rounded_step(largest - least);
-  if ((largest - least) / step > most_levels) throw std::length_error("too many isohyets");
+  if ((largest - least) / step > most_levels) {
+    throw Error({"", 0, "there would be more than 10000 isohyets",
+                 "a larger " + setting("interval") + " makes fewer"});
+  }
   for (double k = std::floor(least / step); k * step < largest; ++k) {
     if (k * step > least) levels.push_back(k * step);
   }

@@ -7,8 +7,8 @@ namespace thiessen {
 
 /// The levels of isohyets strictly between the least and the largest value: multiples of the
 /// interval. Where that is 0 it is the rounded step (1, 2 or 5 times a power of ten) that makes
-/// about eight levels. None where the values are equal. Requires finite values, and an interval
-/// that makes no more than `most_levels`, else std::length_error.
+/// about eight levels. None where the values are equal. Requires finite values. Throws Error
+/// where the interval makes more than `most_levels`.
 std::vector<double> isohyet_levels(double least, double largest, double interval);
 inline constexpr double most_levels = 10'000;
 

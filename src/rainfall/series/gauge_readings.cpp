@@ -45,7 +45,8 @@ void MeanReadings::add(std::span<const double> readings) {
   }
 }
 
-void MeanReadings::note(const ParsedTime& time) {
+void MeanReadings::note(const std::string& name, const ParsedTime& time) {
+  name_ = name;
   intervals_.note(time);
 }
 
@@ -59,8 +60,9 @@ double MeanReadings::mean_at(PlaceIndex place) const {
 }
 
 std::string MeanReadings::label() const {
+  if (steps_ == 1) return name_;
   return "each gauge's mean over the steps it reports, of " + std::to_string(steps_) +
-         (steps_ == 1 ? " time step" : " time steps");
+         " time steps";
 }
 
 GaugeReadings MeanReadings::of_reporting() const {
@@ -105,7 +107,7 @@ GaugeReadings read_gauges(Readings& readings, const Network& network, const std:
   TimeStep step;
   while (readings.next(step)) {
     throw_if_interrupted();
-    means.note(calendar_time(step.time, step.written));
+    means.note(step.time, calendar_time(step.time, step.written));
     means.add(step.readings);
   }
   GaugeReadings shown = means.of_reporting();

@@ -38,8 +38,9 @@ class MeanReadings {
   explicit MeanReadings(const Network& network);
 
   void add(std::span<const double> readings);
-  /// Takes note of the time of a step, so that the means know the length of a step.
-  void note(const ParsedTime& time);
+  /// Takes note of what a step is called and of its time, so that the means know the length of a
+  /// step, and what to call the only one.
+  void note(const std::string& name, const ParsedTime& time);
   /// The length of a step, by the times that were noted: see StepIntervals.
   std::optional<StepLength> step() const;
   /// The means of the gauges that have a reading in some step; the others have none.
@@ -57,6 +58,7 @@ class MeanReadings {
   std::vector<std::size_t> count_;
   ReportingStations heard_;
   StepIntervals intervals_;
+  std::string name_;  ///< of the step that was noted last
   std::size_t steps_ = 0;
 };
 

@@ -19,10 +19,9 @@ TEST(Extension, is_what_stands_behind_the_last_dot_of_the_name) {
 TEST(VectorDriver, is_known_by_the_extension) {
   for (const char* path : {"c.gpkg", "c.shp", "c.fgb", "c.kml", "c.gml", "c.csv", "x/c.GeoJSONL"})
     EXPECT_NO_THROW(require_vector_driver(path)) << path;
-  EXPECT_TRUE(
-      complaint_of([] { require_vector_driver("c.xyz"); })
-          .starts_with("c.xyz: no format of cells has the extension .xyz | cells are written "
-                       "to .geojson, .json, .gpkg, .shp"));
+  EXPECT_TRUE(complaint_of([] { require_vector_driver("c.xyz"); })
+                  .starts_with("c.xyz: no vector format has the extension .xyz | cells are written "
+                               "to .geojson, .json, .gpkg, .shp"));
   EXPECT_TRUE(contains(complaint_of([] { require_vector_driver("a.b/c"); }),
                        "the extension tells the format, and there is none"));
   for (const char* sheet : {"c.xlsx", "c.ods"})

@@ -135,5 +135,12 @@ TEST(PanelTransform, puts_the_extents_middle_into_the_panels_and_y_upward) {
   EXPECT_DOUBLE_EQ(transform({14, 21}).x, 400 * 0.96);
 }
 
+// Names are 0.6 of an em: 9 points make them 5.4, at 300 dots to the inch 37.5 pixels.
+TEST(Page, at_a_known_density_has_type_that_can_be_read_on_paper) {
+  EXPECT_EQ(page_style(1181, 709, 300).em, 38);
+  EXPECT_EQ(page_style(3508, 2480, 300).em, 42) << "10 points at most";
+  EXPECT_FALSE(page_style(800, 600, 300).bare) << "but a heading has room";
+}
+
 }  // namespace
 }  // namespace thiessen

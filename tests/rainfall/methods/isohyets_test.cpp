@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <stdexcept>
+#include "base/complaints.h"
 
 namespace thiessen {
 namespace {
@@ -15,7 +15,8 @@ TEST(Isohyets, have_levels_strictly_between_the_least_and_the_largest_value) {
   EXPECT_EQ(isohyet_levels(-5, 5, 5), (Levels{0}));
   EXPECT_TRUE(isohyet_levels(11, 19, 10).empty());
   EXPECT_TRUE(isohyet_levels(10, 10, 10).empty());
-  EXPECT_THROW(isohyet_levels(0, 100, 1e-3), std::length_error);
+  EXPECT_EQ(complaint_of([] { isohyet_levels(0, 100, 1e-3); }),
+            "there would be more than 10000 isohyets | a larger 'interval' makes fewer");
 }
 
 TEST(Isohyets, without_an_interval_take_a_rounded_one) {

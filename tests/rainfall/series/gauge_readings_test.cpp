@@ -93,10 +93,21 @@ TEST(GaugeReadings, know_the_length_of_a_step_by_the_times) {
   MeanReadings means(network());
   for (const char* time : {"2020-01-01", "2020-01-02"}) {
     EXPECT_EQ(means.step(), std::nullopt);
-    means.note(parse_iso_time(time));
+    means.note(time, parse_iso_time(time));
   }
   EXPECT_EQ(means.step(), (StepLength{0, 86'400}));
   EXPECT_EQ(means.of_all().step, means.step());
+}
+
+TEST(GaugeReadings, of_one_step_are_called_as_it_is) {
+  MeanReadings means(network());
+  const std::vector<double> readings{1, 2, 3, 4};
+  means.note("storm", {});
+  means.add(readings);
+  EXPECT_EQ(means.of_all().label, "storm");
+  means.note("next", {});
+  means.add(readings);
+  EXPECT_EQ(means.of_all().label, "each gauge's mean over the steps it reports, of 2 time steps");
 }
 
 }  // namespace
