@@ -52,8 +52,8 @@ std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const Rainfa
   } else {
     const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
     const ReportingStations report =
-        stations_that_report(rainfall.rainfall, rainfall.csv(options.csv()), files->stations,
-                             filtered, readings_options(options, rainfall));
+        stations_that_report(rainfall.source(options.csv()), files->stations, filtered,
+                             readings_options(options, rainfall));
     keep_full_network(*files, report, rainfall.name(), warnings);
   }
   return files;
@@ -94,8 +94,8 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
   auto readings = rainfall.is_event()
                       ? open_event(study.request().stations, network().stations(), passed_over_,
                                    options, warnings)
-                      : open_rainfall(rainfall.rainfall, rainfall.csv(study.csv()),
-                                      network().stations(), passed_over_, options, warnings);
+                      : open_rainfall(rainfall.source(study.csv()), network().stations(),
+                                      passed_over_, options, warnings);
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

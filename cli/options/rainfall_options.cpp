@@ -43,6 +43,7 @@ void RainfallOptions::declare_as_option(OptionList& options, const std::string& 
 
 void RainfallOptions::declare_meaning(OptionList& options) {
   OptionGroup readings = options.group("Readings", *this);
+  declare_rows(readings);
   csv_.declare_for(readings, "RAINFALL");
   readings.add("--missing", texts(readings_.missing, "V"),
                "a further text or number that means no reading; may be repeated");
@@ -72,6 +73,16 @@ void RainfallOptions::declare_meaning(OptionList& options) {
       &readings.add("--keep-flagged", flag(readings_.keep_flagged),
                     "of .dly files, also the values that failed a check of quality"));
   declare_amounts(readings);
+}
+
+void RainfallOptions::declare_rows(OptionGroup& readings) {
+  of_tables_.push_back(
+      &readings.add("--rainfall-layer", text(layer_, "LAYER"),
+                    "which layer or sheet of RAINFALL, where the file has several"));
+  of_tables_.push_back(&readings.add(
+      "--rainfall-where", text(where_, "SQL"),
+      "only the rows of RAINFALL that meet this OGR attribute filter, such as \"ELEMENT='PRCP'\"; "
+      "in a CSV a field is of numbers where the first 64 kB hold nothing else in it"));
 }
 
 void RainfallOptions::declare_amounts(OptionGroup& readings) {
@@ -119,6 +130,17 @@ void RainfallOptions::check_units() const {
 std::string RainfallOptions::name() const {
   if (is_event()) return *stations_;
   return rainfall == "-" ? "standard input" : rainfall;
+}
+
+Source RainfallOptions::source(const CsvDialect& all) const {
+  Source source;
+  source.file = rainfall;
+  source.layer = layer_;
+  source.where = where_;
+  source.layer_setting = "rainfall_layer";
+  source.where_setting = "rainfall_where";
+  source.csv = csv(all);
+  return source;
 }
 
 CsvDialect RainfallOptions::csv(const CsvDialect& all) const {

@@ -5,6 +5,7 @@
 
 #include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
+#include "files/source.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen::cli {
@@ -22,6 +23,8 @@ class RainfallOptions : public OptionBlock {
                          const std::string& help);
   /// The settings of the reader, where the study says `all` of all CSV files.
   ReadingsOptions readings(const CsvDialect& all) const;
+  /// RAINFALL with what is said of it, where the study says `all` of all CSV files.
+  Source source(const CsvDialect& all) const;
   /// What is said of how RAINFALL is written, where it is a CSV.
   CsvDialect csv(const CsvDialect& all) const;
   /// Throws UsageError for options that are about readings where there are none.
@@ -39,6 +42,7 @@ class RainfallOptions : public OptionBlock {
   std::string name() const;
 
  private:
+  void declare_rows(OptionGroup& readings);
   void declare_meaning(OptionList& options);
   void declare_amounts(OptionGroup& readings);
 
@@ -46,6 +50,8 @@ class RainfallOptions : public OptionBlock {
 
   ReadingsOptions readings_;
   CsvOptionsOf csv_;
+  std::string layer_;
+  std::string where_;
   double scale_ = 1;
   const std::string* stations_ = nullptr;
   const Option* scale_option_ = nullptr;

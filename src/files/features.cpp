@@ -43,13 +43,7 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
     table_ = std::make_unique<GhcnStationList>(source.file);
     warnings.add_notice({source.file, 0, "read as GHCN-Daily's list of stations", {}});
   } else {
-    if (!source.layer.empty()) {
-      throw Error(Message{
-          source.file,
-          0,
-          "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
-          {}});
-    }
+    if (!source.layer.empty()) throw no_layers(source);
     table_ = open_rows(source, longest_field, warnings);
     wkt_ = find_field(header(), known::geometries);
     mark_ = table_->decimal_mark();

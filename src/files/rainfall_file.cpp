@@ -9,19 +9,32 @@
 #include "readings/readings_dly.h"
 
 namespace thiessen {
+namespace {
 
-std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, const CsvDialect& said,
-                                        std::span<const Station> stations,
+/// Refuses a layer and a filter of rows where there are neither.
+void require_no_table_wanted(const Source& rainfall) {
+  const bool layer = !rainfall.layer.empty();
+  if (!layer && rainfall.where.empty()) return;
+  throw Error({rainfall.file, 0,
+               setting(layer ? rainfall.layer_setting : rainfall.where_setting) +
+                   " is of tables, and .dly files of GHCN-Daily are none",
+               "leave it out: of these files PRCP alone is read"});
+}
+
+}  // namespace
+
+std::unique_ptr<Readings> open_rainfall(const Source& rainfall, std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings) {
-  if (is_dly(rainfall)) {
-    return open_dly_readings(rainfall, stations, passed_over, options, warnings);
+  if (is_dly(rainfall.file)) {
+    require_no_table_wanted(rainfall);
+    return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
   }
   if (options.keep_flagged) {
-    throw Error({rainfall, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
+    throw Error(
+        {rainfall.file, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
   }
-  return open_readings(open_table(rainfall, said, warnings), stations, passed_over, options,
-                       warnings);
+  return open_readings(open_table(rainfall, warnings), stations, passed_over, options, warnings);
 }
 
 bool can_be_read_again(const std::string& rainfall) {
@@ -32,18 +45,17 @@ bool can_be_read_again(const std::string& rainfall) {
   return kind != Type::fifo && kind != Type::character && kind != Type::socket;
 }
 
-ReportingStations stations_that_report(const std::string& rainfall, const CsvDialect& said,
-                                       std::span<const Station> stations,
+ReportingStations stations_that_report(const Source& rainfall, std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options) {
   const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   HeardStations heard(known);
   Warnings told_later;  // the file is opened once more
   try {
-    if (is_dly(rainfall)) {
-      heard.look_through_dly(dly_files(rainfall), options.keep_flagged);
+    if (is_dly(rainfall.file)) {
+      heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
     } else {
-      heard.look_through(*open_table(rainfall, said, told_later), options);
+      heard.look_through(*open_table(rainfall, told_later), options);
     }
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);

@@ -4,17 +4,16 @@
 #include <span>
 #include <string>
 
+#include "files/source.h"
 #include "rainfall/network/reporting.h"
 #include "readings/readings_reader.h"
-#include "text/csv_dialect.h"
 
 namespace thiessen {
 
 /// Opens RAINFALL as the user names it: `.dly` files of GHCN-Daily (see open_dly_readings), or a
-/// table (see open_table; `said` is of a CSV), whose readings are interpreted as
+/// table (see open_table), whose readings are interpreted as
 /// open_readings says. Throws Error as these functions do.
-std::unique_ptr<Readings> open_rainfall(const std::string& rainfall, const CsvDialect& said,
-                                        std::span<const Station> stations,
+std::unique_ptr<Readings> open_rainfall(const Source& rainfall, std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings);
 
@@ -24,8 +23,7 @@ bool can_be_read_again(const std::string& rainfall);
 /// The stations that have at least one reading in RAINFALL: see HeardStations. All of them where
 /// there is a fault in it, which is met again, and told, when the readings are read; for that
 /// RAINFALL has to be one that can be read again. Throws Interrupted.
-ReportingStations stations_that_report(const std::string& rainfall, const CsvDialect& said,
-                                       std::span<const Station> stations,
+ReportingStations stations_that_report(const Source& rainfall, std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options);
 

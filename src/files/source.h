@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "base/error.h"
+#include "base/utf8.h"
 #include "text/csv_dialect.h"
 
 namespace thiessen {
@@ -18,5 +20,14 @@ struct Source {
   std::string crs_setting = "crs";
   CsvDialect csv = {};  ///< how it is written, where it is a CSV
 };
+
+/// The error that a layer is named of a CSV.
+inline Error no_layers(const Source& source) {
+  return Error(Message{
+      source.file,
+      0,
+      "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
+      {}});
+}
 
 }  // namespace thiessen

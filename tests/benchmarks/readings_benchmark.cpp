@@ -126,7 +126,7 @@ void read_table(benchmark::State& state, void (*write)(std::ofstream&, Size)) {
   const std::vector<Station> gauges = stations(size.stations);
   for ([[maybe_unused]] auto _ : state) {
     read_all(state, gauges, size.stations * size.steps, [&](Warnings& warnings) {
-      return open_readings(open_table(path, {}, warnings), gauges, {}, {}, warnings);
+      return open_readings(open_table({path, {}, {}, {}}, warnings), gauges, {}, {}, warnings);
     });
   }
 }

@@ -18,9 +18,10 @@ const std::vector<Station> stations = {{"USC00050001", {}}};
 double first(const std::string& rainfall, const ReadingsOptions& options = {},
              char separator = '\0') {
   Warnings warnings;
-  CsvDialect said;
-  said.separator = separator;
-  const auto readings = open_rainfall(rainfall, said, stations, {}, options, warnings);
+  Source source;
+  source.file = rainfall;
+  source.csv.separator = separator;
+  const auto readings = open_rainfall(source, stations, {}, options, warnings);
   TimeStep step;
   EXPECT_TRUE(readings->next(step));
   return step.readings[0];

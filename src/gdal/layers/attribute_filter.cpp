@@ -1,7 +1,9 @@
 #include "gdal/layers/attribute_filter.h"
 
+#include <cpl_string.h>
 #include <ogr_feature.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "base/error.h"
@@ -28,7 +30,20 @@ struct AttributeFilter::Query {
   std::unique_ptr<OGRFeatureDefn, ReleaseDefinition> definition;
   std::unique_ptr<OGRFeature> feature;
   OGRFeatureQuery query;
+  std::vector<std::size_t> asked;
+
+  void find_asked();
 };
+
+void AttributeFilter::Query::find_asked() {
+  const CPLStringList names(query.GetUsedFields());
+  for (int i = 0; i < names.size(); ++i) {
+    const int field = definition->GetFieldIndex(names[i]);
+    if (field >= 0) asked.push_back(static_cast<std::size_t>(field));
+  }
+  std::sort(asked.begin(), asked.end());
+  asked.erase(std::unique(asked.begin(), asked.end()), asked.end());
+}
 
 AttributeFilter::AttributeFilter(const std::string& where, const std::string& its_setting,
                                  const std::string& file, const std::vector<FieldName>& fields)
@@ -46,22 +61,27 @@ AttributeFilter::AttributeFilter(const std::string& where, const std::string& it
     throw Error(
         Message{file, 0, setting(its_setting, quoted(where, 200)) + ": " + errors.text(), {}});
   }
+  query_->find_asked();
 }
 
 AttributeFilter::~AttributeFilter() = default;
+
+const std::vector<std::size_t>& AttributeFilter::fields_asked() const {
+  return query_->asked;
+}
 
 bool AttributeFilter::keeps(const Row& row) const {
   OGRFeature& feature = *query_->feature;
   const GdalErrors errors;
   feature.SetFID(static_cast<GIntBig>(row.line));
-  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+  for (const std::size_t i : query_->asked) {
     const int field = static_cast<int>(i);
     const std::string text(row.fields[i]);
     const OGRFieldType type = feature.GetFieldDefnRef(field)->GetType();
     if (text.empty()) {
       feature.SetFieldNull(field);
     } else if (type == OFTReal) {
-      feature.SetField(field, parse_number(text).value);
+      feature.SetField(field, parse_number(trimmed(text)).value);
     } else {
       feature.SetField(field, text.c_str());
     }

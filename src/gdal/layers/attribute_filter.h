@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ class AttributeFilter {
                   const std::vector<FieldName>& fields);
   ~AttributeFilter();
 
+  /// The fields that the filter asks, in the order of the table.
+  const std::vector<std::size_t>& fields_asked() const;
   /// Whether the row is to be kept. Throws Error where a text is not of its field's type.
   bool keeps(const Row& row) const;
 

@@ -32,7 +32,7 @@ TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
     line.insert(line.end(), {"--influence", "r"});
     EXPECT_EQ(refusal(line), "");
   }
-  EXPECT_EQ(refused, 20u);
+  EXPECT_EQ(refused, 22u);
 }
 
 TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {
