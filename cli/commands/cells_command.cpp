@@ -45,7 +45,7 @@ class CellsCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     const bool to_stream = output_.output == "-";
     if (!to_stream) require_cells_format(output_.output);
     OutputFile& file = outputs.add(output_.output);

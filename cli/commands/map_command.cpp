@@ -101,7 +101,7 @@ class MapCommand : public Command {
     if (is_picture(kind)) {
       check_picture_size(view_.width(), view_.height());
     }
-    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     if (raster_.of_steps) return write_grid(kind, outputs, warnings);
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
@@ -168,7 +168,7 @@ class MapCommand : public Command {
       throw UsageError{"--time shows one step, and --steps writes all",
                        "--from and --to choose some; leave one of the two out"};
     }
-    if (rainfall_.rainfall == "-") {
+    if (rainfall_.is_standard_input()) {
       throw UsageError{"--steps reads RAINFALL twice, and standard input can be read once",
                        "give a file"};
     }
@@ -179,9 +179,9 @@ class MapCommand : public Command {
   }
 
   void write_grid(Kind kind, Outputs& outputs, Warnings& warnings) {
-    if (!can_be_read_again(rainfall_.rainfall)) {
+    if (!can_be_read_again(rainfall_.request({}))) {
       throw UsageError{
-          "--steps reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
+          "--steps reads RAINFALL twice, and " + printable(rainfall_.name()) + " is not a file",
           ""};
     }
     // A NetCDF is written to the disk by its library, a GeoTIFF into memory by GDAL.

@@ -76,7 +76,7 @@ class RainCommand : public Command {
     if (errors_) require_two_readings();
     require_table_name(output_.output);
     require_table_name(weights_log_);
-    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     OutputFile& file = outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
@@ -150,7 +150,7 @@ class RainCommand : public Command {
           "not known",
           "leave one of them out, or sum the readings first"};
     }
-    if (rainfall_.rainfall == "-") {
+    if (rainfall_.is_standard_input()) {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
                        "give a file"};
     }
@@ -158,10 +158,9 @@ class RainCommand : public Command {
 
   /// Refuses a pipe, as it can be read only once.
   void require_two_readings() const {
-    if (can_be_read_again(rainfall_.rainfall)) return;
+    if (can_be_read_again(rainfall_.request({}))) return;
     throw UsageError{
-        "--error reads RAINFALL twice, and " + printable(rainfall_.rainfall) + " is not a file",
-        ""};
+        "--error reads RAINFALL twice, and " + printable(rainfall_.name()) + " is not a file", ""};
   }
 
   /// Reads RAINFALL for its variogram. Its warnings are dropped here, as they are given when it is

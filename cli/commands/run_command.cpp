@@ -61,7 +61,7 @@ class RunCommand : public Command {
     const unsigned threads = static_cast<unsigned>(common_.threads);
     const std::optional<StepTimes> times = periods_.times();
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
-    Outputs outputs(output_.rules({study_.stations, study_.basins, rainfall_.rainfall}));
+    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     outputs.make_folder(output_.output);
     OutputFile& cells_file = outputs.add(output_.output + "/cells.geojson");
     OutputFile& weights_file = outputs.add(output_.output + "/weights.csv");

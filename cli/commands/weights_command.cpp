@@ -92,8 +92,7 @@ class WeightsCommand : public Command {
 
   std::vector<std::string> input_files() const {
     std::vector<std::string> files{study_.stations, study_.basins};
-    if (rainfall_.given()) files.push_back(rainfall_.rainfall);
-    return files;
+    return rainfall_.files_beside(std::move(files));
   }
 
   void refuse_changes() const {

@@ -184,6 +184,20 @@ std::string csv_section() {
              "does not have as names, the file has no header, and columns are counted from 1.");
 }
 
+std::string files_section() {
+  return ".SH SEVERAL FILES OF READINGS\n" +
+         roff_paragraph(
+             "--rainfall, repeated, stands in place of RAINFALL, and a folder stands for its files "
+             "of a format that is read (.csv, .txt, .xlsx, .zip, .csv.gz and the like; or .dly "
+             "alone, where it has any). Each is read by itself, wide or long and with times in its "
+             "own form, and all are joined by the calendar and by station: a file a year, a file a "
+             "station. A file that has no column of stations, and none that is called as one, is "
+             "of the station that its name tells: the whole name without its extension, or a part "
+             "of it between _, -, . and blanks. Readings that stand in several files alike count "
+             "once, and a notice says how many; where they differ, the error names both places. "
+             "Steps come in the order of time, after all files have been read.");
+}
+
 std::string times_section() {
   return ".SH TIMES\n" +
          roff_paragraph(
@@ -239,8 +253,8 @@ std::string examples_section(const Catalogue& commands) {
 
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
-         notes_sections(commands) + csv_section() + times_section() + names_section() +
-         status_section() + examples_section(commands);
+         notes_sections(commands) + csv_section() + files_section() + times_section() +
+         names_section() + status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli

@@ -47,12 +47,12 @@ std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const Rainfa
     keep_full_network(*files, report, rainfall.name(), warnings);
   } else if (!rainfall.given()) {
     note_whole_network(files->stations_file, count, without_rainfall(), warnings);
-  } else if (!can_be_read_again(rainfall.rainfall)) {
+  } else if (!can_be_read_again(rainfall.request(options.csv()))) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
   } else {
     const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
     const ReportingStations report =
-        stations_that_report(rainfall.source(options.csv()), files->stations, filtered,
+        stations_that_report(rainfall.request(options.csv()), files->stations, filtered,
                              readings_options(options, rainfall));
     keep_full_network(*files, report, rainfall.name(), warnings);
   }
@@ -94,7 +94,7 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
   auto readings = rainfall.is_event()
                       ? open_event(study.request().stations, network().stations(), passed_over_,
                                    options, warnings)
-                      : open_rainfall(rainfall.source(study.csv()), network().stations(),
+                      : open_rainfall(rainfall.request(study.csv()), network().stations(),
                                       passed_over_, options, warnings);
   if (wanted) {
     readings =

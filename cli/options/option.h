@@ -41,8 +41,8 @@ struct Option {
   std::string help;    ///< its purpose, in words that follow the name
   OptionValue value;
   Need need = Need::optional;
-  /// An option that may stand in the place of an argument that is required.
-  const Option* instead = nullptr;
+  /// Options of which one may stand in the place of an argument that is required.
+  std::vector<const Option*> instead = {};
   /// The texts that the command line gives, one for each time that the option stands there.
   std::vector<std::string> texts;
 

@@ -1,5 +1,6 @@
 #include "cli/options/rainfall_options.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,18 +25,25 @@ OptionValue rain_unit_of(std::optional<RainUnit>& target) {
 void RainfallOptions::declare(OptionList& options, Need need, const std::string& stations) {
   Option& argument =
       options.group("Files", *this)
-          .add("RAINFALL", file(rainfall),
-               "readings, wide or long: CSV or any of these as a table; - reads standard input; or "
-               "GHCN-Daily: a .dly file, or a folder of them");
+          .add("RAINFALL", file(rainfall_),
+               "readings, wide or long: CSV or any of these as a table; - reads standard input; "
+               "GHCN-Daily: a .dly file; or a folder of files, which are joined");
   argument.need = need;
   stations_ = &stations;
   declare_meaning(options);
-  argument.instead = options.find("--value-field");
+  OptionValue value = texts(repeated_, "FILE");
+  value.completion = Completion::file;
+  const Option& repeated = options.group("Files", *this)
+                               .add("--rainfall", std::move(value),
+                                    "one of several files, in place of RAINFALL; repeated: they "
+                                    "are joined in time and by "
+                                    "station, which may stand in a file's name");
+  argument.instead = {options.find("--value-field"), &repeated};
 }
 
 void RainfallOptions::declare_as_option(OptionList& options, const std::string& group,
                                         const std::string& name, const std::string& help) {
-  OptionValue value = text(rainfall, "RAINFALL");
+  OptionValue value = text(rainfall_, "RAINFALL");
   value.completion = Completion::file;
   options.group(group, *this).add(name, std::move(value), help);
   declare_meaning(options);
@@ -104,8 +112,18 @@ void RainfallOptions::check() const {
     throw UsageError{option->name + " is about readings, and there is no RAINFALL",
                      "give RAINFALL, or leave it out"};
   }
+  check_files();
   if (is_event()) check_event();
   check_units();
+}
+
+void RainfallOptions::check_files() const {
+  if (!rainfall_.empty() && !repeated_.empty()) {
+    throw UsageError{"--rainfall stands in place of RAINFALL, and both are given",
+                     "name all files with --rainfall"};
+  }
+  if (repeated_.size() > 1 && std::find(repeated_.begin(), repeated_.end(), "-") != repeated_.end())
+    throw UsageError{"--rainfall - is standard input, which stands alone", "give files"};
 }
 
 /// Refuses what an event has no use for.
@@ -129,18 +147,28 @@ void RainfallOptions::check_units() const {
 
 std::string RainfallOptions::name() const {
   if (is_event()) return *stations_;
-  return rainfall == "-" ? "standard input" : rainfall;
+  return given() ? request({}).name() : "";
 }
 
-Source RainfallOptions::source(const CsvDialect& all) const {
+std::vector<std::string> RainfallOptions::files() const {
+  if (!repeated_.empty()) return repeated_;
+  return rainfall_.empty() ? std::vector<std::string>() : std::vector{rainfall_};
+}
+
+std::vector<std::string> RainfallOptions::files_beside(std::vector<std::string> others) const {
+  const std::vector<std::string> own = files();
+  others.insert(others.end(), own.begin(), own.end());
+  return others;
+}
+
+RainfallRequest RainfallOptions::request(const CsvDialect& all) const {
   Source source;
-  source.file = rainfall;
   source.layer = layer_;
   source.where = where_;
   source.layer_setting = "rainfall_layer";
   source.where_setting = "rainfall_where";
   source.csv = csv(all);
-  return source;
+  return {files(), source};
 }
 
 CsvDialect RainfallOptions::csv(const CsvDialect& all) const {

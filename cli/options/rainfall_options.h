@@ -5,7 +5,7 @@
 
 #include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
-#include "files/source.h"
+#include "files/rainfall_file.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen::cli {
@@ -14,8 +14,6 @@ namespace thiessen::cli {
 /// it.
 class RainfallOptions : public OptionBlock {
  public:
-  std::string rainfall;
-
   /// `stations` is the argument STATIONS, where the readings of one event may stand.
   void declare(OptionList& options, Need need, const std::string& stations);
   /// Declares RAINFALL as the value of an option under the given heading, and not as an argument.
@@ -23,18 +21,23 @@ class RainfallOptions : public OptionBlock {
                          const std::string& help);
   /// The settings of the reader, where the study says `all` of all CSV files.
   ReadingsOptions readings(const CsvDialect& all) const;
+  /// The files of RAINFALL; none where it is not given.
+  std::vector<std::string> files() const;
+  /// These files, and RAINFALL's: all that a command reads.
+  std::vector<std::string> files_beside(std::vector<std::string> others) const;
+  bool is_standard_input() const { return files() == std::vector<std::string>{"-"}; }
   /// RAINFALL with what is said of it, where the study says `all` of all CSV files.
-  Source source(const CsvDialect& all) const;
+  RainfallRequest request(const CsvDialect& all) const;
   /// What is said of how RAINFALL is written, where it is a CSV.
   CsvDialect csv(const CsvDialect& all) const;
   /// Throws UsageError for options that are about readings where there are none.
   void check() const;
   /// Throws UsageError for a factor beside a unit.
   void check_units() const;
-  bool given() const { return !rainfall.empty() || is_event(); }
+  bool given() const { return !files().empty() || is_event(); }
   /// Whether the readings are those of one event, in a field of STATIONS.
   bool is_event() const {
-    return rainfall.empty() && stations_ != nullptr && !readings_.value_field.empty();
+    return files().empty() && stations_ != nullptr && !readings_.value_field.empty();
   }
   /// What the readings of an event are called: their field.
   const std::string& event() const { return readings_.value_field; }
@@ -46,9 +49,12 @@ class RainfallOptions : public OptionBlock {
   void declare_meaning(OptionList& options);
   void declare_amounts(OptionGroup& readings);
 
+  void check_files() const;
   void check_event() const;
 
   ReadingsOptions readings_;
+  std::string rainfall_;
+  std::vector<std::string> repeated_;
   CsvOptionsOf csv_;
   std::string layer_;
   std::string where_;

@@ -33,9 +33,10 @@ void refuse_missing(const OptionList& options) {
   std::string hint;
   for (const Option& option : options.options()) {
     if (option.need == Need::optional || option.is_given()) continue;
-    if (option.instead != nullptr) {
-      if (option.instead->is_given()) continue;
-      hint = option.instead->name + " may stand in place of " + option.name;
+    if (!option.instead.empty()) {
+      const auto given = [](const Option* other) { return other->is_given(); };
+      if (std::any_of(option.instead.begin(), option.instead.end(), given)) continue;
+      hint = option.instead.front()->name + " may stand in place of " + option.name;
     }
     names.push_back(option.short_name() +
                     (option.value.kind.empty() ? "" : " " + option.value.kind));

@@ -1,12 +1,18 @@
 #include "files/rainfall_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
+#include "files/rainfall_folder.h"
 #include "files/table_file.h"
 #include "readings/dly_files.h"
 #include "readings/heard_stations.h"
+#include "readings/joined_readings.h"
 #include "readings/readings_dly.h"
+#include "readings/station_in_name.h"
+#include "readings/steps/counter_readings.h"
 
 namespace thiessen {
 namespace {
@@ -21,41 +27,146 @@ void require_no_table_wanted(const Source& rainfall) {
                "leave it out: of these files PRCP alone is read"});
 }
 
-}  // namespace
+Source source_of(const RainfallRequest& rainfall, const std::string& file) {
+  Source source = rainfall.said;
+  source.file = file;
+  return source;
+}
 
-std::unique_ptr<Readings> open_rainfall(const Source& rainfall, std::span<const Station> stations,
-                                        std::span<const std::string> passed_over,
-                                        const ReadingsOptions& options, Warnings& warnings) {
+/// A table of one file of several, and the id of the station that the file's name tells where the
+/// table names none. The table is null where the name tells none either, and may be passed over.
+struct OneOfSeveral {
+  std::unique_ptr<Table> table;
+  std::string id;
+};
+
+OneOfSeveral open_one_of_several(const Source& source, const ReadingsStations& known,
+                                 const ReadingsOptions& options, Warnings& warnings) {
+  auto table = open_table(source, warnings);
+  if (!options.station_field.empty() || !names_no_station(*table, known))
+    return {std::move(table), ""};
+  std::string id = station_in_name(source.file, known);
+  if (!id.empty()) {
+    warnings.add_notice({source.file, 0, "its station stands in the file's name", ""});
+    return {of_station(std::move(table), id), std::move(id)};
+  }
+  if (!options.ignore_unknown) {
+    throw Error({source.file, table->header_line(),
+                 "no column is one of stations or called as a station of " + input("stations") +
+                     ", nor does the file's name tell one",
+                 setting("station_field") + " names a column, and " + setting("ignore_unknown") +
+                     " passes over such files"});
+  }
+  warnings.add({source.file, 0, "it tells no station that is known, and is passed over", ""});
+  return {};
+}
+
+void require_no_flags_wanted(const Source& rainfall, const ReadingsOptions& options) {
+  if (!options.keep_flagged) return;
+  throw Error({rainfall.file, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
+}
+
+std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Station> stations,
+                                   std::span<const std::string> passed_over,
+                                   const ReadingsOptions& options, Warnings& warnings) {
   if (is_dly(rainfall.file)) {
     require_no_table_wanted(rainfall);
     return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
   }
-  if (options.keep_flagged) {
-    throw Error(
-        {rainfall.file, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
-  }
+  require_no_flags_wanted(rainfall, options);
   return open_readings(open_table(rainfall, warnings), stations, passed_over, options, warnings);
 }
 
-bool can_be_read_again(const std::string& rainfall) {
-  if (rainfall == "-") return false;
+/// The same of one file of several. Where it is of one station, its readings are of that alone.
+JoinedReadings::Opened open_among_several(const Source& rainfall, std::span<const Station> stations,
+                                          std::span<const std::string> passed_over,
+                                          ReadingsOptions options, Warnings& warnings) {
+  if (is_dly(rainfall.file)) return open_one(rainfall, stations, passed_over, options, warnings);
+  require_no_flags_wanted(rainfall, options);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  OneOfSeveral one = open_one_of_several(rainfall, known, options, warnings);
+  if (!one.table) return {};
+  if (one.id.empty())
+    return open_readings(std::move(one.table), stations, passed_over, options, warnings);
+  const ReadingsStations::Found found = known.find(one.id);
+  if (found.standing != ReadingsStations::Standing::known) return {};
+  options.station_field = station_of_name;
+  return {open_readings(std::move(one.table), stations.subspan(index(found.station), 1), {},
+                        options, warnings),
+          found.station};
+}
+
+void look_through(const Source& rainfall, const ReadingsStations& known, ReadingsOptions options,
+                  HeardStations& heard) {
+  Warnings told_later;  // the file is opened once more
+  if (is_dly(rainfall.file)) {
+    heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
+  } else if (!options.is_one_of_several) {
+    heard.look_through(*open_table(rainfall, told_later), options);
+  } else if (const OneOfSeveral one = open_one_of_several(rainfall, known, options, told_later);
+             one.table) {
+    if (!one.id.empty()) options.station_field = station_of_name;
+    heard.look_through(*one.table, options);
+  }
+}
+
+bool can_file_be_read_again(const std::string& file) {
+  if (file == "-") return false;
   using Type = std::filesystem::file_type;
   std::error_code none;
-  const Type kind = std::filesystem::status(rainfall, none).type();
+  const Type kind = std::filesystem::status(file, none).type();
   return kind != Type::fifo && kind != Type::character && kind != Type::socket;
 }
 
-ReportingStations stations_that_report(const Source& rainfall, std::span<const Station> stations,
+}  // namespace
+
+std::string RainfallRequest::name() const {
+  std::string first = files.front() == "-" ? "standard input" : files.front();
+  if (files.size() == 1) return first;
+  return first + " and " + std::to_string(files.size() - 1) +
+         (files.size() == 2 ? " more file" : " more files");
+}
+
+std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
+                                        std::span<const Station> stations,
+                                        std::span<const std::string> passed_over,
+                                        const ReadingsOptions& options, Warnings& warnings) {
+  const std::vector<std::string> names = rainfall_files(rainfall.files, warnings);
+  if (rainfall.files.size() == 1 && names == rainfall.files)
+    return open_one(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
+  ReadingsOptions of_each = options;
+  of_each.is_one_of_several = true;
+  std::vector<JoinedReadings::File> files;
+  files.reserve(names.size());
+  for (const std::string& name : names) {
+    files.push_back({name, [=, source = source_of(rainfall, name)](Warnings& of_file) {
+                       return open_among_several(source, stations, passed_over, of_each, of_file);
+                     }});
+  }
+  std::unique_ptr<Readings> joined =
+      std::make_unique<JoinedReadings>(std::move(files), rainfall.name(), stations, warnings);
+  if (!options.cumulative) return joined;
+  return std::make_unique<CounterReadings>(std::move(joined), rainfall.name(), stations, warnings);
+}
+
+bool can_be_read_again(const RainfallRequest& rainfall) {
+  return std::all_of(rainfall.files.begin(), rainfall.files.end(), can_file_be_read_again);
+}
+
+ReportingStations stations_that_report(const RainfallRequest& rainfall,
+                                       std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options) {
   const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   HeardStations heard(known);
-  Warnings told_later;  // the file is opened once more
+  Warnings told_later;
   try {
-    if (is_dly(rainfall.file)) {
-      heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
-    } else {
-      heard.look_through(*open_table(rainfall, told_later), options);
+    const std::vector<std::string> names = rainfall_files(rainfall.files, told_later);
+    ReadingsOptions of_each = options;
+    of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
+    for (const std::string& name : names) {
+      if (heard.all()) break;
+      look_through(source_of(rainfall, name), known, of_each, heard);
     }
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);

@@ -270,6 +270,7 @@ std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
   auto known = std::make_unique<const ReadingsStations>(
       stations, passed_over, IdJoin{options.ids_as_numbers, options.column_of});
   ReadingsFindings findings(rainfall, *known, options.ignore_unknown, warnings);
+  if (options.is_one_of_several) findings.are_of_one_file_of_several();
   auto readings = std::make_unique<DlyReadings>(DlySource{
       rainfall, dly_files(rainfall), std::move(known), std::move(findings), options.keep_flagged});
   return converted(std::move(readings), conversion_from(*rain_unit("mm"), options));

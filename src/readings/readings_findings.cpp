@@ -112,7 +112,7 @@ void ReadingsFindings::conclude(std::size_t steps) {
   complaints_.throw_if_any();
   if (const auto fault = steps_.fault(file_, stations_.all())) throw Error(*fault);
   warn_of_unknown();
-  if (steps > 0) warn_of_silent();
+  if (steps > 0 && tells_silent_) warn_of_silent();
   warn_of_absurd();
   warn_of_codes();
 }

@@ -38,6 +38,9 @@ class ReadingsFindings {
   /// `counted` stands for none: no single one of a counter's readings is much or little.
   void amounts_are_in(double millimetres) { millimetres_ = millimetres; }
 
+  /// Says that the stations that are silent in this file may have readings in others.
+  void are_of_one_file_of_several() { tells_silent_ = false; }
+
   /// The line and the station of a field, for messages.
   struct Place {
     std::size_t line = 0;
@@ -106,6 +109,7 @@ class ReadingsFindings {
   bool told_format_ = false;
   const ReadingsStations& stations_;
   bool ignore_unknown_;
+  bool tells_silent_ = true;
   double millimetres_ = 1;  ///< that a reading of 1 stands for
   Warnings& warnings_;
   Complaints complaints_;

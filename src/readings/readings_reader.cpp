@@ -90,6 +90,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
       conversion_of(options, values_of(*table, layout, stations, options), warnings);
   ReadingsFindings findings(file, stations, options.ignore_unknown, warnings);
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
+  if (options.is_one_of_several) findings.are_of_one_file_of_several();
   const ReadingGrammar grammar = grammar_of(options, *table);
   TimeReader times(options.time_format);
   look_at_times(*table, layout, times);
@@ -103,7 +104,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   } else {
     readings = std::make_unique<WideReadings>(std::move(source), layout);
   }
-  if (options.cumulative) {
+  if (options.cumulative && !options.is_one_of_several) {
     readings =
         std::make_unique<CounterReadings>(std::move(readings), file, stations.all(), warnings);
   }

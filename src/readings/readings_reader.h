@@ -33,6 +33,8 @@ struct ReadingsOptions {
   bool cumulative = false;            ///< readings are counters: see CounterReadings
   bool keep_flagged = false;          ///< GHCN-Daily: readings that failed a check of quality count
   bool ignore_unknown = false;        ///< unknown stations are passed over, with a warning
+  bool is_one_of_several = false;     ///< further files tell of stations that are silent in this
+                                      ///< one, and counters go on from file to file
   bool ids_as_numbers = false;        ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;

@@ -24,15 +24,39 @@ TEST(RainfallOptions, are_an_argument_that_may_be_required) {
 TEST(RainfallOptions, call_the_standard_input_by_its_name) {
   Rainfall given;
   given.read({"-"});
-  EXPECT_EQ(given.block.rainfall, "-");
+  EXPECT_TRUE(given.block.is_standard_input());
   EXPECT_EQ(given.block.name(), "standard input");
+}
+
+TEST(RainfallOptions, may_be_several_files_in_place_of_the_argument) {
+  Rainfall given(Need::required);
+  given.read({"--rainfall", "2019.csv", "--rainfall", "2020.csv"});
+  EXPECT_EQ(given.block.files(), (std::vector<std::string>{"2019.csv", "2020.csv"}));
+  EXPECT_EQ(given.block.files_beside({"s.csv"}),
+            (std::vector<std::string>{"s.csv", "2019.csv", "2020.csv"}));
+  EXPECT_EQ(given.block.name(), "2019.csv and 1 more file");
+  Rainfall both;
+  both.read({"r.csv", "--rainfall", "2020.csv"});
+  EXPECT_EQ(both.contradiction(), "--rainfall stands in place of RAINFALL, and both are given");
+  Rainfall piped;
+  piped.read({"--rainfall", "-", "--rainfall", "2020.csv"});
+  EXPECT_EQ(piped.contradiction(), "--rainfall - is standard input, which stands alone");
+}
+
+TEST(RainfallOptions, say_which_layer_and_rows_are_meant) {
+  Rainfall given;
+  given.read({"r.xlsx", "--rainfall-layer", "rain", "--rainfall-where", "ELEMENT='PRCP'"});
+  const RainfallRequest request = given.block.request({});
+  EXPECT_EQ(request.said.layer, "rain");
+  EXPECT_EQ(request.said.where, "ELEMENT='PRCP'");
+  EXPECT_EQ(request.said.where_setting, "rainfall_where");
 }
 
 TEST(RainfallOptions, may_be_an_option_under_another_heading) {
   Given<RainfallOptions> influence;
   influence.block.declare_as_option(influence.options, "What if", "--influence", "help");
   influence.read({"--influence", "r.csv", "--trace", "T"});
-  EXPECT_EQ(influence.block.rainfall, "r.csv");
+  EXPECT_EQ(influence.block.files(), std::vector<std::string>{"r.csv"});
   EXPECT_EQ(influence.options.find("--influence")->group, "What if");
   EXPECT_EQ(influence.options.find("--influence")->value.completion, Completion::file);
   EXPECT_TRUE(influence.options.arguments().empty());
