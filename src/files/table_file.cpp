@@ -1,6 +1,7 @@
 #include "files/table_file.h"
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "files/filtered_table.h"
 #include "gdal/layers/layer.h"
 #include "gdal/layers/opening.h"
+#include "gdal/layers/xlsx_table.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -20,8 +22,18 @@ struct TypedTable {
   std::vector<FieldType> types;
 };
 
+std::unique_ptr<Table> open_sheet(const Source& source, const Opening& opening,
+                                  Warnings& warnings) {
+  return std::make_unique<XlsxTable>(XlsxTable::Request{source.file, opening.name, source.layer,
+                                                        source.layer_setting, source.csv.skip},
+                                     &warnings);
+}
+
 TypedTable open_rows(const Source& source, Warnings& warnings) {
   if (source.file != "-" && read_by_gdal(source.file)) {
+    const Opening opening = find_opening(source.file);
+    if (opening.drivers.front() == std::string_view("XLSX"))
+      return {open_sheet(source, opening, warnings), {}};
     auto layer =
         std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);
     std::vector<FieldType> types = layer->types();
