@@ -1,37 +1,18 @@
 #include "files/csv_file.h"
 
-#include <span>
 #include <utility>
 #include <vector>
 
-#include "files/gzip_bytes.h"
+#include "files/packed_file.h"
 #include "gdal/layers/opening.h"
-#include "gdal/layers/vsi_bytes.h"
-#include "text/byte_source.h"
 
 namespace thiessen {
 namespace {
 
-std::unique_ptr<CsvReader> open_packed(const std::string& file, std::shared_ptr<ByteSource> bytes,
-                                       const CsvOptions& options) {
-  InputFile input(file, [bytes = std::move(bytes)](std::span<char> into) {
-    return bytes->read(into.data(), into.size());
-  });
-  return std::make_unique<CsvReader>(std::move(input), options);
-}
-
 std::unique_ptr<CsvReader> open(const std::string& file, const CsvOptions& options) {
-  if (file == "-") return std::make_unique<CsvReader>(file, options);
-  const Opening opening = find_opening(file);
-  switch (opening.packing) {
-    case Opening::Packing::gzip:
-      return open_packed(file, std::make_shared<GzipBytes>(file), options);
-    case Opening::Packing::archived:
-      return open_packed(file, std::make_shared<VsiBytes>(file, opening.name), options);
-    case Opening::Packing::none:
-      break;
-  }
-  return std::make_unique<CsvReader>(file, options);
+  const bool is_packed = file != "-" && find_opening(file).packing != Opening::Packing::none;
+  if (is_packed) return std::make_unique<CsvReader>(open_text(file), options);
+  return std::make_unique<CsvReader>(file, options);  // which can then be opened once more
 }
 
 std::string parted_by(char separator) {
