@@ -79,7 +79,7 @@ void RainfallOptions::declare_meaning(OptionList& options) {
                     "ids of digits that differ by leading zeros are one: 52220 and 052220"));
   of_tables_.push_back(
       &readings.add("--keep-flagged", flag(readings_.keep_flagged),
-                    "of .dly files, also the values that failed a check of quality"));
+                    "of GHCN-Daily, also the values that failed a check of quality"));
   declare_amounts(readings);
 }
 

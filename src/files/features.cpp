@@ -6,7 +6,9 @@
 
 #include "base/utf8.h"
 #include "files/csv_file.h"
+#include "files/dwd_station_list.h"
 #include "files/ghcn_station_list.h"
+#include "files/swat_station_list.h"
 #include "gdal/layers/geometry_text.h"
 #include "gdal/layers/opening.h"
 #include "text/field_names.h"
@@ -42,6 +44,12 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
   } else if (is_ghcn_station_list(source.file)) {
     table_ = std::make_unique<GhcnStationList>(source.file);
     warnings.add_notice({source.file, 0, "read as GHCN-Daily's list of stations", {}});
+  } else if (is_dwd_station_list(source.file)) {
+    table_ = std::make_unique<DwdStationList>(source.file);
+    warnings.add_notice({source.file, 0, "read as DWD's list of stations", {}});
+  } else if (const SwatFile kind = swat_file_called(source.file); kind != SwatFile::none) {
+    table_ = std::make_unique<SwatStationList>(source.file, kind);
+    warnings.add_notice({source.file, 0, "read as gauges of SWAT or SWAT+", {}});
   } else {
     if (!source.layer.empty()) throw no_layers(source);
     table_ = open_rows(source, longest_field, warnings);

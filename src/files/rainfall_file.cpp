@@ -1,12 +1,13 @@
 #include "files/rainfall_file.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
+#include "files/published_rainfall.h"
 #include "files/rainfall_folder.h"
-#include "files/table_file.h"
 #include "readings/dly_files.h"
 #include "readings/heard_stations.h"
 #include "readings/joined_readings.h"
@@ -38,17 +39,20 @@ Source source_of(const RainfallRequest& rainfall, const std::string& file) {
 struct OneOfSeveral {
   std::unique_ptr<Table> table;
   std::string id;
+  ReadingsOptions options;  ///< with what is known of a published format
 };
 
 OneOfSeveral open_one_of_several(const Source& source, const ReadingsStations& known,
                                  const ReadingsOptions& options, Warnings& warnings) {
-  auto table = open_table(source, warnings);
-  if (!options.station_field.empty() || !names_no_station(*table, known))
-    return {std::move(table), ""};
+  auto [table, all] = open_rainfall_table(source, options, warnings);
+  if (!all.station_field.empty() || !names_no_station(*table, known))
+    return {std::move(table), "", std::move(all)};
   std::string id = station_in_name(source.file, known);
   if (!id.empty()) {
     warnings.add_notice({source.file, 0, "its station stands in the file's name", ""});
-    return {of_station(std::move(table), id), std::move(id)};
+    all.station_field = station_of_name;
+    auto of_one = of_station(std::move(table), id);
+    return {std::move(of_one), std::move(id), std::move(all)};
   }
   if (!options.ignore_unknown) {
     throw Error({source.file, table->header_line(),
@@ -61,11 +65,6 @@ OneOfSeveral open_one_of_several(const Source& source, const ReadingsStations& k
   return {};
 }
 
-void require_no_flags_wanted(const Source& rainfall, const ReadingsOptions& options) {
-  if (!options.keep_flagged) return;
-  throw Error({rainfall.file, 0, setting("keep_flagged") + " is for .dly files of GHCN-Daily", ""});
-}
-
 std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Station> stations,
                                    std::span<const std::string> passed_over,
                                    const ReadingsOptions& options, Warnings& warnings) {
@@ -73,41 +72,51 @@ std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Stati
     require_no_table_wanted(rainfall);
     return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
   }
-  require_no_flags_wanted(rainfall, options);
-  return open_readings(open_table(rainfall, warnings), stations, passed_over, options, warnings);
+  RainfallTable opened = open_rainfall_table(rainfall, options, warnings);
+  return open_readings(std::move(opened.table), stations, passed_over, opened.options, warnings);
 }
 
 /// The same of one file of several. Where it is of one station, its readings are of that alone.
 JoinedReadings::Opened open_among_several(const Source& rainfall, std::span<const Station> stations,
                                           std::span<const std::string> passed_over,
-                                          ReadingsOptions options, Warnings& warnings) {
+                                          const ReadingsOptions& options, Warnings& warnings) {
   if (is_dly(rainfall.file)) return open_one(rainfall, stations, passed_over, options, warnings);
-  require_no_flags_wanted(rainfall, options);
   const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   OneOfSeveral one = open_one_of_several(rainfall, known, options, warnings);
   if (!one.table) return {};
   if (one.id.empty())
-    return open_readings(std::move(one.table), stations, passed_over, options, warnings);
+    return open_readings(std::move(one.table), stations, passed_over, one.options, warnings);
   const ReadingsStations::Found found = known.find(one.id);
   if (found.standing != ReadingsStations::Standing::known) return {};
-  options.station_field = station_of_name;
   return {open_readings(std::move(one.table), stations.subspan(index(found.station), 1), {},
-                        options, warnings),
+                        one.options, warnings),
           found.station};
 }
 
-void look_through(const Source& rainfall, const ReadingsStations& known, ReadingsOptions options,
-                  HeardStations& heard) {
-  Warnings told_later;  // the file is opened once more
+/// The stations of one file, which is opened once more later. The format of each file says for
+/// itself whether ids are joined as numbers.
+ReportingStations heard_in(const Source& rainfall, std::span<const Station> stations,
+                           std::span<const std::string> passed_over,
+                           const ReadingsOptions& options) {
+  Warnings told_later;
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   if (is_dly(rainfall.file)) {
+    HeardStations heard(known);
     heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
-  } else if (!options.is_one_of_several) {
-    heard.look_through(*open_table(rainfall, told_later), options);
-  } else if (const OneOfSeveral one = open_one_of_several(rainfall, known, options, told_later);
-             one.table) {
-    if (!one.id.empty()) options.station_field = station_of_name;
-    heard.look_through(*one.table, options);
+    return heard.heard();
   }
+  OneOfSeveral one;
+  if (options.is_one_of_several) {
+    one = open_one_of_several(rainfall, known, options, told_later);
+  } else {
+    RainfallTable opened = open_rainfall_table(rainfall, options, told_later);
+    one = {std::move(opened.table), "", std::move(opened.options)};
+  }
+  if (!one.table) return ReportingStations(stations.size(), false);
+  const ReadingsStations joined(stations, passed_over, {one.options.ids_as_numbers, {}});
+  HeardStations heard(joined);
+  heard.look_through(*one.table, one.options);
+  return heard.heard();
 }
 
 bool can_file_be_read_again(const std::string& file) {
@@ -157,21 +166,23 @@ ReportingStations stations_that_report(const RainfallRequest& rainfall,
                                        std::span<const Station> stations,
                                        std::span<const std::string> passed_over,
                                        const ReadingsOptions& options) {
-  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
-  HeardStations heard(known);
+  ReportingStations heard(stations.size(), false);
   Warnings told_later;
   try {
     const std::vector<std::string> names = rainfall_files(rainfall.files, told_later);
     ReadingsOptions of_each = options;
     of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
     for (const std::string& name : names) {
-      if (heard.all()) break;
-      look_through(source_of(rainfall, name), known, of_each, heard);
+      const ReportingStations of_file =
+          heard_in(source_of(rainfall, name), stations, passed_over, of_each);
+      for (std::uint32_t s = 0; s < stations.size(); ++s) {
+        if (of_file[StationIndex{s}]) heard.set(StationIndex{s}, true);
+      }
     }
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);
   }
-  return heard.heard();
+  return heard;
 }
 
 }  // namespace thiessen

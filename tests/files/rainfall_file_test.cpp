@@ -43,7 +43,7 @@ TEST(RainfallFile, flagged_values_are_kept_of_dly_files_alone) {
   EXPECT_EQ(first(folder.write("a.dly", flagged), options), 12.5);
   const std::string table = folder.write("r.csv", "time,USC00050001\n1,3.5\n");
   EXPECT_EQ(complaint_of([&] { first(table, options); }),
-            table + ": 'keep_flagged' is for .dly files of GHCN-Daily");
+            table + ": 'keep_flagged' is for GHCN-Daily, whose values have flags of quality");
 }
 
 /// The readings of two stations, step by step, as `time a b`; `.` where one is silent.

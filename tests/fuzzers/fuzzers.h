@@ -23,6 +23,8 @@ void fuzz_texts(std::span<const std::uint8_t> bytes);
 void fuzz_readings(std::span<const std::uint8_t> bytes);
 /// Bytes as a `.dly` file of GHCN-Daily; or as its records, written in any order, and read again.
 void fuzz_dly(std::span<const std::uint8_t> bytes);
+/// Bytes as a file of readings in a published format.
+void fuzz_published(std::span<const std::uint8_t> bytes);
 /// Bytes as the script of a session and a CSV of points that it loads. Nothing is written anywhere.
 void fuzz_script(std::span<const std::uint8_t> bytes);
 

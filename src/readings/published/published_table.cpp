@@ -1,0 +1,163 @@
+#include "readings/published/published_table.h"
+
+#include <utility>
+
+#include "base/utf8.h"
+#include "readings/rain_unit.h"
+
+namespace thiessen {
+namespace {
+
+bool unit_is_said(const ReadingsOptions& options) {
+  return options.from_unit || options.scale;
+}
+
+std::string in_words(std::string_view unit) {
+  if (unit == "0.1mm") return "tenths of a millimetre";
+  if (unit == "in") return "inches";
+  return "millimetres";
+}
+
+std::string counted(std::size_t count, const char* one, const char* several) {
+  return count == 1 ? one : std::to_string(count) + several;
+}
+
+}  // namespace
+
+PublishedTable::PublishedTable(std::unique_ptr<Table> table, const PublishedFormat& format,
+                               const ReadingsOptions& options, Warnings& warnings)
+    : table_(std::move(table)),
+      format_(format),
+      warnings_(warnings),
+      value_(published_column(header(), format.value).value()),
+      requires_whole_(format.whole_numbers && !unit_is_said(options)) {
+  if (!format.kept.empty()) {
+    const auto kept = parted(format.kept, '=');
+    kept_ = published_column(header(), kept[0]);
+    kept_text_ = kept[1];
+  }
+  if (!format.flags.empty() && !options.keep_flagged)
+    flags_ = published_column(header(), format.flags);
+  if (!format.period.empty()) period_ = published_column(header(), format.period);
+}
+
+PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table)
+    : table_(std::move(table)),
+      format_(other.format_),
+      warnings_(other.warnings_),
+      value_(other.value_),
+      kept_(other.kept_),
+      flags_(other.flags_),
+      period_(other.period_),
+      kept_text_(other.kept_text_),
+      requires_whole_(other.requires_whole_),
+      told_(other.told_) {}
+
+std::unique_ptr<Table> PublishedTable::of(std::unique_ptr<Table> table) const {
+  if (!table) return nullptr;
+  return std::unique_ptr<Table>(new PublishedTable(*this, std::move(table)));
+}
+
+bool PublishedTable::next(Row& row) {
+  while (table_->next(row)) {
+    if (kept_ && trimmed(row.fields[*kept_]) != kept_text_) continue;
+    const bool has_value = !trimmed(row.fields[value_]).empty();
+    const bool flagged = has_value && flags_ && has_flag(row);
+    const bool of_days = has_value && period_ && is_of_days(row);
+    if (flagged || of_days) {
+      ++(flagged ? flagged_ : of_days_);
+      row.fields[value_] = {};
+      row.padded = false;
+    } else if (requires_whole_) {
+      require_whole(row);
+    }
+    return true;
+  }
+  tell();
+  return false;
+}
+
+bool PublishedTable::has_flag(const Row& row) const {
+  const auto flags = parted(row.fields[*flags_], ',');
+  return format_.flag_place < flags.size() && !flags[format_.flag_place].empty();
+}
+
+bool PublishedTable::is_of_days(const Row& row) const {
+  const std::string_view days = trimmed(row.fields[*period_]);
+  return !days.empty() && days != "1";
+}
+
+/// An order of the same columns may be in millimetres or inches, and these have fractions.
+void PublishedTable::require_whole(const Row& row) const {
+  const std::string_view value = trimmed(row.fields[value_]);
+  if (value.find('.') == std::string_view::npos) return;
+  throw Error({file(), row.line,
+               quoted(value) + " is no whole number, so that the values are not in " +
+                   in_words(format_.unit) + ", as " + std::string(format_.name) + " has them",
+               setting("from_unit", "mm") + " or " + setting("from_unit", "in") +
+                   " says what they are in"});
+}
+
+void PublishedTable::tell() {
+  if (std::exchange(told_->at_end, true)) return;
+  if (flagged_ > 0) {
+    warnings_.add_notice({file(), 0,
+                          counted(flagged_, "a value that failed a check of quality is",
+                                  " values that failed a check of quality are") +
+                              " missing; " + setting("keep_flagged") + " reads them",
+                          ""});
+  }
+  if (of_days_ > 0) {
+    warnings_.add(
+        {file(), 0,
+         counted(of_days_, "an amount of several days is", " amounts of several days are") +
+             " taken as missing, for nothing tells how much fell on which day",
+         ""});
+  }
+}
+
+ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
+                           ReadingsOptions options) {
+  const auto& header = table.header();
+  const auto name_of = [&](std::string_view column) {
+    return header[published_column(header, column).value()];
+  };
+  if (options.station_field.empty()) options.station_field = name_of(format.station);
+  if (options.time_fields.empty()) {
+    for (const std::string_view column : parted(format.time, ','))
+      options.time_fields.push_back(name_of(column));
+  }
+  if (options.value_field.empty()) options.value_field = name_of(format.value);
+  for (const std::string_view text : parted(format.missing, ' '))
+    if (!text.empty()) options.missing.emplace_back(text);
+  if (!format.trace.empty()) options.trace.emplace_back(format.trace);
+  options.ids_as_numbers = options.ids_as_numbers || format.ids_as_numbers;
+  if (unit_is_said(options)) return options;
+  if (format.unit_is_ordered) {
+    throw Error({table.file(), table.header_line(),
+                 "it is " + std::string(format.name) +
+                     ", which may be in millimetres or in inches, and it does not say which",
+                 setting("from_unit", "mm") + " or " + setting("from_unit", "in") + " says it"});
+  }
+  if (!format.unit.empty()) options.from_unit = rain_unit(format.unit);
+  return options;
+}
+
+void tell_format(const PublishedFormat& format, const Table& table, const ReadingsOptions& said,
+                 Warnings& warnings) {
+  const auto column = published_column(table.header(), format.value);
+  std::string text = "read as " + std::string(format.name) + ": rain is ";
+  text += format.kept.empty() ? table.header()[column.value()]
+                              : std::string(parted(format.kept, '=')[1]);
+  if (!format.unit.empty() && !unit_is_said(said)) text += ", in " + in_words(format.unit);
+  if (format.ids_as_numbers && !said.ids_as_numbers) text += "; ids of stations compare as numbers";
+  warnings.add_notice({table.file(), 0, std::move(text), ""});
+  const auto unit = rain_unit(format.unit);
+  if (!unit || !said.from_unit || said.from_unit->depth == unit->depth) return;
+  warnings.add({table.file(), 0,
+                "its values are taken to be in " + said.from_unit->name() + ", as " +
+                    setting("from_unit") + " says, against its format",
+                ""});
+}
+
+}  // namespace thiessen

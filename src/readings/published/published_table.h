@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "readings/published/published_format.h"
+#include "readings/readings_reader.h"
+#include "text/table.h"
+
+namespace thiessen {
+
+/// The rows of a table of a known format that are readings of rain. Values with a flag of quality,
+/// unless they are kept, and amounts of several days are empty; how many there are is told once the
+/// last row has been read. Throws Error where a value shows that it is in another unit.
+class PublishedTable : public Table {
+ public:
+  /// Requires a table of this format. `warnings` must outlive the table.
+  PublishedTable(std::unique_ptr<Table> table, const PublishedFormat& format,
+                 const ReadingsOptions& options, Warnings& warnings);
+
+  const std::string& file() const override { return table_->file(); }
+  const std::vector<std::string>& header() const override { return table_->header(); }
+  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
+  std::size_t header_line() const override { return table_->header_line(); }
+  bool next(Row& row) override;
+  double share_read() const override { return table_->share_read(); }
+  std::unique_ptr<Table> again() const override { return of(table_->again()); }
+  std::unique_ptr<Table> first_rows() const override { return of(table_->first_rows()); }
+
+ private:
+  /// What all readers of the file have together.
+  struct Told {
+    bool at_end = false;
+  };
+
+  PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table);
+  std::unique_ptr<Table> of(std::unique_ptr<Table> table) const;
+  bool has_flag(const Row& row) const;
+  bool is_of_days(const Row& row) const;
+  void require_whole(const Row& row) const;
+  void tell();
+
+  std::unique_ptr<Table> table_;
+  const PublishedFormat& format_;
+  Warnings& warnings_;
+  std::size_t value_;
+  std::optional<std::size_t> kept_;
+  std::optional<std::size_t> flags_;
+  std::optional<std::size_t> period_;
+  std::string_view kept_text_;
+  bool requires_whole_;
+  std::size_t flagged_ = 0;
+  std::size_t of_days_ = 0;
+  std::shared_ptr<Told> told_ = std::make_shared<Told>();
+};
+
+/// What the user says of readings, and beside it what is known of their format. Throws Error where
+/// the unit is one that only the user knows.
+ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
+                           ReadingsOptions options);
+
+/// Tells what a file was taken for.
+void tell_format(const PublishedFormat& format, const Table& table, const ReadingsOptions& said,
+                 Warnings& warnings);
+
+}  // namespace thiessen

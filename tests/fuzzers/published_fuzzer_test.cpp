@@ -1,0 +1,53 @@
+// The fuzzer's short form: hundreds of random inputs, without libFuzzer.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "fuzzers/fuzzers.h"
+#include "fuzzers/random_inputs.h"
+
+namespace thiessen::fuzzers {
+namespace {
+
+using namespace std::literals;
+
+constexpr std::array sound = {
+    "# "
+    "remark\nagency_cd\tsite_no\tdatetime\ttz_cd\t2_00045\t2_00045_cd\n5s\t15s\t20d\t6s\t14n\t10s\n"
+    "USGS\t0214\t2024-03-10 01:45\tEST\t0.10\tP\nUSGS\t0214\t2024-03-10 03:00\tEDT\tEqp\tP\n"sv,
+    "Station  a,b,\nLati    35.0 35.0\nLong   -81.5-81.0\nElev     200  250\n"
+    "2000059000.5012.0\n2000060-99.0003.0\n"sv,
+    "a.pcp\nnbyr tstep lat long elev\n1 0 35.0 -81.5 200.0\n2001 365 0.5\n2002 1 -99.0\n"sv,
+    "ID,DATE,ELEMENT,DATA_VALUE,M_FLAG,Q_FLAG,S_FLAG,OBS_TIME\nA,20200101,PRCP,254,,,7,\n"
+    "A,20200102,PRCP,99,,G,7,0700\nA,20200102,TMAX,99,,,7,\n"sv,
+    "STATIONS_ID;MESS_DATUM;QN_8;  R1;RS_IND;WRTR;eor\n  164;2024060107; 3; 0.4; 1;-999;eor\n"
+    "  164;2024060108; 3; -999; 1;-999;eor\n"sv,
+    "EstacaoCodigo;NivelConsistencia;Data;Chuva01;Chuva02;Chuva03;Chuva04;Chuva05;Chuva06;Chuva07;"
+    "Chuva08;Chuva09;Chuva10;Chuva11;Chuva12;Chuva13;Chuva14;Chuva15;Chuva16;Chuva17;Chuva18;"
+    "Chuva19;Chuva20;Chuva21;Chuva22;Chuva23;Chuva24;Chuva25;Chuva26;Chuva27;Chuva28;Chuva29;"
+    "Chuva30;Chuva31\n7;1;01/02/2020;1;2;3;4;5;6;7;8;9;10;11;12;13;14;15;16;17;18;19;20;21;22;23;"
+    "24;25;26;27;28;29;;\n"sv};
+
+TEST(PublishedFuzzer, finds_nothing_in_damaged_files) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(600); ++round) {
+    const std::string text = damaged(seeded, std::string(sound[round % sound.size()]), 4);
+    expect_no_complaint(fuzz_published, input_of({round % sound.size()}, text));
+    if (HasFailure()) return;
+  }
+}
+
+TEST(PublishedFuzzer, finds_nothing_in_random_bytes) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(200); ++round) {
+    expect_no_complaint(fuzz_published, any_bytes(seeded, 300));
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace thiessen::fuzzers

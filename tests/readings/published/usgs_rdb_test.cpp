@@ -1,0 +1,80 @@
+#include "readings/published/usgs_rdb.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "base/complaints.h"
+#include "base/file.h"
+#include "base/temporary_folder.h"
+
+namespace thiessen {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// As the RDB of USGS's instantaneous values has it; values are made up.
+constexpr const char* two_sites =
+    "# ---- WARNING ----\n"
+    "agency_cd\tsite_no\tdatetime\ttz_cd\t1_00065\t1_00065_cd\t2_00045\t2_00045_cd\n"
+    "5s\t15s\t20d\t6s\t14n\t10s\t14n\t10s\n"
+    "USGS\t0214\t2024-03-10 01:45\tEST\t2.1\tP\t0.10\tP\n"
+    "USGS\t0214\t2024-03-10 03:00\tEDT\t2.1\tP\tEqp\tP\n"
+    "# Data provided for site 0215\n"
+    "agency_cd\tsite_no\tdatetime\ttz_cd\t3_00045\t3_00045_cd\n"
+    "5s\t15s\t20d\t6s\t14n\t10s\n"
+    "USGS\t0215\t2024-03-10 00:45\tCST\t0.20\tP\n";
+
+class UsgsRdbTest : public testing::Test {
+ protected:
+  Rows rows(const std::string& text) {
+    const std::string file = folder_.write("v.txt", text);
+    UsgsRdb rdb(file, [file] { return InputFile(file); });
+    Rows all;
+    for (Row row; rdb.next(row);) all.emplace_back(row.fields.begin(), row.fields.end());
+    return all;
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(UsgsRdbTest, is_known_by_its_header) {
+  EXPECT_TRUE(is_usgs_rdb(two_sites));
+  EXPECT_FALSE(is_usgs_rdb("# remark\nid,lon,lat\n"));
+  EXPECT_FALSE(is_usgs_rdb("agency_cd\tsite_no\tdec_lat_va\tdec_long_va\n")) << "a list of sites";
+  EXPECT_FALSE(is_usgs_rdb(""));
+}
+
+TEST_F(UsgsRdbTest, has_each_site_by_its_own_header_in_one_zone) {
+  EXPECT_EQ(rows(two_sites), (Rows{{"0214", "2024-03-10 01:45", "0.10"},
+                                   {"0214", "2024-03-10 02:00", "Eqp"},
+                                   {"0215", "2024-03-10 01:45", "0.20"}}));
+}
+
+TEST_F(UsgsRdbTest, of_daily_values_the_sum_is_read) {
+  EXPECT_EQ(rows("agency_cd\tsite_no\tdatetime\t7_00045_00001\t7_00045_00001_cd\t7_00045_00006\n"
+                 "5s\t15s\t20d\t14n\t10s\t14n\n"
+                 "USGS\t1\t2024-03-10\t0.3\tA\t0.9\n"),
+            (Rows{{"1", "2024-03-10", "0.9"}}));
+}
+
+TEST_F(UsgsRdbTest, names_every_bad_row) {
+  const auto found = complaints_of([&] {
+    rows(std::string(two_sites) + "USGS\t0215\nUSGS\t0215\t2024-03-10 01:00\tXYZ\t1\tP\n" +
+         "USGS\t0215\tnoon\tCST\t1\tP\n");
+  });
+  ASSERT_EQ(found.size(), 3U);
+  const std::string file = folder_.path() + "/v.txt:";
+  EXPECT_EQ(found[0], file + "10: the row has 2 fields, and the header above it 6");
+  EXPECT_EQ(found[1], file + "11: no such time zone: 'XYZ'");
+  EXPECT_EQ(found[2], file + "12: the time is none: 'noon'");
+}
+
+TEST_F(UsgsRdbTest, a_file_without_precipitation_is_an_error) {
+  EXPECT_EQ(complaint_of([&] { rows("agency_cd\tsite_no\tdatetime\t1_00065\nUSGS\t1\tx\t2\n"); }),
+            folder_.path() + "/v.txt:2: no column of precipitation (00045) is in the file");
+}
+
+}  // namespace
+}  // namespace thiessen
