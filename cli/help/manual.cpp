@@ -10,6 +10,7 @@
 #include "cli/help/help.h"
 #include "cli/help/roff.h"
 #include "cli/options/name_lists.h"
+#include "readings/published/known_formats.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -225,6 +226,32 @@ std::string times_section() {
              "are written.");
 }
 
+/// What is known of a published format, as the manual says it.
+std::string format_entry(const PublishedFormat& format) {
+  std::string text = "rain is " + std::string(format.kept.empty() ? format.value : format.kept);
+  if (format.unit_is_ordered) text += ", whose unit --from-unit has to say";
+  if (!format.unit.empty()) text += ", in " + std::string(format.unit);
+  text += "; stations are in " + std::string(format.station);
+  if (format.ids_as_numbers) text += ", compared as numbers";
+  if (!format.missing.empty()) text += "; missing: " + std::string(format.missing);
+  if (!format.trace.empty()) text += "; " + std::string(format.trace) + " is a trace";
+  if (!format.flags.empty()) text += "; a flag in " + std::string(format.flags) + " means missing";
+  if (!format.period.empty()) text += "; amounts of several days are missing";
+  return ".TP\n" + roff_bold(std::string(format.name)) + "\n" + roff_paragraph(sentence(text));
+}
+
+std::string formats_section() {
+  std::string text =
+      ".SH PUBLISHED FORMATS\n" +
+      roff_paragraph(
+          "These are known by their content and read without an option, unless --value-field "
+          "names the column of values; a notice says what a file was taken for. As STATIONS "
+          "GHCN-Daily's and DWD's lists of stations and SWAT's files are known, and USGS's sites "
+          "by the names of their columns.");
+  for (const PublishedFormat& format : known_formats()) text += format_entry(format);
+  return text;
+}
+
 std::string status_section() {
   std::string text = ".SH EXIT STATUS\n";
   const auto add = [&](const char* status, const char* meaning) {
@@ -254,7 +281,7 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + csv_section() + files_section() + times_section() +
-         names_section() + status_section() + examples_section(commands);
+         names_section() + formats_section() + status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli
