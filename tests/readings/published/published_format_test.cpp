@@ -48,7 +48,9 @@ TEST(PublishedFormat, every_row_names_columns_of_its_own_and_a_unit) {
     EXPECT_TRUE(published_column(header, format.value)) << format.name;
     for (const std::string_view time : parted(format.time, ','))
       EXPECT_TRUE(published_column(header, time)) << format.name;
-    if (!format.flags.empty()) EXPECT_TRUE(published_column(header, format.flags)) << format.name;
+    if (!format.flags.empty()) {
+      EXPECT_TRUE(published_column(header, format.flags)) << format.name;
+    }
     EXPECT_EQ(rain_unit(format.unit).has_value(), !format.unit_is_ordered) << format.name;
   }
 }
