@@ -65,6 +65,7 @@ bool is_rain(std::string_view text) {
 std::vector<std::string> stations_of(std::string_view line) {
   constexpr std::string_view label = "Station";
   std::vector<std::string> stations;
+  if (!has_label(line, label)) return stations;
   for (const std::string_view id : parted(line.substr(label.size()), ','))
     if (!id.empty()) stations.emplace_back(id);
   return stations;
