@@ -22,7 +22,7 @@
 #include "cli/outputs/surface_maps.h"
 #include "cli/terminal/progress.h"
 #include "files/netcdf_grid.h"
-#include "files/rainfall_file.h"
+#include "files/rainfall/rainfall_file.h"
 #include "gdal/output/geotiff_grid.h"
 #include "gdal/output/raster_output.h"
 #include "map/sheet/multiples.h"

@@ -20,7 +20,7 @@
 #include "cli/options/study_options.h"
 #include "cli/outputs/rain_table.h"
 #include "cli/terminal/progress.h"
-#include "files/rainfall_file.h"
+#include "files/rainfall/rainfall_file.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
 #include "results/weights_log.h"

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "files/event_readings.h"
-#include "files/full_network.h"
-#include "files/rainfall_file.h"
+#include "files/rainfall/event_readings.h"
+#include "files/rainfall/full_network.h"
+#include "files/rainfall/rainfall_file.h"
 #include "rainfall/series/watched_readings.h"
 
 namespace thiessen::cli {

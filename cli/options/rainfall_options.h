@@ -5,7 +5,7 @@
 
 #include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
-#include "files/rainfall_file.h"
+#include "files/rainfall/rainfall_file.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen::cli {

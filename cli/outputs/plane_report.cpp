@@ -1,6 +1,6 @@
 #include "cli/outputs/plane_report.h"
 
-#include "files/plane_choice.h"
+#include "files/plane/plane_choice.h"
 
 namespace thiessen::cli {
 

@@ -1,6 +1,6 @@
 #include "files/plane_judgement.h"
 
-#include "files/plane_choice.h"
+#include "files/plane/plane_choice.h"
 #include "files/study_on_earth.h"
 
 namespace thiessen {

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "earth/plane/plane_fit.h"
-#include "files/basins_file.h"
-#include "files/stations_file.h"
+#include "files/places/basins_file.h"
+#include "files/places/stations_file.h"
 #include "gdal/crs/crs.h"
 #include "study/study_parts.h"
 #include "text/attributes.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "base/interrupt.h"
-#include "readings/dly_record.h"
-#include "readings/seekable_lines.h"
+#include "readings/dly/dly_record.h"
+#include "readings/dly/seekable_lines.h"
 
 namespace thiessen {
 namespace {

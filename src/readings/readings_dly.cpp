@@ -7,7 +7,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "readings/converted_readings.h"
-#include "readings/dly_files.h"
+#include "readings/dly/dly_files.h"
 
 namespace thiessen {
 namespace {

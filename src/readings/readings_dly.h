@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "rainfall/series/readings.h"
-#include "readings/dly_record.h"
+#include "readings/dly/dly_record.h"
+#include "readings/dly/seekable_lines.h"
 #include "readings/readings_findings.h"
 #include "readings/readings_reader.h"
 #include "readings/readings_stations.h"
-#include "readings/seekable_lines.h"
 
 namespace thiessen {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "readings/dly_record.h"
+#include "readings/dly/dly_record.h"
 #include "text/field_names.h"
 
 namespace thiessen {

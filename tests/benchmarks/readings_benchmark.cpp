@@ -11,7 +11,7 @@
 
 #include "base/temporary_folder.h"
 #include "benchmarks/timer.h"
-#include "files/table_file.h"
+#include "files/tables/table_file.h"
 #include "readings/readings_dly.h"
 #include "readings/readings_reader.h"
 

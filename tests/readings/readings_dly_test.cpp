@@ -12,7 +12,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "readings/dly_files.h"
+#include "readings/dly/dly_files.h"
 #include "readings/dly_text.h"
 
 namespace thiessen {

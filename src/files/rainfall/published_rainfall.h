@@ -1,0 +1,25 @@
+#pragma once
+
+#include <memory>
+
+#include "base/error.h"
+#include "files/tables/source.h"
+#include "readings/readings_reader.h"
+#include "text/table.h"
+
+namespace thiessen {
+
+/// A table of readings, and what is known of it beside what the user says.
+struct RainfallTable {
+  std::unique_ptr<Table> table;
+  ReadingsOptions options;
+};
+
+/// Opens RAINFALL as a table (see open_table). A published format (see PublishedFormat) is known by
+/// its content, and what the file was taken for is told; where the user names the column of values,
+/// the table is read as that says. `warnings` must outlive the result. Throws Error as open_table
+/// and options_of do, and where values with flags are to be kept of a format that has none.
+RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions& options,
+                                  Warnings& warnings);
+
+}  // namespace thiessen

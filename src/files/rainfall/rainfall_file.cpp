@@ -1,0 +1,188 @@
+#include "files/rainfall/rainfall_file.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "files/rainfall/published_rainfall.h"
+#include "files/rainfall/rainfall_folder.h"
+#include "readings/dly/dly_files.h"
+#include "readings/heard_stations.h"
+#include "readings/joined_readings.h"
+#include "readings/readings_dly.h"
+#include "readings/station_in_name.h"
+#include "readings/steps/counter_readings.h"
+
+namespace thiessen {
+namespace {
+
+/// Refuses a layer and a filter of rows where there are neither.
+void require_no_table_wanted(const Source& rainfall) {
+  const bool layer = !rainfall.layer.empty();
+  if (!layer && rainfall.where.empty()) return;
+  throw Error({rainfall.file, 0,
+               setting(layer ? rainfall.layer_setting : rainfall.where_setting) +
+                   " is of tables, and .dly files of GHCN-Daily are none",
+               "leave it out: of these files PRCP alone is read"});
+}
+
+Source source_of(const RainfallRequest& rainfall, const std::string& file) {
+  Source source = rainfall.said;
+  source.file = file;
+  return source;
+}
+
+/// A table of one file of several, and the id of the station that the file's name tells where the
+/// table names none. The table is null where the name tells none either, and may be passed over.
+struct OneOfSeveral {
+  std::unique_ptr<Table> table;
+  std::string id;
+  ReadingsOptions options;  ///< with what is known of a published format
+};
+
+OneOfSeveral open_one_of_several(const Source& source, const ReadingsStations& known,
+                                 const ReadingsOptions& options, Warnings& warnings) {
+  auto [table, all] = open_rainfall_table(source, options, warnings);
+  if (!all.station_field.empty() || !names_no_station(*table, known))
+    return {std::move(table), "", std::move(all)};
+  std::string id = station_in_name(source.file, known);
+  if (!id.empty()) {
+    warnings.add_notice({source.file, 0, "its station stands in the file's name", ""});
+    all.station_field = station_of_name;
+    auto of_one = of_station(std::move(table), id);
+    return {std::move(of_one), std::move(id), std::move(all)};
+  }
+  if (!options.ignore_unknown) {
+    throw Error({source.file, table->header_line(),
+                 "no column is one of stations or called as a station of " + input("stations") +
+                     ", nor does the file's name tell one",
+                 setting("station_field") + " names a column, and " + setting("ignore_unknown") +
+                     " passes over such files"});
+  }
+  warnings.add({source.file, 0, "it tells no station that is known, and is passed over", ""});
+  return {};
+}
+
+std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Station> stations,
+                                   std::span<const std::string> passed_over,
+                                   const ReadingsOptions& options, Warnings& warnings) {
+  if (is_dly(rainfall.file)) {
+    require_no_table_wanted(rainfall);
+    return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
+  }
+  RainfallTable opened = open_rainfall_table(rainfall, options, warnings);
+  return open_readings(std::move(opened.table), stations, passed_over, opened.options, warnings);
+}
+
+/// The same of one file of several. Where it is of one station, its readings are of that alone.
+JoinedReadings::Opened open_among_several(const Source& rainfall, std::span<const Station> stations,
+                                          std::span<const std::string> passed_over,
+                                          const ReadingsOptions& options, Warnings& warnings) {
+  if (is_dly(rainfall.file)) return open_one(rainfall, stations, passed_over, options, warnings);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  OneOfSeveral one = open_one_of_several(rainfall, known, options, warnings);
+  if (!one.table) return {};
+  if (one.id.empty())
+    return open_readings(std::move(one.table), stations, passed_over, one.options, warnings);
+  const ReadingsStations::Found found = known.find(one.id);
+  if (found.standing != ReadingsStations::Standing::known) return {};
+  return {open_readings(std::move(one.table), stations.subspan(index(found.station), 1), {},
+                        one.options, warnings),
+          found.station};
+}
+
+/// The stations of one file, which is opened once more later. The format of each file says for
+/// itself whether ids are joined as numbers.
+ReportingStations heard_in(const Source& rainfall, std::span<const Station> stations,
+                           std::span<const std::string> passed_over,
+                           const ReadingsOptions& options) {
+  Warnings told_later;
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  if (is_dly(rainfall.file)) {
+    HeardStations heard(known);
+    heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
+    return heard.heard();
+  }
+  OneOfSeveral one;
+  if (options.is_one_of_several) {
+    one = open_one_of_several(rainfall, known, options, told_later);
+  } else {
+    RainfallTable opened = open_rainfall_table(rainfall, options, told_later);
+    one = {std::move(opened.table), "", std::move(opened.options)};
+  }
+  if (!one.table) return ReportingStations(stations.size(), false);
+  const ReadingsStations joined(stations, passed_over, {one.options.ids_as_numbers, {}});
+  HeardStations heard(joined);
+  heard.look_through(*one.table, one.options);
+  return heard.heard();
+}
+
+bool can_file_be_read_again(const std::string& file) {
+  if (file == "-") return false;
+  using Type = std::filesystem::file_type;
+  std::error_code none;
+  const Type kind = std::filesystem::status(file, none).type();
+  return kind != Type::fifo && kind != Type::character && kind != Type::socket;
+}
+
+}  // namespace
+
+std::string RainfallRequest::name() const {
+  std::string first = files.front() == "-" ? "standard input" : files.front();
+  if (files.size() == 1) return first;
+  return first + " and " + std::to_string(files.size() - 1) +
+         (files.size() == 2 ? " more file" : " more files");
+}
+
+std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
+                                        std::span<const Station> stations,
+                                        std::span<const std::string> passed_over,
+                                        const ReadingsOptions& options, Warnings& warnings) {
+  const std::vector<std::string> names = rainfall_files(rainfall.files, warnings);
+  if (rainfall.files.size() == 1 && names == rainfall.files)
+    return open_one(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
+  ReadingsOptions of_each = options;
+  of_each.is_one_of_several = true;
+  std::vector<JoinedReadings::File> files;
+  files.reserve(names.size());
+  for (const std::string& name : names) {
+    files.push_back({name, [=, source = source_of(rainfall, name)](Warnings& of_file) {
+                       return open_among_several(source, stations, passed_over, of_each, of_file);
+                     }});
+  }
+  std::unique_ptr<Readings> joined =
+      std::make_unique<JoinedReadings>(std::move(files), rainfall.name(), stations, warnings);
+  if (!options.cumulative) return joined;
+  return std::make_unique<CounterReadings>(std::move(joined), rainfall.name(), stations, warnings);
+}
+
+bool can_be_read_again(const RainfallRequest& rainfall) {
+  return std::all_of(rainfall.files.begin(), rainfall.files.end(), can_file_be_read_again);
+}
+
+ReportingStations stations_that_report(const RainfallRequest& rainfall,
+                                       std::span<const Station> stations,
+                                       std::span<const std::string> passed_over,
+                                       const ReadingsOptions& options) {
+  ReportingStations heard(stations.size(), false);
+  Warnings told_later;
+  try {
+    const std::vector<std::string> names = rainfall_files(rainfall.files, told_later);
+    ReadingsOptions of_each = options;
+    of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
+    for (const std::string& name : names) {
+      const ReportingStations of_file =
+          heard_in(source_of(rainfall, name), stations, passed_over, of_each);
+      for (std::uint32_t s = 0; s < stations.size(); ++s) {
+        if (of_file[StationIndex{s}]) heard.set(StationIndex{s}, true);
+      }
+    }
+  } catch (const Error&) {
+    return ReportingStations(stations.size(), true);
+  }
+  return heard;
+}
+
+}  // namespace thiessen
