@@ -249,7 +249,11 @@ std::string formats_section() {
           "GHCN-Daily's and DWD's lists of stations and SWAT's files are known, and USGS's sites "
           "by the names of their columns.");
   for (const PublishedFormat& format : known_formats()) text += format_entry(format);
-  return text;
+  return text + ".TP\n" + roff_bold("NetCDF of stations") + "\n" +
+         roff_paragraph(
+             "By CF, with featureType = timeSeries: rain is the variable whose standard name or "
+             "name is rain's, or that --value-field names, in the unit that it says; as STATIONS "
+             "too. Arrays may be of one time for all stations, of one a station, or ragged.");
 }
 
 std::string status_section() {

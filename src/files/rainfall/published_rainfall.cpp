@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/utf8.h"
 #include "files/tables/csv_file.h"
+#include "files/tables/netcdf_stations.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/table_file.h"
 #include "readings/published/month_rows.h"
@@ -14,6 +16,7 @@
 #include "readings/published/published_table.h"
 #include "readings/published/swat_files.h"
 #include "readings/published/usgs_rdb.h"
+#include "readings/rain_unit.h"
 #include "text/csv_form.h"
 
 namespace thiessen {
@@ -71,10 +74,36 @@ Recognised open_by_content(const Source& rainfall, const ReadingsOptions& option
   return {std::move(table), format};
 }
 
+/// Opens a NetCDF of stations, whose variable says its unit.
+RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warnings& warnings) {
+  auto table = std::make_unique<NetcdfRainfall>(file, options.value_field);
+  const std::string& name = table->header()[2];
+  const std::string& units = table->units();
+  const auto unit = rain_unit(units);
+  if (!units.empty() && !unit && !options.from_unit && !options.scale) {
+    throw Error({file, 0,
+                 "its variable " + quoted(name, 60) + " is in " + quoted(units, 40) +
+                     ", which is no unit of rain that is known",
+                 setting("from_unit") + " says what it is in, or " + setting("scale") +
+                     " brings it there"});
+  }
+  warnings.add_notice({file, 0,
+                       "read as a NetCDF of stations: rain is " + name +
+                           (unit ? ", in " + unit->name() : std::string()),
+                       ""});
+  options.station_field = "station";
+  options.time_fields = {"time"};
+  options.value_field = name;
+  if (!options.from_unit && !options.scale) options.from_unit = unit;
+  return {std::move(table), std::move(options)};
+}
+
 }  // namespace
 
 RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions& options,
                                   Warnings& warnings) {
+  if (!options.keep_flagged && is_netcdf_of_stations(rainfall.file))
+    return open_netcdf(rainfall.file, options, warnings);
   Recognised found = open_by_content(rainfall, options, warnings);
   if (options.keep_flagged && (found.format == nullptr || found.format->flags.empty())) {
     throw Error({rainfall.file, 0,

@@ -8,6 +8,7 @@
 #include "files/tables/csv_file.h"
 #include "files/tables/dwd_station_list.h"
 #include "files/tables/ghcn_station_list.h"
+#include "files/tables/netcdf_stations.h"
 #include "files/tables/swat_station_list.h"
 #include "gdal/layers/geometry_text.h"
 #include "gdal/layers/opening.h"
@@ -36,7 +37,10 @@ struct Features::Loaded {
 
 Features::Features(const Source& source, std::size_t longest_field, Warnings& warnings)
     : source_(source) {
-  if (read_by_gdal(source.file)) {
+  if (is_netcdf_of_stations(source.file)) {
+    table_ = std::make_unique<NetcdfStationList>(source.file);
+    warnings.add_notice({source.file, 0, "read as a NetCDF of stations", {}});
+  } else if (read_by_gdal(source.file)) {
     auto layer =
         std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);
     layer_ = layer.get();
