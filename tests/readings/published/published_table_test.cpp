@@ -61,10 +61,12 @@ TEST_F(PublishedTableTest, keeps_flagged_values_where_it_is_asked_to) {
 
 TEST_F(PublishedTableTest, a_fraction_shows_another_unit) {
   open("ID,DATE,ELEMENT,DATA_VALUE,M_FLAG,Q_FLAG,S_FLAG\nA,20200101,PRCP,25.4,,,7\n");
-  EXPECT_EQ(complaint_of([&] { values(*table_, 3); }),
-            folder_.path() +
-                "/r.csv:2: '25.4' is no whole number, so that the values are not in tenths of a "
-                "millimetre, as NOAA's GHCN-Daily by year or by station has them");
+  EXPECT_EQ(
+      complaint_of([&] { values(*table_, 3); }),
+      folder_.path() +
+          "/r.csv:2: '25.4' is no whole number, so that the values are not in tenths of a "
+          "millimetre, as NOAA's GHCN-Daily by year or by station has them | from_unit = mm or "
+          "from_unit = in says what they are in");
 }
 
 TEST_F(PublishedTableTest, amounts_of_several_days_are_no_readings) {
