@@ -11,6 +11,7 @@ std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& read
     for (const StationWeight& weight : basin.stations) owners.insert(weight.station);
   }
   std::vector<double> values;
+  values.reserve(owners.size());
   for (const StationIndex station : owners) values.push_back(readings.readings[index(station)]);
   return values;
 }

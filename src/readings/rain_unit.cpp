@@ -139,7 +139,9 @@ RainFactor factor_between(const RainUnit& from, const RainUnit& to) {
   const std::int64_t multiply = from.multiply * to.divide;
   const std::int64_t divide = from.divide * to.multiply;
   const std::int64_t common = std::gcd(multiply, divide);
-  return {static_cast<double>(multiply / common), static_cast<double>(divide / common)};
+  const std::int64_t numerator = multiply / common;
+  const std::int64_t denominator = divide / common;
+  return {static_cast<double>(numerator), static_cast<double>(denominator)};
 }
 
 }  // namespace thiessen

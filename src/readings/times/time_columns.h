@@ -19,8 +19,8 @@ class TimeColumns {
   };
 
   /// One column, whose text is the time.
-  TimeColumns(std::size_t field = 0)
-      : columns_{{field, Part::text}} {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): a column is columns
+  TimeColumns(std::size_t field = 0) : columns_{{field, Part::text}} {}
   /// Requires a column.
   explicit TimeColumns(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
