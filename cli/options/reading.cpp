@@ -36,7 +36,10 @@ void refuse_missing(const OptionList& options) {
     if (!option.instead.empty()) {
       const auto given = [](const Option* other) { return other->is_given(); };
       if (std::any_of(option.instead.begin(), option.instead.end(), given)) continue;
-      hint = option.instead.front()->name + " may stand in place of " + option.name;
+      std::string others;
+      for (const Option* other : option.instead)
+        others += (others.empty() ? "" : " or ") + other->name;
+      hint = others + " may stand in place of " + option.name;
     }
     names.push_back(option.short_name() +
                     (option.value.kind.empty() ? "" : " " + option.value.kind));

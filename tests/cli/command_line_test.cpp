@@ -49,7 +49,8 @@ TEST(CommandLine, NamesTheCommandsThatHaveAnOption) {
 TEST(CommandLine, SaysWhereTheHelpIs) {
   EXPECT_EQ(error_of({"weights", "s"}).hint,
             "thiessen weights --help shows the files, the options and an example");
-  EXPECT_EQ(error_of({"rain", "s", "b"}).hint, "--value-field may stand in place of RAINFALL");
+  EXPECT_EQ(error_of({"rain", "s", "b"}).hint,
+            "--value-field or --rainfall may stand in place of RAINFALL");
 }
 
 }  // namespace

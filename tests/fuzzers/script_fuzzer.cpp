@@ -28,7 +28,8 @@ constexpr char text_separator = '\x1e';  // between a script and the CSV that it
 class Script {
  public:
   Script(std::size_t dimension, std::string_view text, std::string_view csv)
-      : script_(text),
+      : dimension_(static_cast<int>(dimension)),
+        script_(text),
         csv_(csv),
         output_(printed_.output()),
         interpreter_(cli::make_interpreter(dimension, {output_, warnings_, false, false, {}})) {}
@@ -69,14 +70,15 @@ class Script {
     require(interpreter_->faults() == 0, "not sound");
     take();
   }
-  /// Files are neither written nor read, but `load` reads the CSV; of `show` the words are read.
+  /// Files are neither written nor read, but `load` reads the CSV; of `show` and `watch` the words
+  /// are read.
   std::optional<std::string> harmless(std::string_view text) const {
     const std::vector<std::string> words = cli::words_of(text);
     if (words.empty()) return std::nullopt;
     if (words.front() == "load") return "load " + csv_.name();
     if (words.front() == "print") return "print";
-    if (words.front() != "show") return std::string(text);
-    cli::read_show_arguments({words.begin() + 1, words.end()});
+    if (words.front() != "show" && words.front() != "watch") return std::string(text);
+    cli::read_show_arguments(words.front(), dimension_, {words.begin() + 1, words.end()});
     return std::nullopt;
   }
 
@@ -97,6 +99,7 @@ class Script {
     return printed_.take();
   }
 
+  int dimension_;
   MemoryFile script_;
   MemoryFile csv_;
   MemoryFile printed_;
