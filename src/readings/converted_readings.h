@@ -29,8 +29,8 @@ struct ValueColumn {
 };
 
 /// Settles what is done to readings by what the user says and by the unit below their column's name
-/// or in it, which is believed, and told in a notice where it means a conversion. Throws Error where another
-/// unit is wanted and that of the readings is not known.
+/// or in it, which is believed, and told in a notice where it means a conversion. Throws Error
+/// where another unit is wanted and that of the readings is not known.
 AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn& column,
                                Warnings& warnings);
 /// The same for readings whose unit is known.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 #include "base/iso_time.h"
@@ -184,7 +185,8 @@ bool UsgsRdb::read_time(const std::vector<std::string_view>& fields) {
     complain("the time is none: " + quoted(text, 40));
     return false;
   }
-  time_ = time_text(clock_seconds(read.time) + 60 * later, TimePrecision::instant);
+  const std::int64_t seconds_later = std::int64_t{60} * later;
+  time_ = time_text(clock_seconds(read.time) + seconds_later, TimePrecision::instant);
   std::ranges::replace(time_, 'T', ' ');
   return true;
 }
