@@ -1,6 +1,7 @@
 #include "files/rainfall/rainfall_file.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
@@ -99,14 +100,15 @@ ReportingStations heard_in(const Source& rainfall, std::span<const Station> stat
                            std::span<const std::string> passed_over,
                            const ReadingsOptions& options) {
   Warnings told_later;
-  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   if (is_dly(rainfall.file)) {
+    const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
     HeardStations heard(known);
     heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
     return heard.heard();
   }
   OneOfSeveral one;
   if (options.is_one_of_several) {
+    const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
     one = open_one_of_several(rainfall, known, options, told_later);
   } else {
     RainfallTable opened = open_rainfall_table(rainfall, options, told_later);
@@ -172,11 +174,15 @@ ReportingStations stations_that_report(const RainfallRequest& rainfall,
     const std::vector<std::string> names = rainfall_files(rainfall.files, told_later);
     ReadingsOptions of_each = options;
     of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
+    std::size_t silent = stations.size();
     for (const std::string& name : names) {
+      if (silent == 0) break;
       const ReportingStations of_file =
           heard_in(source_of(rainfall, name), stations, passed_over, of_each);
       for (std::uint32_t s = 0; s < stations.size(); ++s) {
-        if (of_file[StationIndex{s}]) heard.set(StationIndex{s}, true);
+        if (!of_file[StationIndex{s}] || heard[StationIndex{s}]) continue;
+        heard.set(StationIndex{s}, true);
+        --silent;
       }
     }
   } catch (const Error&) {
