@@ -4,9 +4,9 @@
 #include <array>
 #include <utility>
 
-#include "base/number.h"
 #include "base/utf8.h"
 #include "files/tables/packed_file.h"
+#include "files/tables/within_limit.h"
 
 namespace thiessen {
 namespace {
@@ -55,11 +55,6 @@ bool is_header(std::string_view line) {
     if (!equal_ignoring_case(take_word(line), name)) return false;
   }
   return true;
-}
-
-bool is_within(std::string_view text, double limit) {
-  const auto number = parse_number(text);
-  return number && number.value >= -limit && number.value <= limit;
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/number.h"
 #include "base/utf8.h"
+#include "files/tables/within_limit.h"
 
 namespace thiessen {
 namespace {
@@ -36,11 +36,6 @@ constexpr std::string_view unknown_elevation = "-999.9";
 std::string_view field_of(std::string_view line, const Column& column) {
   return column.begin < line.size() ? trimmed(line.substr(column.begin, column.size))
                                     : std::string_view();
-}
-
-bool is_within(std::string_view text, double limit) {
-  const auto number = parse_number(text);
-  return number && number.value >= -limit && number.value <= limit;
 }
 
 bool is_station(std::string_view line) {

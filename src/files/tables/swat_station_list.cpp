@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "files/tables/packed_file.h"
+#include "text/csv_form.h"
 
 namespace thiessen {
 
@@ -19,8 +20,7 @@ bool SwatStationList::next(Row& row) {
 }
 
 SwatFile swat_file_called(const std::string& file) {
-  constexpr std::size_t enough = std::size_t{64} << 10;
-  return swat_file(beginning_of_text(file, enough));
+  return swat_file(beginning_of_text(file, csv_beginning_bytes));
 }
 
 }  // namespace thiessen
