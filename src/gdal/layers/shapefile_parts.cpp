@@ -52,8 +52,9 @@ class Shapefile {
     if (dbf_) count_records();
     if (!shp_ || !shx_) return;  // GDAL says what a .shp without a .shx lacks
     require_length(*shp_, 2 * number_at(*shp_, 24));
-    require_length(*shx_, 2 * number_at(*shx_, 24));
-    const std::uint64_t listed = (shx_->size() - header_bytes) / entry_bytes;
+    const std::uint64_t shx_bytes = 2 * number_at(*shx_, 24);
+    require_length(*shx_, shx_bytes);
+    const std::uint64_t listed = (shx_bytes - header_bytes) / entry_bytes;
     const std::uint64_t shapes = count_shapes(listed);
     if (shapes == listed && (!dbf_ || records_ == listed)) {
       if (beyond_)
@@ -112,8 +113,8 @@ class Shapefile {
 
   void require_length(const Part& part, std::uint64_t declared) const {
     // Bytes that are no record do no harm at the end.
-    if (part.size() >= declared && part.size() < declared + entry_bytes) return;
-    if (part.size() > declared && is_padding(part, declared)) return;
+    const bool is_whole = declared >= header_bytes && part.size() >= declared;
+    if (is_whole && (part.size() < declared + entry_bytes || is_padding(part, declared))) return;
     fail(part.name + " has " + std::to_string(part.size()) + " bytes, and its header declares " +
          std::to_string(declared));
   }
