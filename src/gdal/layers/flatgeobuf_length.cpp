@@ -101,11 +101,12 @@ void require_whole_flatgeobuf(const std::string& file, const std::string& name) 
   }
   if (declared == 0) {  // not known when it was written
     if (found.ends_well) return;
-    throw Error(Message{
-        file,
-        0,
-        "is cut off: after " + std::to_string(found.whole) + " whole features comes a part of one",
-        {}});
+    throw Error(Message{file,
+                        0,
+                        "is cut off: after " + std::to_string(found.whole) +
+                            (found.whole == 1 ? " whole feature" : " whole features") +
+                            " comes a part of one",
+                        {}});
   }
   if (found.whole == declared && found.ends_well) return;
   if (found.whole == declared) {

@@ -12,11 +12,10 @@ namespace thiessen {
 namespace {
 
 /// Points a and b in a file of GDAL's making; its name in the folder.
-std::string two_points(const TemporaryFolder& folder, const std::string& name,
-                       const std::string& options = "") {
+std::string two_points(const TemporaryFolder& folder, const std::string& name) {
   folder.write("in.csv", "id,x,y\na,1,2\nb,3,4\n");
-  const std::string command = "cd '" + folder.path() + "' && ogr2ogr " + options +
-                              " -oo X_POSSIBLE_NAMES=x -oo Y_POSSIBLE_NAMES=y " + name +
+  const std::string command = "cd '" + folder.path() +
+                              "' && ogr2ogr -oo X_POSSIBLE_NAMES=x -oo Y_POSSIBLE_NAMES=y " + name +
                               " in.csv >/dev/null 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0);
   return folder.path(name);
@@ -53,37 +52,6 @@ TEST_P(Format, law_1_a_whole_file_is_read_and_no_beginning_of_it) {
 
 INSTANTIATE_TEST_SUITE_P(Wholeness, Format,
                          testing::Values("fgb", "gpkg", "shp", "kml", "xlsx", "ods"));
-
-TEST(Wholeness, both_numbers_of_a_flatgeobuf_are_named) {
-  const TemporaryFolder folder;
-  two_points(folder, "a.fgb");
-  const std::string whole = folder.read("a.fgb");
-  const std::string file = folder.write("b.fgb", whole.substr(0, whole.size() - 1));
-  EXPECT_TRUE(contains(complaint_of([&] { rows_in(file); }),
-                       "its header declares 2 features, and it holds 1"));
-  EXPECT_TRUE(contains(complaint_of([&] { rows_in(folder.write("c.fgb", whole + whole)); }),
-                       "goes on after the last of the 2 features"));
-}
-
-TEST(Wholeness, a_flatgeobuf_without_an_index_is_held_to_its_count_too) {
-  const TemporaryFolder folder;
-  two_points(folder, "a.fgb", "-lco SPATIAL_INDEX=NO");
-  EXPECT_EQ(rows_in(folder.path("a.fgb")), 2u);
-  const std::string whole = folder.read("a.fgb");
-  EXPECT_THROW(rows_in(folder.write("b.fgb", whole.substr(0, whole.size() - 30))), Error);
-}
-
-TEST(Wholeness, the_parts_of_a_shapefile_are_held_against_each_other) {
-  const TemporaryFolder folder;
-  const std::string file = two_points(folder, "a.shp");
-  const std::string dbf = folder.read("a.dbf");
-  folder.write("a.dbf", dbf.substr(0, dbf.size() - 100));
-  EXPECT_TRUE(contains(complaint_of([&] { rows_in(file); }), "bytes, and its header declares"));
-  patch(folder, "a.dbf", 4, 1);
-  EXPECT_TRUE(contains(complaint_of([&] { rows_in(file); }),
-                       "a.shp holds 2 shapes, a.shx lists 2, and a.dbf holds 1 record"))
-      << complaint_of([&] { rows_in(file); });
-}
 
 TEST(Wholeness, a_shapefile_in_an_archive_is_looked_at_alike) {
   const TemporaryFolder folder;
