@@ -75,16 +75,6 @@ TEST(StationsFile, takes_the_fields_that_options_name) {
             "s.csv:1: 'x': no field 'w'; found 'id', 'b', 'u', 'v'");
 }
 
-TEST(StationsFile, lists_wanted_and_found_names) {
-  EXPECT_EQ(complaints("id,a\n1,2\n").at(0),
-            "s.csv:1: no field of coordinates: wanted lon, long, longitude, x, easting, and lat, "
-            "latitude, y, northing; found 'id', 'a' | name them with 'x' and 'y'");
-  EXPECT_EQ(
-      complaints("id,X\n1,2\n").at(0),
-      "s.csv:1: no field of coordinates: wanted lat, latitude, y, northing; found 'id', 'X' | "
-      "name it with 'y'");
-}
-
 TEST(StationsFile, reports_every_bad_row) {
   const auto found = complaints(
       "id,x,y\na,1,2\nb,nan,2\nc,1,1e999\nd,0x10,2\ne,,2\na,3,4\n,1,1\nf,\"1,5\",2\ng,2.5,1\n");
@@ -227,17 +217,8 @@ TEST(StationsFile, reads_degrees_minutes_and_seconds) {
             file + ": coordinates in degrees, minutes and seconds are read: '10:30' for 10.5");
 }
 
-TEST(StationsFile, takes_letters_for_degrees_and_nothing_else_in_other_columns) {
+TEST(StationsFile, takes_letters_for_degrees) {
   EXPECT_TRUE(read("id,x,y\na,10:30E,47 15N\n").crs->is_wgs84());
-  EXPECT_EQ(complaints("id,x,y\na,10:30,47:15\n").at(0),
-            "s.csv:2: 'x' of station 'a' is no number: '10:30'");
-  EXPECT_EQ(complaints("id,lon,lat\na,10:30N,47:15E\n").at(0),
-            "s.csv:2: 'lon' of station 'a' is a latitude: '10:30N' | 'x' and 'y' name the fields");
-}
-
-TEST(StationsFile, takes_coordinates_before_a_column_that_may_hold_geometries) {
-  EXPECT_EQ(read("id,x,y,geom\na,1,2,igneous\n").stations.at(0).position, (Point{1, 2}));
-  EXPECT_EQ(read("id,x,y,wkt\na,1,2,POINT (3 4)\n").stations.at(0).position, (Point{3, 4}));
 }
 
 TEST(StationsFile, knows_the_crs_that_geometries_name) {
