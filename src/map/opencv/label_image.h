@@ -28,7 +28,9 @@ class LabelImage {
   std::span<std::int32_t> labels() { return labels_; }
 
   /// Gives `label` the pixels that the rings touch or hold, by the even-odd rule. The rings are in
-  /// pixels; a pixel has its centre at .5. Coordinates must be finite.
+  /// pixels; a pixel has its centre at .5. Coordinates must be finite. Accuracy: OpenCV takes the
+  /// heights of vertices in whole pixels, so that one whose centre is up to half a pixel within the
+  /// outline may be left out, and one up to two outside may be taken.
   void fill(std::span<const Ring> rings, std::int32_t label);
 
  private:
