@@ -7,13 +7,12 @@
 #include "base/file.h"
 #include "cli/catalogue/usage.h"
 #include "cli/help/help.h"
+#include "cli/help/versions.h"
 #include "cli/options/arguments.h"
 #include "cli/options/reading.h"
 
 namespace thiessen::cli {
 namespace {
-
-constexpr const char* version = "thiessen " THIESSEN_VERSION "\n";
 
 bool says(const Arguments& said, const std::string& name) {
   return std::any_of(said.options.begin(), said.options.end(),
@@ -55,7 +54,7 @@ Command* CommandLine::parse(std::vector<std::string> arguments) {
     return nullptr;
   }
   if (may_ask && says(said, "--version")) {
-    print(version);
+    print(versions());
     return nullptr;
   }
   refuse_unknown(commands_, command, said);

@@ -9,7 +9,7 @@ namespace thiessen::cli {
 namespace {
 
 void declare_help(OptionGroup group, const std::string& help) {
-  group.add("--version", sign(), "the version");
+  group.add("--version", sign(), "the version, the commit and the versions of libraries");
   group.add("-h,--help", sign(), help);
 }
 
