@@ -4,7 +4,7 @@
 #include <iostream>
 #include <vector>
 
-#include "study/thiessen.h"
+#include <thiessen.h>
 
 int main() {
   thiessen::ThiessenInput input;

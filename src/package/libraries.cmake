@@ -1,0 +1,52 @@
+# What the library rests on, as thiessen::GeographicLib and thiessen::GEOS: read where thiessen is built, and again by
+# find_package(thiessen) where it is used, so that no path of the machine that built it is kept.
+#
+# GeographicLib has a CMake config where its own build installed one, a module file on Debian and Ubuntu, and neither
+# on some systems; before version 2 its library is called Geographic. The config's target has had two names.
+include(CMakeFindDependencyMacro)
+
+function(thiessen_find_geographiclib)
+  find_package(GeographicLib CONFIG QUIET)
+  set(found)
+  foreach(target GeographicLib::GeographicLib GeographicLib_SHARED GeographicLib)
+    if(NOT found AND TARGET ${target})
+      set(found ${target})
+    endif()
+  endforeach()
+  add_library(thiessen::GeographicLib INTERFACE IMPORTED GLOBAL)
+  if(found)
+    target_link_libraries(thiessen::GeographicLib INTERFACE ${found})
+    return()
+  endif()
+  find_path(GeographicLib_INCLUDE_DIR GeographicLib/Geodesic.hpp)
+  find_library(GeographicLib_LIBRARY NAMES GeographicLib Geographic)
+  mark_as_advanced(GeographicLib_INCLUDE_DIR GeographicLib_LIBRARY)
+  if(NOT GeographicLib_INCLUDE_DIR OR NOT GeographicLib_LIBRARY)
+    message(FATAL_ERROR "GeographicLib is not found: install libgeographiclib-dev (Debian), libgeographic-dev (Ubuntu 22.04) or GeographicLib-devel (Fedora)")
+  endif()
+  set_target_properties(thiessen::GeographicLib PROPERTIES
+                        INTERFACE_INCLUDE_DIRECTORIES "${GeographicLib_INCLUDE_DIR}"
+                        INTERFACE_LINK_LIBRARIES "${GeographicLib_LIBRARY}")
+endfunction()
+
+# GEOS by its C interface: its own CMake config is younger than some systems' GEOS.
+function(thiessen_find_geos)
+  find_path(GEOS_INCLUDE_DIR geos_c.h)
+  find_library(GEOS_LIBRARY geos_c)
+  mark_as_advanced(GEOS_INCLUDE_DIR GEOS_LIBRARY)
+  if(NOT GEOS_INCLUDE_DIR OR NOT GEOS_LIBRARY)
+    message(FATAL_ERROR "GEOS is not found: install libgeos-dev (Debian, Ubuntu) or geos-devel (Fedora)")
+  endif()
+  add_library(thiessen::GEOS INTERFACE IMPORTED GLOBAL)
+  set_target_properties(thiessen::GEOS PROPERTIES
+                        INTERFACE_INCLUDE_DIRECTORIES "${GEOS_INCLUDE_DIR}"
+                        INTERFACE_LINK_LIBRARIES "${GEOS_LIBRARY}")
+endfunction()
+
+find_dependency(Threads)
+if(NOT TARGET thiessen::GeographicLib)
+  thiessen_find_geographiclib()
+endif()
+if(NOT TARGET thiessen::GEOS)
+  thiessen_find_geos()
+endif()

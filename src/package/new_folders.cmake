@@ -1,0 +1,14 @@
+# Before an installation: notes which of the folders it makes are not there yet, so that uninstalling removes these and
+# no others. THIESSEN_FOLDERS_MADE is the list to add to, THIESSEN_FOLDERS what will be made under the prefix.
+if(CMAKE_INSTALL_COMPONENT)
+  return()  # a part of it, as packages are made of: of that there is no uninstalling
+endif()
+foreach(folder ${THIESSEN_FOLDERS})
+  cmake_path(ABSOLUTE_PATH folder BASE_DIRECTORY "${CMAKE_INSTALL_PREFIX}" OUTPUT_VARIABLE path)
+  set(below)
+  while(NOT EXISTS "$ENV{DESTDIR}${path}" AND NOT path STREQUAL below)
+    file(APPEND "${THIESSEN_FOLDERS_MADE}" "$ENV{DESTDIR}${path}\n")
+    set(below "${path}")
+    cmake_path(GET path PARENT_PATH path)
+  endwhile()
+endforeach()

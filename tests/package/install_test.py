@@ -1,0 +1,116 @@
+"""`cmake --install`: what is there, whether the program and the library can be used from there, and what is left
+when it is uninstalled."""
+
+import shutil
+import unittest
+
+from installation import ANSWER, CXX, CMAKE, SAMPLES, TEXTBOOK, InstallationTest
+
+PROJECT = """cmake_minimum_required(VERSION 3.22)
+project(storm LANGUAGES CXX)
+find_package(thiessen 0.1 REQUIRED)
+add_executable(storm textbook.cpp)
+target_link_libraries(storm PRIVATE thiessen::thiessen)
+"""
+
+
+class Install(InstallationTest):
+    def test_all_lies_where_it_is_looked_for(self):
+        self.install()
+        files = self.files()
+        for name in ("usr/bin/thiessen", "usr/include/thiessen.h", "usr/lib/libthiessen.a",
+                     "usr/lib/pkgconfig/thiessen.pc", "usr/lib/cmake/thiessen/thiessen-config.cmake",
+                     "usr/share/man/man1/thiessen.1", "usr/share/bash-completion/completions/thiessen",
+                     "usr/share/zsh/site-functions/_thiessen", "usr/share/fish/vendor_completions.d/thiessen.fish",
+                     "usr/share/doc/thiessen/copyright", "usr/share/doc/thiessen/samples/textbook/stations.csv"):
+            self.assertIn(name, files)
+
+    def test_the_program_runs_and_bash_completes_it(self):
+        self.install()
+        program = self.prefix / "bin" / "thiessen"
+        sample = [SAMPLES / "textbook" / f"{name}.csv" for name in ("stations", "basin", "rainfall")]
+        self.assertIn("69.836", self.run_command(program, "rain", *sample, "--metric", "planar"))
+        script = self.prefix / "share/bash-completion/completions/thiessen"
+        self.assertIn("thiessen", self.run_command("bash", "-c", f"source '{script}' && complete -p thiessen"))
+
+    def test_the_headers_name_none_outside_the_installation(self):
+        self.install()
+        headers = self.prefix / "include"
+        each = "".join(f"#include <{header.relative_to(headers)}>\n" for header in sorted(headers.rglob("*.h")))
+        self.assertIn("#include <thiessen/study/thiessen.h>", each)
+        for header in headers.rglob("*.h"):
+            self.assertNotIn('#include "', header.read_text(encoding="utf-8"), header)
+        (self.folder / "each.cpp").write_text(each, encoding="utf-8")
+        self.run_command(CXX, "-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-fsyntax-only",
+                         f"-I{headers}", "each.cpp")
+
+    def test_nothing_tells_where_it_was_built(self):
+        self.install()
+        for name in ("lib/pkgconfig", "lib/cmake/thiessen", "include"):
+            for file in (self.prefix / name).rglob("*.*"):
+                if not file.is_file():
+                    continue
+                text = file.read_text(encoding="utf-8")
+                self.assertNotIn(str(SAMPLES.parent), text, file)
+                self.assertNotIn(str(self.root), text, file)
+
+    def test_a_program_finds_the_library_by_cmake(self):
+        self.install()
+        project = self.folder / "project"
+        project.mkdir()
+        shutil.copy(TEXTBOOK, project)
+        (project / "CMakeLists.txt").write_text(PROJECT, encoding="utf-8")
+        built = self.folder / "built"
+        self.run_command(CMAKE, "-S", project, "-B", built, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                         f"-DCMAKE_CXX_COMPILER={CXX}")
+        self.run_command(CMAKE, "--build", built)
+        self.assertIn(ANSWER, self.run_command(built / "storm"))
+
+    @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not installed")
+    def test_a_program_finds_the_library_by_pkg_config(self):
+        self.install()
+        environment = {"PKG_CONFIG_PATH": str(self.prefix / "lib" / "pkgconfig")}
+        flags = self.run_command("pkg-config", "--cflags", "--libs", "thiessen", environment=environment).split()
+        self.run_command(CXX, "-std=c++20", TEXTBOOK, "-o", "storm", *flags)
+        self.assertIn(ANSWER, self.run_command(self.folder / "storm"))
+        self.assertEqual(self.run_command("pkg-config", "--modversion", "thiessen", environment=environment).strip(),
+                         self.run_command(self.prefix / "bin" / "thiessen", "--version").split()[1])
+
+
+class Uninstall(InstallationTest):
+    def test_nothing_is_left(self):
+        self.root.mkdir()
+        self.install()
+        self.uninstall()
+        self.assertEqual(list(self.root.iterdir()), [])
+
+    def test_what_others_put_there_is_left(self):
+        others = [self.prefix / "bin" / "other", self.prefix / "share" / "man" / "man1" / "other.1"]
+        empty = self.prefix / "lib" / "pkgconfig"
+        empty.mkdir(parents=True)
+        for file in others:
+            file.parent.mkdir(parents=True)
+            file.touch()
+        self.install()
+        late = self.prefix / "include" / "thiessen" / "mine.h"
+        late.touch()
+        self.uninstall()
+        self.assertEqual(self.files(), sorted(str(file.relative_to(self.root)) for file in [*others, late]))
+        self.assertTrue(empty.is_dir(), "a folder that was there before")
+        self.assertFalse((self.prefix / "share" / "doc").exists(), "a folder that the installation made")
+
+    def test_two_installations_are_taken_away_as_one(self):
+        self.root.mkdir()
+        self.install()
+        self.install()
+        self.uninstall()
+        self.assertEqual(list(self.root.iterdir()), [])
+
+    def test_without_an_installation_it_says_so(self):
+        with self.assertRaises(AssertionError) as caught:
+            self.uninstall()
+        self.assertIn("Nothing is known to be installed", str(caught.exception))
+
+
+if __name__ == "__main__":
+    unittest.main()
