@@ -45,7 +45,7 @@ void refuse_unknown(const Catalogue& commands, const Command* command, const Arg
 
 }  // namespace
 
-Command* CommandLine::parse(std::vector<std::string> arguments) {
+Command* CommandLine::parse(std::vector<std::string> arguments, Warnings& warnings) {
   const Arguments said = parse_arguments(std::move(arguments), lists_of(commands_));
   Command* command = said.words.empty() ? nullptr : commands_.find(said.words.front());
   const bool may_ask = command != nullptr || said.words.empty();
@@ -59,7 +59,7 @@ Command* CommandLine::parse(std::vector<std::string> arguments) {
   }
   refuse_unknown(commands_, command, said);
   try {
-    read_options(command->options(), said);
+    read_options(command->options(), said, warnings);
   } catch (UsageError& error) {
     if (error.hint.empty()) error.hint = where_help_is(*command);
     throw;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "cli/commands/commands.h"
 
 namespace thiessen::cli {
@@ -20,7 +21,7 @@ class CommandLine {
   /// version was asked for, and is printed. Options may stand before the command too. Throws
   /// UsageError, for options and commands that do not exist before all else, and Error where the
   /// name of a file is empty. To be called once.
-  Command* parse(std::vector<std::string> arguments);
+  Command* parse(std::vector<std::string> arguments, Warnings& warnings);
 
  private:
   Commands commands_;

@@ -19,8 +19,7 @@ constexpr const char* before_error = "thiessen: error: ";
 constexpr const char* before_warning = "thiessen: warning: ";
 constexpr const char* before_notice = "thiessen: notice: ";
 
-int run_command(Command& command) {
-  Warnings warnings;
+int run_command(Command& command, Warnings& warnings) {
   const auto report = [&] {
     if (command.quiet()) return;
     for (const Message& message : warnings.notices()) print(before_notice, message);
@@ -45,10 +44,11 @@ int run_program(int argc, char** argv) {
     hold_standard_streams();
     watch_for_interrupts();
     CommandLine command_line(argc > 0 ? argv[0] : "thiessen");
-    Command* command = command_line.parse({argv + 1, argv + argc});
+    Warnings warnings;
+    Command* command = command_line.parse({argv + 1, argv + argc}, warnings);
     if (command == nullptr) return done;
     when_interrupted = command->when_interrupted();
-    return run_command(*command);
+    return run_command(*command, warnings);
   } catch (const UsageError& error) {
     print(before_error, error.text, printable(error.hint));
     return wrong_usage;

@@ -11,6 +11,7 @@
 #include "cli/options/period_options.h"
 #include "cli/options/rain_format_options.h"
 #include "cli/options/rainfall_options.h"
+#include "cli/options/study_file.h"
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
@@ -42,7 +43,9 @@ class RunCommand : public Command {
 
   const char* name() const override { return "run"; }
   const char* description() const override {
-    return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png and a summary";
+    return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, a summary, "
+           "and the "
+           "study.toml that repeats it";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -67,6 +70,8 @@ class RunCommand : public Command {
     OutputFile& weights_file = outputs.add(output_.output + "/weights.csv");
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
+    outputs.add(output_.output + "/study.toml")
+        .append(study_file_text(options(), name(), output_.output, warnings));
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);

@@ -256,6 +256,23 @@ std::string formats_section() {
              "too. Arrays may be of one time for all stations, of one a station, or ragged.");
 }
 
+std::string study_file_section() {
+  return ".SH A STUDY AS A FILE\n" +
+         roff_paragraph(
+             "run writes study.toml beside its results: all that it was told but where they go, so "
+             "that they can be had again with") +
+         ".PP\n" + roff_verbatim("thiessen run --config results/study.toml -o again") + ".PP\n" +
+         roff_paragraph(
+             "Such a file may as well be written by hand. It is TOML: a line name = value for an "
+             "option, by its long name without the dashes, or for an argument (stations, basins, "
+             "rainfall). Texts and times stand in quotes; a flag is true or false; an option that "
+             "may be repeated takes an array, [\"a\", \"b\"]. Case does not count in names, and _ "
+             "is -. Relative names of files count from the folder of the file, wherever the "
+             "program runs. What the command line gives stands in place of what the file has, and "
+             "a notice says which. A name that is no option of the command is an error with its "
+             "line. study.toml holds no password: PGPASSWORD or a .pgpass file gives it.");
+}
+
 std::string status_section() {
   std::string text = ".SH EXIT STATUS\n";
   const auto add = [&](const char* status, const char* meaning) {
@@ -272,7 +289,11 @@ std::string status_section() {
 }
 
 std::string examples_section(const Catalogue& commands) {
-  std::string text = ".SH EXAMPLES\nIn the folder of the clone:\n";
+  std::string text =
+      ".SH EXAMPLES\n" +
+      roff_paragraph(
+          "Where samples/ is: in the folder of the clone; or beside a link to that of an "
+          "installation, share/doc/thiessen/samples.");
   for (const auto& command : commands.all()) {
     text += ".PP\n" + roff_paragraph(sentence(command->description())) + ".PP\n" +
             roff_verbatim(std::string("thiessen ") + command->name() + " " + command->example());
@@ -284,8 +305,9 @@ std::string examples_section(const Catalogue& commands) {
 
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
-         notes_sections(commands) + csv_section() + files_section() + times_section() +
-         names_section() + formats_section() + status_section() + examples_section(commands);
+         notes_sections(commands) + study_file_section() + csv_section() + files_section() +
+         times_section() + names_section() + formats_section() + status_section() +
+         examples_section(commands);
 }
 
 }  // namespace thiessen::cli

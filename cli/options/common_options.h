@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "cli/options/option_list.h"
 
@@ -14,6 +15,9 @@ class CommonOptions : public OptionBlock {
 
   CommonOptions();
   void declare(OptionList& options);
+
+ private:
+  std::string study_file_;  ///< what it says stands in the options when they have been read
 };
 
 }  // namespace thiessen::cli

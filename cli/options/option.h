@@ -45,6 +45,8 @@ struct Option {
   std::vector<const Option*> instead = {};
   /// The texts that the command line gives, one for each time that the option stands there.
   std::vector<std::string> texts;
+  /// Where a file gives them, as messages begin: `study.toml:3: `; empty for the command line.
+  std::string origin = {};
 
   bool is_argument() const { return name.front() != '-'; }
   bool is_flag() const { return !is_argument() && value.kind.empty(); }

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/secrets.h"
 #include "cli/options/name_lists.h"
+#include "cli/options/study_file.h"
 #include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
@@ -16,16 +17,22 @@ constexpr const char* flag_text = "true";
 
 void read(const Option& option) {
   if (option.texts.size() > 1 && !option.value.may_be_repeated)
-    throw UsageError{option.short_name() + " is given more than once", ""};
+    throw UsageError{option.origin + option.short_name() + " is given more than once", ""};
   for (const std::string& text : option.texts) {
     if (option.is_flag() && text != flag_text)
-      throw UsageError{option.name + " takes no value", ""};
+      throw UsageError{option.origin + option.name + " takes no value", ""};
     try {
       option.value.read(text);
     } catch (const WrongValue& wrong) {
-      throw UsageError{printable(option.short_name() + " " + wrong.complaint), ""};
+      throw UsageError{option.origin + printable(option.short_name() + " " + wrong.complaint), ""};
     }
   }
+}
+
+void take_study_file(OptionList& options, Warnings& warnings) {
+  const Option* file = options.find(study_file_option);
+  if (file == nullptr || file->texts.size() != 1) return;
+  take_study_file(options, file->texts.front(), warnings);
 }
 
 void refuse_missing(const OptionList& options) {
@@ -60,7 +67,7 @@ std::string unknown_option(const OptionList& options, const Arguments& said) {
   return {};
 }
 
-void read_options(OptionList& options, const Arguments& said) {
+void read_options(OptionList& options, const Arguments& said, Warnings& warnings) {
   if (said.incomplete) {
     const Option& option = *options.find(*said.incomplete);
     throw UsageError{option.short_name() + " needs a value: " + option.value.in_words(), ""};
@@ -70,6 +77,7 @@ void read_options(OptionList& options, const Arguments& said) {
   const std::size_t words = said.words.empty() ? 0 : said.words.size() - 1;
   for (std::size_t i = 0; i < std::min(words, arguments.size()); ++i)
     arguments[i]->texts = {said.words[i + 1]};
+  take_study_file(options, warnings);
   for (const Option& option : options.options()) read(option);
   refuse_missing(options);
   if (words > arguments.size()) {

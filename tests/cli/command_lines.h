@@ -12,11 +12,12 @@ namespace thiessen::cli {
 /// A command line that is read and checked, and of which nothing is run. No file of it exists.
 struct ReadLine {
   explicit ReadLine(const std::vector<std::string>& arguments)
-      : line("thiessen"), command(line.parse(arguments)) {}
+      : line("thiessen"), command(line.parse(arguments, warnings)) {}
 
   const Option& option(const std::string& name) const { return *command->options().find(name); }
 
   CommandLine line;
+  Warnings warnings;
   Command* command;
 };
 

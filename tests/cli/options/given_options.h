@@ -22,7 +22,8 @@ struct Given {
     const std::string unknown = unknown_option(options, said);
     if (!unknown.empty()) return "unknown option '" + unknown + "'";
     try {
-      read_options(options, said);
+      Warnings warnings;
+      read_options(options, said, warnings);
     } catch (const UsageError& error) {
       return error.text;
     }

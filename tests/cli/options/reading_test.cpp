@@ -27,7 +27,8 @@ struct Painting {
     const std::string unknown = unknown_option(options, said);
     if (!unknown.empty()) return "unknown " + unknown;
     try {
-      read_options(options, said);
+      Warnings warnings;
+      read_options(options, said, warnings);
     } catch (const UsageError& error) {
       return error.text;
     }
