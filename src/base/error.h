@@ -20,7 +20,7 @@ struct Message {
   /// The message as `file:line: text`, without the hint.
   Wording placed() const;
   /// The message as `file:line: text` as a caller of the library reads it, on one line, without the
-  /// hint, and with control characters shown as \x1b.
+  /// hint, and with control characters shown as `\x1b`.
   std::string sentence() const;
 };
 
@@ -90,8 +90,8 @@ class Warnings {
   std::vector<Message> notices_;
 };
 
-/// The text made fit for a terminal: control characters are written as \x1b, and bytes that are not
-/// UTF-8 as \xff.
+/// The text made fit for a terminal: control characters are written as `\x1b`, and bytes that are
+/// not UTF-8 as `\xff`.
 std::string printable(std::string_view text);
 
 }  // namespace thiessen
