@@ -2,6 +2,7 @@
 # Installs the Debian packages that thiessen needs, those that are missing:
 #   samples/packages.sh build          to build and run the program
 #   samples/packages.sh build tests    the tests as well
+#   samples/packages.sh build named PACKAGE...    and these
 set -eu
 
 # libopencv-dev alone tells CMake where OpenCV is; its freetype module comes with it.
@@ -18,11 +19,17 @@ fail() {
 }
 
 wanted=
+named=
 for group; do
+  if [ -n "$named" ]; then
+    wanted="$wanted $group"
+    continue
+  fi
   case $group in
+    named) named=yes ;;
     build) wanted="$wanted $build" ;;
     tests) wanted="$wanted $tests" ;;
-    *) fail "there is no group of packages '$group'" 'the groups are: build, tests' ;;
+    *) fail "there is no group of packages '$group'" 'the groups are: build, tests; named PACKAGE... stands last' ;;
   esac
 done
 
@@ -30,6 +37,11 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   # shellcheck disable=SC2086  # the list is meant to be split
   fail 'this script needs apt-get, the package manager of Debian' \
     "install what these packages hold by your own system's means, then see \"Building\" in README.md:$(printf ' %s' $wanted)"
+fi
+
+# Before its version 2, as in Ubuntu 22.04, GeographicLib is in a package of another name.
+if ! apt-cache show libgeographiclib-dev >/dev/null 2>&1 && apt-cache show libgeographic-dev >/dev/null 2>&1; then
+  wanted=$(printf '%s' "$wanted" | sed 's/libgeographiclib-dev/libgeographic-dev/')
 fi
 
 missing=
