@@ -32,5 +32,6 @@ say '   rain.csv        the rainfall of every county, month by month, in millime
 say '   weights.csv     the share of each gauge in each county'
 say '   cells.geojson   the Thiessen cells, for QGIS and its like'
 say '   map.png         a picture of them'
+say '   study.toml      what was asked; --config takes it'
 say 'Where the figures come from: samples/colorado/README.md'
 say "Every command has its own help, with an example that runs: $program --help"
