@@ -8,7 +8,7 @@ from installation import ANSWER, CXX, CMAKE, SAMPLES, TEXTBOOK, InstallationTest
 
 PROJECT = """cmake_minimum_required(VERSION 3.22)
 project(storm LANGUAGES CXX)
-find_package(thiessen 0.1 REQUIRED)
+find_package(thiessen REQUIRED)
 add_executable(storm textbook.cpp)
 target_link_libraries(storm PRIVATE thiessen::thiessen)
 """
