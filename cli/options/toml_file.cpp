@@ -58,6 +58,10 @@ TomlSetting setting_of(const std::string& file, const std::string& key, const to
   } else {
     setting.texts = texts_of(node);
   }
+  for (const std::string& text : setting.texts) {  // it would end the name of a file
+    if (text.find('\0') != std::string::npos)
+      throw Error({file, setting.line, "a text with a NUL in it is no option's", ""});
+  }
   return setting;
 }
 

@@ -17,8 +17,8 @@ struct TomlSetting {
 };
 
 /// Reads the keys of a TOML file (version 1.0), in the order of their lines. The file is `-` for
-/// the standard input. Throws Error where it cannot be read, is not TOML, or has a table or an
-/// array of arrays in it. This is the one place that knows toml++.
+/// the standard input. Throws Error where it cannot be read, is not TOML, or has a table, a NUL or
+/// an array of arrays in it. This is the one place that knows toml++.
 std::vector<TomlSetting> read_toml(const std::string& path);
 
 /// The text as TOML writes it, in double quotes. Requires UTF-8.

@@ -76,6 +76,11 @@ TEST_F(TomlFile, RefusesTablesAndWhatIsTooLarge) {
             "0: this is larger than 1 MB, and no list of options");
 }
 
+TEST_F(TomlFile, RefusesATextThatNoCommandLineCanHold) {
+  EXPECT_EQ(refusal("id = 'a'\nx = [\"b\", \"c\\u0000d\"]\n"),
+            "2: a text with a NUL in it is no option's");
+}
+
 TEST_F(TomlFile, ReadsBackEveryTextThatItWrites) {
   std::vector<std::string> texts = {"",       "a\"b",   "a\\b",    "a\nb\r\tc", "#5 = [x], 'y'",
                                     "雨量 ø", "\"\"\"", "\\u0041", "  ",        "\x7F",
