@@ -61,10 +61,7 @@ class RainCommand : public Command {
               : "--weights-log is the account of one method, and --method says several",
           "give one of thiessen, arithmetic, idw and natural"};
     }
-    if (method_.has_isohyets() && gaps_.settings().gaps == Gaps::renormalise) {
-      throw UsageError{"--gaps renormalise scales weights, and isohyets have none",
-                       "retessellate and strict go with them"};
-    }
+    method_.check(gaps_);
     check_errors_can_be_had();
     study_.check();
     rainfall_.check();

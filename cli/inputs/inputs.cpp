@@ -35,37 +35,41 @@ ReadingsOptions readings_options(const StudyOptions& study, const RainfallOption
   return options;
 }
 
-/// The stations and basins, with the stations of the full network alone.
-std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const RainfallOptions& rainfall,
-                                       Warnings& warnings) {
-  std::shared_ptr<StudyFiles> files = read_files(options, warnings);
-  const std::size_t count = files->stations.size();
-  if (rainfall.is_event()) {
-    const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
-    const ReportingStations report = stations_in_event(
-        options.request().stations, files->stations, filtered, readings_options(options, rainfall));
-    keep_full_network(*files, report, rainfall.name(), warnings);
-  } else if (!rainfall.given()) {
-    note_whole_network(files->stations_file, count, without_rainfall(), warnings);
-  } else if (!can_be_read_again(rainfall.request(options.csv()))) {
-    note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
-  } else {
-    const std::vector<std::string> filtered(files->filtered_ids.begin(), files->filtered_ids.end());
-    const ReportingStations report =
-        stations_that_report(rainfall.request(options.csv()), files->stations, filtered,
-                             readings_options(options, rainfall));
-    keep_full_network(*files, report, rainfall.name(), warnings);
-  }
-  return files;
-}
-
 std::vector<std::string> passed_over(const StudyFiles& files) {
   std::vector<std::string> ids(files.filtered_ids.begin(), files.filtered_ids.end());
   for (const Station& station : files.never_reporting) ids.push_back(station.id);
   return ids;
 }
 
+/// The stations and basins, with the stations of the full network alone.
+std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const RainfallOptions& rainfall,
+                                       Warnings& warnings) {
+  std::shared_ptr<StudyFiles> files = read_files(options, warnings);
+  keep_full_network(*files, options, rainfall, warnings);
+  return files;
+}
+
 }  // namespace
+
+void keep_full_network(StudyFiles& files, const StudyOptions& options,
+                       const RainfallOptions& rainfall, Warnings& warnings) {
+  const std::size_t count = files.stations.size();
+  const std::vector<std::string> filtered(files.filtered_ids.begin(), files.filtered_ids.end());
+  if (rainfall.is_event()) {
+    const ReportingStations report = stations_in_event(
+        options.request().stations, files.stations, filtered, readings_options(options, rainfall));
+    thiessen::keep_full_network(files, report, rainfall.name(), warnings);
+  } else if (!rainfall.given()) {
+    note_whole_network(files.stations_file, count, without_rainfall(), warnings);
+  } else if (!can_be_read_again(rainfall.request(options.csv()))) {
+    note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
+  } else {
+    const ReportingStations report =
+        stations_that_report(rainfall.request(options.csv()), files.stations, filtered,
+                             readings_options(options, rainfall));
+    thiessen::keep_full_network(files, report, rainfall.name(), warnings);
+  }
+}
 
 void note_whole_network(const Inputs& inputs, Warnings& warnings) {
   note_whole_network(inputs.study().stations_file, inputs.network().stations().size(),

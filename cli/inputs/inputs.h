@@ -29,6 +29,9 @@ class Inputs {
   /// RAINFALL is not given, or can be read only once, all stations are, and a notice says so.
   Inputs(const StudyOptions& options, double margin, const RainfallOptions& rainfall,
          std::size_t threads, Warnings& warnings);
+  /// The same of a study that has been read, of which all stations are the network.
+  Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, double margin,
+         std::size_t threads, Warnings& warnings);
 
   const StudyFiles& study() const { return *files_; }
   const Study& whole() const { return study_; }
@@ -50,14 +53,17 @@ class Inputs {
       const std::optional<StepTimes>& wanted = std::nullopt);
 
  private:
-  Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, double margin,
-         std::size_t threads, Warnings& warnings);
-
   std::shared_ptr<StudyFiles> files_;     // their stations have moved into the study's network
   std::vector<std::string> passed_over_;  // ids whose readings are passed over in silence
   Study study_;
   std::optional<PlaneError> plane_error_;
 };
+
+/// Leaves in a study that has been read the full network alone: the stations with at least one
+/// reading in RAINFALL. Where RAINFALL is not given, or can be read only once, all stations stay,
+/// and a notice says so.
+void keep_full_network(StudyFiles& files, const StudyOptions& options,
+                       const RainfallOptions& rainfall, Warnings& warnings);
 
 /// Gives the notice that all stations are taken for the network, for there is no RAINFALL.
 void note_whole_network(const Inputs& inputs, Warnings& warnings);

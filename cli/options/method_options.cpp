@@ -76,6 +76,12 @@ void MethodOptions::declare(OptionList& options) {
       "that makes about eight");
 }
 
+void MethodOptions::check(const GapOptions& gaps) const {
+  if (!has_isohyets() || gaps.settings().gaps != Gaps::renormalise) return;
+  throw UsageError{"--gaps renormalise scales weights, and isohyets have none",
+                   "retessellate and strict go with them"};
+}
+
 bool MethodOptions::has_isohyets() const {
   return std::find(methods_.begin(), methods_.end(), RainMethod::isohyetal) != methods_.end();
 }

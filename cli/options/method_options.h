@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "cli/options/gap_options.h"
 #include "cli/options/option_list.h"
 #include "rainfall/methods/rain_methods.h"
 
@@ -13,6 +14,8 @@ class MethodOptions : public OptionBlock {
   void declare(OptionList& options);
   /// Throws UsageError for options that contradict each other.
   void check() const;
+  /// Throws UsageError for a gap policy that a method cannot have.
+  void check(const GapOptions& gaps) const;
   /// The methods chosen, in the order of their columns.
   const std::vector<RainMethod>& methods() const { return methods_; }
   bool has_isohyets() const;

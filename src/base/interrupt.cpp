@@ -39,6 +39,10 @@ void throw_if_interrupted() {
   if (const int signal = interrupt_signal(); signal != 0) throw Interrupted(signal);
 }
 
+void ask_to_stop() noexcept {
+  noted_signal.store(SIGINT, std::memory_order_relaxed);
+}
+
 void forget_interrupt() noexcept {
   noted_signal.store(0, std::memory_order_relaxed);
 }

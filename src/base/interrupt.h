@@ -32,6 +32,10 @@ int interrupt_signal() noexcept;
 /// Throws Interrupted if a signal has come. Long loops call it every so often, from any thread.
 void throw_if_interrupted();
 
+/// Leaves the note that SIGINT would leave, for a caller that hears of Ctrl-C by other ways. From
+/// any thread.
+void ask_to_stop() noexcept;
+
 /// Forgets the signal that has come.
 void forget_interrupt() noexcept;
 

@@ -48,12 +48,12 @@ std::set<double> latitudes_on_antimeridian(const MultiPolygon& shape) {
 /// Brings the stations and basins of two files into one system of coordinates.
 class StudyMaker {
  public:
-  StudyMaker(const StudyRequest& request, Warnings& warnings)
+  StudyMaker(StationsFile stations, std::optional<BasinsFile> basins, const StudyRequest& request,
+             Warnings& warnings)
       : request_(request),
         warnings_(warnings),
-        stations_(read_stations(request.stations, warnings)) {
-    if (request.basins) basins_ = read_basins(*request.basins, warnings);
-  }
+        stations_(std::move(stations)),
+        basins_(std::move(basins)) {}
 
   StudyFiles make() {
     agree_on_crs(stations_, basins_ ? &*basins_ : nullptr, asked(), warnings_);
@@ -381,7 +381,15 @@ class StudyMaker {
 }  // namespace
 
 StudyFiles read_study(const StudyRequest& request, Warnings& warnings) {
-  return StudyMaker(request, warnings).make();
+  StationsFile stations = read_stations(request.stations, warnings);
+  std::optional<BasinsFile> basins;
+  if (request.basins) basins = read_basins(*request.basins, warnings);
+  return study_of(std::move(stations), std::move(basins), request, warnings);
+}
+
+StudyFiles study_of(StationsFile stations, std::optional<BasinsFile> basins,
+                    const StudyRequest& request, Warnings& warnings) {
+  return StudyMaker(std::move(stations), std::move(basins), request, warnings).make();
 }
 
 }  // namespace thiessen

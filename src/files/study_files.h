@@ -71,4 +71,9 @@ struct StudyFiles : StudyParts {
 /// or a basin crosses itself. Cost: linear, but for one check of validity a basin (n log n).
 StudyFiles read_study(const StudyRequest& request, Warnings& warnings);
 
+/// Makes the same of stations and basins that have been read, or were never in a file. The request
+/// counts but for the files that it names.
+StudyFiles study_of(StationsFile stations, std::optional<BasinsFile> basins,
+                    const StudyRequest& request, Warnings& warnings);
+
 }  // namespace thiessen
