@@ -1,0 +1,406 @@
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <chrono>
+#include <functional>
+#include <future>
+#include <system_error>
+
+#include "base/interrupt.h"
+#include "base/secrets.h"
+#include "base/version.h"
+#include "cli/options/usage_error.h"
+#include "gdal/layers/geometry_text.h"
+#include "python/python_study.h"
+#include "study/given_lists.h"
+#include "text/field_names.h"
+#include "text/known_names.h"
+
+namespace py = pybind11;
+
+namespace thiessen::python {
+namespace {
+
+using Doubles = py::array_t<double, py::array::c_style>;
+
+// What the library calls settings and files, in a call of Python's: they are its keywords.
+std::string keyword(std::string_view name, std::string_view value) {
+  std::string text(name);
+  if (!value.empty()) text += "='" + std::string(value) + "'";
+  return text;
+}
+
+std::string argument(std::string_view name) {
+  return std::string(name);
+}
+
+std::string shown(const Wording& words) {
+  return without_passwords(printable(words.text({keyword, argument})));
+}
+
+/// A message with its hint, as the words of an exception or of a warning.
+std::string shown(const Message& message) {
+  std::string text = shown(message.placed());
+  if (!message.hint.empty()) text += "\nhint: " + shown(message.hint);
+  return text;
+}
+
+std::vector<std::string> shown(const std::vector<Message>& messages) {
+  std::vector<std::string> texts;
+  texts.reserve(messages.size());
+  for (const Message& message : messages) texts.push_back(shown(message));
+  return texts;
+}
+
+std::string shown(const Error& error) {
+  std::string text;
+  for (const Message& message : error.messages())
+    text += (text.empty() ? "" : "\n") + shown(message);
+  if (error.unlisted() > 0) text += "\nand " + std::to_string(error.unlisted()) + " more";
+  return text;
+}
+
+/// Does the work on a thread of its own, without the interpreter's lock, while this one hears
+/// Ctrl-C and tells the caller's function how far it is. What either of them throws ends the work.
+template <typename Work>
+void wait_for(const Work& work, const Progress& progress, const py::object& told) {
+  constexpr auto pause = std::chrono::milliseconds(50);
+  std::future<void> running;
+  {
+    const py::gil_scoped_release released;
+    try {
+      running = std::async(std::launch::async, work);
+    } catch (const std::system_error&) {  // no further thread can be had
+      work();
+      return;
+    }
+    while (running.wait_for(pause) != std::future_status::ready) {
+      const py::gil_scoped_acquire held;
+      try {
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+        if (!told.is_none()) told(progress.done(), progress.total());
+      } catch (const py::error_already_set&) {
+        ask_to_stop();
+        {
+          const py::gil_scoped_release until_it_has_stopped;
+          running.wait();
+        }
+        forget_interrupt();
+        throw;
+      }
+    }
+    running.get();
+  }
+  if (!told.is_none()) told(progress.done(), progress.total());
+}
+
+std::optional<Crs> crs_of(const std::string& text, const char* its_keyword) {
+  if (text.empty()) return std::nullopt;
+  return Crs::from_text(text, setting(its_keyword));
+}
+
+CrsOrigin origin_of(const std::string& crs, bool implied) {
+  return crs.empty() ? CrsOrigin::none : implied ? CrsOrigin::implied : CrsOrigin::option;
+}
+
+void require_pairs(const Doubles& points) {
+  if (points.ndim() == 2 && points.shape(1) == 2) return;
+  throw py::value_error("coordinates are not an array of two columns");
+}
+
+StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& positions,
+                         const std::string& crs, bool implied) {
+  require_pairs(positions);
+  if (ids.size() != static_cast<std::size_t>(positions.shape(0))) {
+    throw py::value_error(std::to_string(positions.shape(0)) + " stations, and " +
+                          std::to_string(ids.size()) + " ids: one for each is needed");
+  }
+  const auto at = positions.unchecked<2>();
+  std::vector<Station> stations;
+  stations.reserve(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    stations.push_back({ids[i], {at(row, 0), at(row, 1)}});
+  }
+  StationsFile file;
+  static_cast<StationList&>(file) = given_stations(std::move(stations));
+  file.crs = crs_of(crs, "crs");
+  file.crs_origin = origin_of(crs, implied);
+  return file;
+}
+
+Ring ring_of(const Doubles& points) {
+  require_pairs(points);
+  const auto at = points.unchecked<2>();
+  Ring ring;
+  ring.reserve(static_cast<std::size_t>(points.shape(0)));
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) ring.push_back({at(i, 0), at(i, 1)});
+  return ring;
+}
+
+using Rings = std::vector<Doubles>;
+
+/// A basin is a list of polygons, each a list of rings, the outer one first.
+BasinsFile basins_of(const std::vector<std::string>& ids,
+                     const std::vector<std::vector<Rings>>& shapes, const std::string& crs,
+                     bool implied) {
+  std::vector<Basin> basins;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    Basin basin{ids[i], {}, {}};
+    for (const Rings& rings : shapes.at(i)) {
+      if (rings.empty()) continue;
+      Polygon polygon{ring_of(rings.front()), {}};
+      for (std::size_t hole = 1; hole < rings.size(); ++hole)
+        polygon.holes.push_back(ring_of(rings[hole]));
+      basin.shape.push_back(std::move(polygon));
+    }
+    basins.push_back(std::move(basin));
+  }
+  if (basins.empty()) throw Error({"", 0, "there are no basins", ""});
+  BasinsFile file;
+  static_cast<BasinList&>(file) = given_basins(std::move(basins));
+  file.crs = crs_of(crs, "basins_crs");
+  file.crs_origin = origin_of(crs, implied);
+  return file;
+}
+
+Doubles array_of(const Ring& ring) {
+  Doubles array({static_cast<py::ssize_t>(ring.size()), py::ssize_t{2}});
+  auto at = array.mutable_unchecked<2>();
+  for (py::ssize_t i = 0; i < array.shape(0); ++i) {
+    at(i, 0) = ring[static_cast<std::size_t>(i)].x;
+    at(i, 1) = ring[static_cast<std::size_t>(i)].y;
+  }
+  return array;
+}
+
+/// A geometry's type, points and polygons, and its SRID, of a text in WKT or of WKB in hexadecimal
+/// digits; None where it is neither.
+py::object geometry_in(const std::string& text) {
+  const auto found = geometry_of_text(text);
+  if (!found) return py::none();
+  std::vector<std::vector<Doubles>> polygons;
+  for (const Polygon& polygon : found->geometry.polygons) {
+    std::vector<Doubles>& rings = polygons.emplace_back();
+    rings.push_back(array_of(polygon.outer));
+    for (const Ring& hole : polygon.holes) rings.push_back(array_of(hole));
+  }
+  return py::make_tuple(found->geometry.type, array_of(found->geometry.points), polygons,
+                        found->srid);
+}
+
+/// The places of the id, the two coordinates, and whether their names say degrees, among names of
+/// columns; None for what is not there.
+py::tuple known_columns(const std::vector<std::string>& names) {
+  const auto x = find_field(names, known::eastings);
+  const auto y = find_field(names, known::northings);
+  const auto says_degrees = [&](std::size_t field) {
+    const std::vector<std::string> one{names[field]};
+    return find_field(one, known::degrees).has_value();
+  };
+  return py::make_tuple(find_field(names, known::station_ids), x, y,
+                        x && y && says_degrees(*x) && says_degrees(*y));
+}
+
+/// The ids of the stations in a file, in its order.
+std::vector<std::string> station_ids(const Keywords& keywords) {
+  const StudyKeywords said(keywords, false);
+  Warnings told_later;
+  std::vector<std::string> ids;
+  for (const Station& station : read_stations(said.study.request().stations, told_later).stations)
+    ids.push_back(station.id);
+  return ids;
+}
+
+std::optional<Matrix> matrix_of(const std::optional<Doubles>& readings) {
+  if (!readings) return std::nullopt;
+  if (readings->ndim() != 2)
+    throw py::value_error("readings are not an array of steps by stations");
+  return Matrix{readings->data(), static_cast<std::size_t>(readings->shape(0)),
+                static_cast<std::size_t>(readings->shape(1))};
+}
+
+/// An array that owns what it is made of.
+py::array owned(std::vector<double> values, std::vector<py::ssize_t> shape) {
+  auto held = std::make_unique<std::vector<double>>(std::move(values));
+  const double* first = held->data();
+  const py::capsule owner(held.release(),
+                          [](void* made) { delete static_cast<std::vector<double>*>(made); });
+  return py::array_t<double>(std::move(shape), first, owner);
+}
+
+/// A table of numbers by basin and station, as columns.
+class PartsTable {
+ public:
+  explicit PartsTable(std::size_t numbers) : numbers_(numbers) {}
+  void add(std::size_t basin, StationIndex station, std::initializer_list<double> numbers) {
+    basins_.push_back(basin);
+    stations_.push_back(index(station));
+    auto column = numbers_.begin();
+    for (const double number : numbers) (column++)->push_back(number);
+  }
+  py::list columns() {
+    py::list columns;
+    columns.append(
+        py::array_t<std::size_t>(static_cast<py::ssize_t>(basins_.size()), basins_.data()));
+    columns.append(
+        py::array_t<std::size_t>(static_cast<py::ssize_t>(stations_.size()), stations_.data()));
+    for (std::vector<double>& column : numbers_) {
+      const auto size = static_cast<py::ssize_t>(column.size());
+      columns.append(owned(std::move(column), {size}));
+    }
+    return columns;
+  }
+
+ private:
+  std::vector<std::size_t> basins_;
+  std::vector<std::size_t> stations_;
+  std::vector<std::vector<double>> numbers_;
+};
+
+std::unique_ptr<PythonStudy> make_study(std::optional<StationsFile> stations,
+                                        std::optional<BasinsFile> basins,
+                                        const std::optional<Doubles>& readings,
+                                        const Keywords& keywords, const py::object& told) {
+  GivenParts given{std::move(stations), std::move(basins), matrix_of(readings)};
+  std::unique_ptr<PythonStudy> study;
+  wait_for([&] { study = std::make_unique<PythonStudy>(std::move(given), keywords); }, {}, told);
+  return study;
+}
+
+py::list weights(const PythonStudy& study) {
+  std::vector<BasinWeights> weights;
+  wait_for([&] { weights = study.weights(); }, {}, py::none());
+  PartsTable table(2);
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    for (const StationWeight& part : weights[b].stations)
+      table.add(b, part.station, {part.area * study.inputs().area_unit().km2, part.weight});
+  }
+  return table.columns();
+}
+
+py::tuple cells(const PythonStudy& study) {
+  Warnings warnings;
+  std::string text;
+  wait_for([&] { text = study.cells_geojson(warnings); }, {}, py::none());
+  return py::make_tuple(text, shown(warnings.messages()));
+}
+
+py::tuple rain(PythonStudy& study, const std::optional<Doubles>& readings, const Keywords& keywords,
+               const py::object& told) {
+  const SeriesKeywords said(keywords);
+  const std::optional<Matrix> matrix = matrix_of(readings);
+  Warnings warnings;
+  Progress progress;
+  Series series;
+  wait_for([&] { series = study.rain(matrix, said, progress, warnings); }, progress, told);
+  const auto columns = static_cast<py::ssize_t>(series.names.size());
+  const auto steps = columns == 0 ? 0 : static_cast<py::ssize_t>(series.rainfall.size()) / columns;
+  const bool has_errors = said.errors;
+  return py::make_tuple(
+      series.names, series.times, owned(std::move(series.rainfall), {steps, columns}),
+      has_errors ? py::object(owned(std::move(series.errors), {steps, columns})) : py::none(),
+      shown(warnings.messages()));
+}
+
+py::tuple influence(PythonStudy& study, const std::optional<Doubles>& readings,
+                    const Keywords& keywords, const py::object& told) {
+  const SeriesKeywords said(keywords);
+  const std::optional<Matrix> matrix = matrix_of(readings);
+  Warnings warnings;
+  Progress progress;
+  std::vector<std::vector<GaugeInfluence>> found;
+  wait_for([&] { found = study.influence(matrix, said, progress, warnings); }, progress, told);
+  PartsTable table(3);
+  for (std::size_t b = 0; b < found.size(); ++b) {
+    for (const GaugeInfluence& gauge : found[b])
+      table.add(b, gauge.station, {gauge.weight, gauge.rms_change, gauge.mean_change});
+  }
+  return py::make_tuple(table.columns(), shown(warnings.messages()));
+}
+
+std::vector<std::string> ids_of(const std::vector<Station>& stations) {
+  std::vector<std::string> ids;
+  for (const Station& station : stations) ids.push_back(station.id);
+  return ids;
+}
+
+Doubles positions_of(const std::vector<Station>& stations) {
+  Ring points;
+  for (const Station& station : stations) points.push_back(station.position);
+  return array_of(points);
+}
+
+std::vector<std::string> basin_ids(const PythonStudy& study) {
+  std::vector<std::string> ids;
+  for (const Basin& basin : study.inputs().basins()) ids.push_back(basin.id);
+  return ids;
+}
+
+void translate(std::exception_ptr thrown, PyObject* error) {
+  try {
+    std::rethrow_exception(std::move(thrown));
+  } catch (const Error& fault) {
+    PyErr_SetString(error, shown(fault).c_str());
+  } catch (const cli::UsageError& fault) {
+    const std::string hint = fault.hint.empty() ? "" : "\nhint: " + in_python(fault.hint);
+    PyErr_SetString(error, (in_python(fault.text) + hint).c_str());
+  } catch (const UnknownKeyword& fault) {
+    PyErr_SetString(PyExc_TypeError, fault.text.c_str());
+  } catch (const Interrupted&) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+  }
+}
+
+}  // namespace
+
+// In this file alone, but with linkage, for the module's entry lies outside the namespace.
+static void declare(py::module_& module) {
+  module.attr("__version__") = version();
+  static py::exception<Error> error(module, "Error", PyExc_ValueError);
+  py::register_exception_translator(
+      [](std::exception_ptr thrown) { translate(std::move(thrown), error.ptr()); });
+  module.def("geometry_in", geometry_in);
+  module.def("known_columns", known_columns);
+  module.def("station_ids", station_ids);
+  py::class_<StationsFile>(module, "Stations").def(py::init(&stations_of));
+  py::class_<BasinsFile>(module, "Basins").def(py::init(&basins_of));
+  py::class_<PythonStudy>(module, "Study")
+      .def(py::init(&make_study))
+      .def("weights", weights)
+      .def("cells", cells)
+      .def("rain", rain)
+      .def("influence", influence)
+      .def_property_readonly("has_readings", &PythonStudy::has_readings)
+      .def_property_readonly("given_ids", &PythonStudy::given_ids)
+      .def_property_readonly(
+          "stations",
+          [](const PythonStudy& study) { return ids_of(study.inputs().network().stations()); })
+      .def_property_readonly("positions",
+                             [](const PythonStudy& study) {
+                               return positions_of(study.inputs().network().stations());
+                             })
+      .def_property_readonly(
+          "never_reporting",
+          [](const PythonStudy& study) { return ids_of(study.inputs().never_reporting()); })
+      .def_property_readonly("basins", basin_ids)
+      .def_property_readonly("metric",
+                             [](const PythonStudy& study) {
+                               return study.inputs().study().metric == Metric::geodesic ? "geodesic"
+                                                                                        : "planar";
+                             })
+      .def_property_readonly(
+          "area_column",
+          [](const PythonStudy& study) { return study.inputs().area_unit().column(); })
+      .def_property_readonly(
+          "warnings", [](const PythonStudy& study) { return shown(study.warnings().messages()); })
+      .def_property_readonly(
+          "notices", [](const PythonStudy& study) { return shown(study.warnings().notices()); });
+}
+
+}  // namespace thiessen::python
+
+PYBIND11_MODULE(_thiessen, module) {
+  thiessen::python::declare(module);
+}
