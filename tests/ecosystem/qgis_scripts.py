@@ -1,0 +1,110 @@
+"""Runs the scripts of samples/qgis in QGIS, without a window: qgis_scripts.py CLONE FOLDER"""
+
+import csv
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import threading
+
+from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProject,
+                       QgsVectorLayer)
+
+clone, work = map(pathlib.Path, sys.argv[1:])
+scripts, colorado = clone / "samples/qgis", clone / "samples/colorado"
+application = QgsApplication([], False, str(work / "profile"))
+application.initQgis()
+sys.path.append("/usr/share/qgis/python/plugins")
+from processing.core.Processing import Processing  # noqa: E402
+from processing.script import ScriptUtils  # noqa: E402
+
+Processing.initialize()
+
+
+class Heard(QgsProcessingFeedback):
+    """Feedback that keeps what it is told."""
+
+    def __init__(self):
+        super().__init__(False)
+        self.warnings, self.informed = [], []
+
+    def pushWarning(self, text):
+        self.warnings.append(text)
+
+    def pushInfo(self, text):
+        self.informed.append(text)
+
+
+def algorithm(name):
+    # As the toolbox finds it: the first algorithm in the file of a script.
+    found = ScriptUtils.loadAlgorithm(name, str(scripts / f"{name}.py"))
+    assert found is not None, name
+    return found.create()
+
+
+def run(name, parameters):
+    feedback, context = Heard(), QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    ran = algorithm(name)
+    ok, why = ran.checkParameterValues(parameters, context)
+    assert ok, why
+    result, good = ran.run(parameters, context, feedback, catchExceptions=False)
+    assert good, result
+    return result, feedback
+
+
+def by_program(*arguments):
+    return subprocess.run([os.environ["THIESSEN"], *map(str, arguments)], check=True, capture_output=True, text=True).stdout
+
+
+stations = QgsVectorLayer(f"file://{colorado}/stations.csv?xField=lon&yField=lat&crs=EPSG:4326&detectTypes=no", "gauges",
+                          "delimitedtext")
+counties = QgsVectorLayer(str(colorado / "counties.geojson"), "counties", "ogr")
+assert stations.isValid() and counties.isValid()
+places = {"STATIONS": stations, "STATION_ID": "id", "BASINS": counties, "BASIN_ID": "id"}
+files = (colorado / "stations.csv", colorado / "counties.geojson")
+
+result, _ = run("thiessen_cells", {**places, "OUTPUT": str(work / "out/cells.gpkg")})
+cells = QgsVectorLayer(result["OUTPUT"], "cells", "ogr")
+weights = list(csv.DictReader(by_program("weights", *files).splitlines()))
+assert cells.featureCount() == len(weights), (cells.featureCount(), len(weights))
+of_cells = {(cell["basin"], cell["station"]): cell["weight"] for cell in cells.getFeatures()}
+assert all(abs(of_cells[row["basin"], row["station"]] - float(row["weight"])) < 1e-15 for row in weights)
+
+result, _ = run("thiessen_weights", {**places, "OUTPUT": str(work / "out/weights.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == by_program("weights", *files)
+
+readings = colorado / "rainfall.csv"
+result, feedback = run("thiessen_rain", {**places, "RAINFALL": str(readings), "GAPS": 2,
+                                         "OUTPUT": str(work / "out/rain.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == by_program("rain", *files, readings, "--gaps", "strict")
+assert any("78 stations have no readings" in text for text in feedback.warnings), feedback.warnings
+
+# An error of the program ends the algorithm with its words and its hint, and leaves nothing.
+(work / "bad.csv").write_text("time,nobody\n2020-01-01,1\n")
+try:
+    run("thiessen_rain", {**places, "RAINFALL": str(work / "bad.csv"), "OUTPUT": str(work / "out/bad.csv")})
+    raise AssertionError("an error was wanted")
+except QgsProcessingException as error:
+    assert "nobody" in str(error), error
+assert sorted(path.name for path in (work / "out").iterdir()) == ["cells.gpkg", "rain.csv", "weights.csv"]
+
+# Cancel ends the program in the midst of a long series.
+feedback, context = Heard(), QgsProcessingContext()
+reporting = sorted({row["station"] for row in weights})[:40]
+threading.Timer(1, feedback.cancel).start()
+ran = algorithm("thiessen_rain")
+try:
+    many = work / "many.csv"
+    with open(many, "w", encoding="utf-8") as table:
+        table.write("time,station,rain\n")
+        for step in range(40_000):
+            table.write("".join(f"{step},{station},{step % 7}\n" for station in reporting))
+    ran.run({**places, "RAINFALL": str(many), "OUTPUT": str(work / "out/many.csv")}, context, feedback,
+            catchExceptions=False)
+    raise AssertionError("an end was wanted")
+except QgsProcessingException as error:
+    assert "interrupted" in str(error), error
+assert not (work / "out/many.csv").exists()
+os._exit(0)  # QGIS's own end may fail without a window
