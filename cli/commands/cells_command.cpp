@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/outputs.h"
@@ -26,7 +27,9 @@ class CellsCommand : public Command {
     study_.declare_attributes(options());
     output_.declare(
         options(), Need::optional, "cells.geojson",
-        "where the cells go; the extension tells the format; default GeoJSON on standard output");
+        "where the cells go; the extension tells the format, PG:... is a database; default GeoJSON "
+        "on standard output");
+    output_.declare_table(options(), "cells");
     common_.declare(options());
   }
 
@@ -42,13 +45,19 @@ class CellsCommand : public Command {
     study_.check();
     rainfall_.check();
     view_.check(rainfall_.given(), study_.has_basins());
+    output_.check();
   }
 
   void run(Warnings& warnings) override {
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     const bool to_stream = output_.output == "-";
-    if (!to_stream) require_cells_format(output_.output);
-    OutputFile& file = outputs.add(output_.output);
+    std::optional<DatabaseTable> table;
+    if (output_.is_database()) {
+      table.emplace(output_.table());
+    } else if (!to_stream) {
+      require_cells_format(output_.output);
+    }
+    OutputFile& file = table ? table->rows() : outputs.add(output_.output);
     const std::unique_ptr<GeoPackageCopy> older = older_layers(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
@@ -57,14 +66,17 @@ class CellsCommand : public Command {
     if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
     const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
     const CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
-    if (to_stream) {
+    const std::string name = table ? table->name() : to_stream ? "standard output" : output_.output;
+    if (table) {
+      cells_table(output, *table, warnings);
+    } else if (to_stream) {
       file.append(cells_geojson(output, "standard output", warnings));
     } else {
       append_files(outputs, file,
                    cells_files(output, output_.output, warnings, older ? older->bytes() : ""));
     }
-    warn_of_new_names(output, to_stream ? "standard output" : output_.output, warnings);
-    warn_of_own_coordinates(inputs, output_.output, warnings);
+    warn_of_new_names(output, name, warnings);
+    warn_of_own_coordinates(inputs, table ? name : output_.output, warnings);
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

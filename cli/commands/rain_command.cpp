@@ -18,6 +18,7 @@
 #include "cli/options/rain_format_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "cli/outputs/provenance_of.h"
 #include "cli/outputs/rain_table.h"
 #include "cli/terminal/progress.h"
 #include "files/rainfall/rainfall_file.h"
@@ -39,7 +40,9 @@ class RainCommand : public Command {
     format_.declare(options());
     periods_.declare(options());
     output_.declare(options(), Need::optional, "rain.csv",
-                    "where the series goes; default standard output");
+                    "where the series goes, PG:... is a database (as --long); default standard "
+                    "output");
+    output_.declare_table(options(), "rain");
     declare_account();
     common_.declare(options());
   }
@@ -65,20 +68,28 @@ class RainCommand : public Command {
     check_errors_can_be_had();
     study_.check();
     rainfall_.check();
+    output_.check();
   }
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
     const std::vector<RainMethod>& methods = method_.methods();
     if (errors_) require_two_readings();
-    require_table_name(output_.output);
     require_table_name(weights_log_);
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
-    OutputFile& file = outputs.add(output_.output);
+    std::optional<DatabaseTable> table;
+    if (output_.is_database()) {
+      table.emplace(output_.table());
+    } else {
+      require_table_name(output_.output);
+    }
+    OutputFile& file = table ? table->rows() : outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     const auto threads = static_cast<unsigned>(common_.threads);
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     RainFormat format = format_.format();
+    // A column a basin would be a table of other columns with each study.
+    format.rows_for_basins = format.rows_for_basins || table.has_value();
     format.patterns = log_file != nullptr;
     format.errors = errors_;
     format.methods = names_of_methods(methods);
@@ -112,6 +123,7 @@ class RainCommand : public Command {
         });
     series.finish(warnings);
     outputs.commit();
+    if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
   }
   bool quiet() const override { return common_.quiet; }
 

@@ -13,6 +13,7 @@
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/what_if_options.h"
+#include "cli/outputs/provenance_of.h"
 #include "cli/terminal/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
@@ -39,7 +40,8 @@ class WeightsCommand : public Command {
     range_.declare_range(options());
     gaps_.declare_cache(options());
     output_.declare(options(), Need::optional, "weights.csv",
-                    "where the table goes; default standard output");
+                    "where the table goes, PG:... is a database; default standard output");
+    output_.declare_table(options(), "weights");
     common_.declare(options());
   }
 
@@ -60,13 +62,19 @@ class WeightsCommand : public Command {
     changes_.check();
     range_.check();
     study_.check();
+    output_.check();
   }
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = range_.times();
-    require_table_name(output_.output);
     Outputs outputs(output_.rules(input_files()));
-    OutputFile& file = outputs.add(output_.output);
+    std::optional<DatabaseTable> table;
+    if (output_.is_database()) {
+      table.emplace(output_.table());
+    } else {
+      require_table_name(output_.output);
+    }
+    OutputFile& file = table ? table->rows() : outputs.add(output_.output);
     study_.opened = changes_.opened();
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     if (rainfall_.given()) {
@@ -84,6 +92,7 @@ class WeightsCommand : public Command {
                     inputs.weighing().weights(inputs.all_report(), threads()), inputs.area_unit());
     }
     outputs.commit();
+    if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
   }
   bool quiet() const override { return common_.quiet; }
 

@@ -6,14 +6,17 @@
 #include "base/secrets.h"
 #include "base/utf8.h"
 #include "cli/options/option_values.h"
+#include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
 namespace {
 
 void require_file(const std::string& path) {
-  if (!lower_case(path).starts_with("pg:")) return;
-  throw Error({without_password(path), 0, "outputs are files, and this is a database",
-               "a .gpkg or a .sql can be brought into one"});
+  if (!is_database(path)) return;
+  throw Error(
+      {without_password(path), 0, "this output is a file, and that is a database",
+       "cells, weights and rain write into a database; a .gpkg or a .sql can be brought into "
+       "one"});
 }
 
 }  // namespace
@@ -21,6 +24,22 @@ void require_file(const std::string& path) {
 void OutputOptions::declare(OptionList& options, Need need, const std::string& kind,
                             const std::string& help) {
   declare_value(options, need, file(output, kind), help);
+}
+
+void OutputOptions::declare_table(OptionList& options, const std::string& table) {
+  table_ = table;
+  table_option_ =
+      &options.group("Output", *this)
+           .add(
+               "--output-layer", text(table_, "NAME"),
+               "the table, NAME or SCHEMA.NAME, where the output is a database (PG:...); default " +
+                   table);
+}
+
+void OutputOptions::check() const {
+  if (table_option_ == nullptr || !table_option_->is_given() || is_database()) return;
+  throw UsageError{"--output-layer names a table, and the output is no database",
+                   "-o PG:... writes into one"};
 }
 
 void OutputOptions::declare_folder(OptionList& options, const std::string& help) {
@@ -36,7 +55,7 @@ void OutputOptions::declare_value(OptionList& options, Need need, OptionValue va
 }
 
 OutputRules OutputOptions::rules(std::vector<std::string> inputs) const {
-  require_file(output);
+  if (!is_database()) require_file(output);
   return {overwrite_, std::move(inputs)};
 }
 

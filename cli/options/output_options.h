@@ -5,6 +5,7 @@
 
 #include "base/destination.h"
 #include "cli/options/option_list.h"
+#include "files/database/database_table.h"
 
 namespace thiessen::cli {
 
@@ -15,17 +16,27 @@ class OutputOptions : public OptionBlock {
 
   /// `kind` is the word for the output in the help, such as `map.png`.
   void declare(OptionList& options, Need need, const std::string& kind, const std::string& help);
+  /// Declares the option that names the table, where the output may be a database; `table` is what
+  /// it is called else.
+  void declare_table(OptionList& options, const std::string& table);
   /// Declares the options of an output that is a folder.
   void declare_folder(OptionList& options, const std::string& help);
   bool overwrites() const { return overwrite_; }
+  /// Whether the output is a table in a database.
+  bool is_database() const { return table_option_ != nullptr && thiessen::is_database(output); }
+  DatabaseTarget table() const { return {output, table_, overwrite_}; }
+  /// Throws UsageError where a table is named, and the output is none.
+  void check() const;
   /// The rules by which the output is written. `inputs` are files that may not be overwritten.
-  /// Throws Error where the output is a connection to a database.
+  /// Throws Error where the output is a connection to a database, and may be none.
   OutputRules rules(std::vector<std::string> inputs) const;
 
  private:
   void declare_value(OptionList& options, Need need, OptionValue value, const std::string& help);
 
   bool overwrite_ = false;
+  std::string table_;
+  const Option* table_option_ = nullptr;
 };
 
 /// Requires the name of a table: .csv, .txt or no extension, so that no table stands under the name

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/error.h"
+#include "base/number.h"
 #include "base/utf8.h"
 #include "files/cells_shapes.h"
 #include "gdal/output/cells_layer.h"
@@ -89,7 +91,33 @@ CellShapes valid_shapes_in(const CellsOutput& output, const std::optional<Crs>& 
   return cells;
 }
 
+/// The number under which PostGIS knows a CRS: its code of EPSG; 0 where it has none.
+int srid_of(const std::optional<Crs>& crs) {
+  constexpr std::string_view epsg = "EPSG:";
+  constexpr int wgs84 = 4326;
+  if (!crs) return 0;
+  if (crs->is_wgs84()) return wgs84;
+  if (!crs->name().starts_with(epsg)) return 0;
+  const auto code = parse_number(crs->name().substr(epsg.size()));
+  return code ? static_cast<int>(code.value) : 0;
+}
+
 }  // namespace
+
+void cells_table(const CellsOutput& output, DatabaseTable& table, Warnings& warnings) {
+  const std::optional<Crs> crs = output.file_crs ? output.file_crs : output.study_crs;
+  const int srid = srid_of(crs);
+  if (srid == 0) {
+    warnings.add({table.name(), 0,
+                  crs ? "its geometries have no SRID, for " + crs->name() + " has no EPSG code"
+                      : "its geometries have no SRID, for no CRS is known",
+                  ""});
+  }
+  const CellShapes cells = valid_shapes_in(output, crs, table.name(), warnings);
+  const std::vector<std::string> names =
+      append_cell_rows(table.rows(), output, cells.shapes, DatabaseTable::geometry_column, srid);
+  table.commit(output.made_by ? sentence_of(*output.made_by) : "thiessen", names, srid);
+}
 
 std::string cells_geojson(const CellsOutput& output, const std::string& file, Warnings& warnings) {
   if (!output.study_crs)

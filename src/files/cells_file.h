@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/database/database_table.h"
 #include "gdal/crs/crs.h"
 #include "gdal/output/encoded_file.h"
 #include "results/cell_features.h"
@@ -39,6 +40,10 @@ std::string cells_geojson(const CellsOutput& output, const std::string& file, Wa
 /// hold the cells.
 std::vector<EncodedFile> cells_files(const CellsOutput& output, const std::string& path,
                                      Warnings& warnings, const std::string& older = {});
+
+/// Makes a table of the cells in a database, in `file_crs`, each checked to be valid as in
+/// cells_files. Warns where that CRS has no SRID. Throws Error and Interrupted.
+void cells_table(const CellsOutput& output, DatabaseTable& table, Warnings& warnings);
 
 /// Warns of each attribute of the stations that has another name beside the cells' own fields, with
 /// both names. `file` is the name of the output in messages.

@@ -2,15 +2,20 @@
 
 #include <ogr_geometry.h>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "gdal/layers/geometry_conversion.h"
 #include "gdal/output/vector_layer.h"
 #include "gdal/output/written_validity.h"
+#include "text/csv_writer.h"
 
 namespace thiessen {
 namespace {
@@ -76,7 +81,59 @@ class CellRows {
   std::size_t own_fields_ = 0;  ///< how many of them are not the station's attributes
 };
 
+/// A shape in EWKB: WKB with a sign in the type that an SRID follows it.
+std::string ewkb_of(const MultiPolygon& shape, int srid) {
+  const std::unique_ptr<OGRMultiPolygon> geometry = ogr_shape(shape);
+  std::vector<unsigned char> bytes(geometry->WkbSize());
+  geometry->exportToWkb(wkbNDR, bytes.data(), wkbVariantIso);
+  constexpr std::size_t order_and_type = 5;
+  constexpr unsigned char has_srid = 0x20;  // in the last byte of the type
+  bytes[order_and_type - 1] |= has_srid;
+  std::array<unsigned char, 4> number{};
+  for (std::size_t i = 0; i < number.size(); ++i)
+    number.at(i) = static_cast<unsigned char>(static_cast<unsigned>(srid) >> (8 * i));
+  bytes.insert(bytes.begin() + order_and_type, number.begin(), number.end());
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const unsigned char byte : bytes) {
+    text += digits[byte >> 4U];
+    text += digits[byte & 0xFU];
+  }
+  return text;
+}
+
 }  // namespace
+
+std::vector<std::string> append_cell_rows(OutputFile& file, const CellFeatures& features,
+                                          std::span<const MultiPolygon> shapes,
+                                          const std::string& geometry_name, int srid) {
+  const CellRows rows(features);
+  const LayerTexts values = rows.values();
+  std::vector<std::string> names = values.names;
+  names.push_back(geometry_name);
+  std::string line;
+  for (const std::string& name : names) {
+    if (!line.empty()) line += ',';
+    append_csv_field(line, name);
+  }
+  file.append(line + '\n');
+  for (std::size_t row = 0; row < values.rows; ++row) {
+    throw_if_interrupted();
+    line.clear();
+    for (std::size_t field = 0; field < rows.fields().size(); ++field) {
+      if (rows.fields()[field].type != FieldType::real) {
+        append_csv_field(line, values.text(row, field));
+      } else if (const auto number = values.number(row, field)) {
+        append_shortest(line, *number);
+      }
+      line += ',';
+    }
+    if (!shapes[row].empty()) line += ewkb_of(shapes[row], srid);
+    file.append(line + '\n');
+  }
+  return names;
+}
 
 void require_cells_driver(const std::string& path) {
   require_vector_driver(path);

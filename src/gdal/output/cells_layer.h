@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "gdal/crs/crs.h"
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/layer_formats.h"
@@ -27,5 +28,12 @@ std::vector<EncodedFile> write_cells_layer(const CellFeatures& features,
                                            std::span<const MultiPolygon> shapes,
                                            const std::optional<Crs>& crs, const std::string& path,
                                            const std::string& older, Warnings& warnings);
+
+/// The cells as rows of CSV with a header, for a database: the fields of their layer, then
+/// `geometry_name` with the shape in the hexadecimal digits of EWKB, empty where there is none.
+/// Numbers have the fewest digits that read back. Returns the names of the columns.
+std::vector<std::string> append_cell_rows(OutputFile& file, const CellFeatures& features,
+                                          std::span<const MultiPolygon> shapes,
+                                          const std::string& geometry_name, int srid);
 
 }  // namespace thiessen

@@ -1,0 +1,166 @@
+#include "files/database/database_table.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+#include "base/interrupt.h"
+#include "base/secrets.h"
+#include "base/spool.h"
+#include "base/utf8.h"
+#include "files/database/postgres.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::string_view mark = "thiessen";
+constexpr std::string_view prefix = "PG:";
+
+/// A table's name in SQL: with its schema, where one is named.
+std::string in_sql(const std::string& table) {
+  const std::size_t dot = table.find('.');
+  if (dot == std::string::npos) return Postgres::quoted_name(table);
+  return Postgres::quoted_name(table.substr(0, dot)) + "." +
+         Postgres::quoted_name(table.substr(dot + 1));
+}
+
+enum class Found { nothing, ours };
+
+/// Whether there is a table of the name. Throws Error where it may not be replaced.
+Found look_for(Postgres& database, const DatabaseTarget& target, const std::string& name) {
+  const std::string table = Postgres::quoted_text(in_sql(target.table));
+  if (!database.value("SELECT to_regclass(" + table + ")::text")) return Found::nothing;
+  const auto comment =
+      database.value("SELECT obj_description(to_regclass(" + table + "), 'pg_class')");
+  const bool is_ours =
+      comment && (*comment == mark || comment->starts_with(std::string(mark) + " "));
+  if (!is_ours) {
+    throw Error(Message{name, 0, "it exists, and this program did not make it: it is never dropped",
+                        "another name: " + setting("output_layer", "NAME")});
+  }
+  if (!target.overwrite)
+    throw Error(Message{name, 0, "already exists", setting("overwrite") + " replaces it"});
+  return Found::ours;
+}
+
+std::string_view sql_type_of(std::string_view name) {
+  constexpr std::array<std::string_view, 9> real = {"area_km2",   "area_km2_after", "area",
+                                                    "area_after", "weight",         "weight_after",
+                                                    "rainfall",   "coverage",       "se"};
+  constexpr std::array<std::string_view, 2> changes = {"rms_change", "mean_change"};
+  constexpr std::array<std::string_view, 3> whole = {"gauges", "pattern", "missing"};
+  const auto is_in = [&](const auto& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  if (is_in(real) || is_in(changes)) return "double precision";
+  return is_in(whole) ? "bigint" : "text";
+}
+
+Descriptor twin_of(const Descriptor& file) {
+  return Descriptor(::dup(file.number()));
+}
+
+/// The fields of the first line of the rows, which are names of this program's own.
+std::vector<std::string> header_of(const Descriptor& spool) {
+  std::string line(1024, '\0');
+  line.resize(read_spool(spool, 0, line));
+  line.resize(std::min(line.find('\n'), line.size()));
+  std::vector<std::string> names;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t comma = std::min(line.find(',', at), line.size());
+    names.push_back(line.substr(at, comma - at));
+    at = comma + 1;
+  }
+  return names;
+}
+
+}  // namespace
+
+bool is_database(const std::string& path) {
+  return equal_ignoring_case(std::string_view(path).substr(0, prefix.size()), prefix);
+}
+
+LibpqConnection libpq_connection(const std::string& path) {
+  LibpqConnection connection;
+  const std::string words = path.substr(prefix.size());
+  if (words.find("://") != std::string::npos) return {words, ""};
+  for (std::size_t at = 0; at < words.size();) {
+    // A word goes on to the next blank outside quotes.
+    std::size_t end = at;
+    for (bool in_quotes = false; end < words.size(); ++end) {
+      if (words[end] == '\\' && end + 1 < words.size()) {
+        ++end;
+      } else if (words[end] == '\'') {
+        in_quotes = !in_quotes;
+      } else if (!in_quotes && std::isspace(static_cast<unsigned char>(words[end])) != 0) {
+        break;
+      }
+    }
+    const std::string word = words.substr(at, end - at);
+    const std::string name = lower_case(word.substr(0, word.find('=')));
+    if (name == "active_schema" && word.size() > name.size()) {
+      connection.schema = word.substr(name.size() + 1);
+      std::erase(connection.schema, '\'');
+    } else if (name != "schemas" && name != "tables" && !word.empty()) {
+      connection.words += (connection.words.empty() ? "" : " ") + word;
+    }
+    at = end + 1;
+  }
+  return connection;
+}
+
+std::string sql_columns(const std::vector<std::string>& names, int srid) {
+  std::string columns;
+  for (const std::string& name : names) {
+    columns += (columns.empty() ? "" : ", ") + Postgres::quoted_name(name) + " ";
+    columns += name == DatabaseTable::geometry_column
+                   ? "geometry(MultiPolygon, " + std::to_string(srid) + ")"
+                   : std::string(sql_type_of(name));
+  }
+  return columns;
+}
+
+DatabaseTable::DatabaseTable(DatabaseTarget target)
+    : target_(std::move(target)),
+      name_(without_password(target_.connection) + ": table '" + target_.table + "'"),
+      spool_(open_spool()),
+      rows_(name_, twin_of(spool_), OutputFile::Care::closed) {
+  Postgres database(target_.connection);
+  look_for(database, target_, name_);
+}
+
+void DatabaseTable::commit(const std::string& comment) {
+  rows_.finish();
+  make(comment, header_of(spool_), 0);
+}
+
+void DatabaseTable::commit(const std::string& comment, const std::vector<std::string>& names,
+                           int srid) {
+  rows_.finish();
+  make(comment, names, srid);
+}
+
+void DatabaseTable::make(const std::string& comment, const std::vector<std::string>& names,
+                         int srid) {
+  const std::string table = in_sql(target_.table);
+  Postgres database(target_.connection);
+  database.run("BEGIN");
+  if (look_for(database, target_, name_) == Found::ours) database.run("DROP TABLE " + table);
+  database.run("CREATE TABLE " + table + " (" + sql_columns(names, srid) + ")");
+  database.begin_copy("COPY " + table + " FROM STDIN (FORMAT csv, HEADER)");
+  copy_spool(spool_, [&](std::string_view rows) { database.copy(rows); });
+  database.end_copy();
+  if (std::find(names.begin(), names.end(), geometry_column) != names.end()) {
+    database.run("CREATE INDEX ON " + table + " USING gist (" +
+                 Postgres::quoted_name(geometry_column) + ")");
+  }
+  database.run("COMMENT ON TABLE " + table + " IS " + Postgres::quoted_text(comment));
+  throw_if_interrupted();
+  database.run("COMMIT");
+}
+
+}  // namespace thiessen

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/descriptor.h"
+#include "base/error.h"
+#include "base/file.h"
+
+namespace thiessen {
+
+/// Where a table goes in a PostgreSQL database.
+struct DatabaseTarget {
+  std::string connection;  ///< `PG:` and what libpq takes: keywords, or a URI
+  std::string table;       ///< `name`, or `schema.name`
+  bool overwrite = false;  ///< whether a table that this program made may be replaced
+};
+
+/// Whether a name is a connection to a PostgreSQL database.
+bool is_database(const std::string& path);
+
+/// A table that appears in a PostgreSQL database whole, or not at all.
+///
+/// Its rows are written as CSV, and wait in a temporary file (spool.h) until all are there.
+/// `commit` then makes the table, fills and marks it, in one transaction. The mark is the table's
+/// comment, which begins with the program's name: a table without it is somebody else's, and is
+/// never dropped. Numbers go over as text, in the digits that the rows have.
+class DatabaseTable {
+ public:
+  /// A geometry, in the hexadecimal digits of EWKB.
+  static constexpr const char* geometry_column = "geom";
+
+  /// Looks whether the database can be reached and the table may be made. Throws Error where it
+  /// cannot, with a hint.
+  explicit DatabaseTable(DatabaseTarget target);
+
+  /// The rows: CSV with a header. An empty field without quotes is no value.
+  OutputFile& rows() { return rows_; }
+  /// Makes the table of the rows, whose header has names of this program's own alone. `comment`
+  /// tells by what it is made, and begins with `thiessen`. Throws Error where the database refuses
+  /// it, and Interrupted; the database is then as before. Cost: linear in the rows.
+  void commit(const std::string& comment);
+  /// The same with other names, in the order of the columns, and with an index of the geometries,
+  /// whose SRID is given.
+  void commit(const std::string& comment, const std::vector<std::string>& names, int srid);
+  /// The database and the table, as messages name them.
+  const std::string& name() const { return name_; }
+
+ private:
+  void make(const std::string& comment, const std::vector<std::string>& names, int srid);
+
+  DatabaseTarget target_;
+  std::string name_;
+  Descriptor spool_;
+  OutputFile rows_;
+};
+
+/// The columns of a table in SQL, by the header of its CSV: `"time" text, "weight" double
+/// precision`. Areas, weights, rainfall, errors and shares are numbers, counts whole ones, all else
+/// is text.
+std::string sql_columns(const std::vector<std::string>& names, int srid);
+
+/// A connection without the words that only GDAL knows (active_schema, schemas, tables), as libpq
+/// takes it, and the value of active_schema.
+struct LibpqConnection {
+  std::string words;
+  std::string schema;
+};
+LibpqConnection libpq_connection(const std::string& path);
+
+}  // namespace thiessen

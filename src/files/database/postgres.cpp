@@ -1,0 +1,141 @@
+#include "files/database/postgres.h"
+
+#include <libpq-fe.h>
+
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "base/error.h"
+#include "base/secrets.h"
+#include "files/database/database_table.h"
+
+namespace thiessen {
+namespace {
+
+/// The words of the server or of libpq on one line, without their label.
+std::string on_one_line(std::string_view reason) {
+  std::string text;
+  for (const char c : reason) {
+    if (c != '\n') text += c;
+    if (c == '\n' && !text.empty() && text.back() != ' ') text += ' ';
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  if (text.starts_with("ERROR:")) text.erase(0, text.find_first_not_of(' ', 6));
+  return text;
+}
+
+std::string in_quotes(std::string_view text, char quote) {
+  std::string quoted(1, quote);
+  for (const char c : text) {
+    if (c == quote) quoted += quote;
+    quoted += c;
+  }
+  return quoted + quote;
+}
+
+}  // namespace
+
+struct Postgres::Connection {
+  PGconn* handle;
+  explicit Connection(PGconn* made) : handle(made) {}
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+  ~Connection() { PQfinish(handle); }
+};
+
+struct Postgres::Answer {
+  std::unique_ptr<PGresult, void (*)(PGresult*)> result;
+};
+
+Postgres::Postgres(const std::string& path) : path_(path) {
+  const LibpqConnection wanted = libpq_connection(path);
+  connection_ = std::make_unique<Connection>(PQconnectdb(wanted.words.c_str()));
+  if (connection_->handle == nullptr) throw std::bad_alloc();
+  if (PQstatus(connection_->handle) != CONNECTION_OK) {
+    throw Error(
+        Message{without_password(path_),
+                0,
+                "the database cannot be reached: " +
+                    without_secrets(on_one_line(PQerrorMessage(connection_->handle)), path_),
+                {}});
+  }
+  // The server's notices are no messages of ours.
+  PQsetNoticeProcessor(
+      connection_->handle, [](void*, const char*) {}, nullptr);
+  PQsetClientEncoding(connection_->handle, "UTF8");
+  if (!wanted.schema.empty()) run("SET search_path TO " + quoted_name(wanted.schema) + ", public");
+}
+
+Postgres::~Postgres() = default;
+
+void Postgres::fail(const char* reason, const char* state) const {
+  const std::string code = state == nullptr ? "" : state;
+  Wording hint;
+  if (code == "42704") hint = "geometries need PostGIS: CREATE EXTENSION postgis";
+  if (code == "3F000") hint = "CREATE SCHEMA makes a schema";
+  if (code == "2BP01") hint = "what depends on the older table, such as a view, has to go first";
+  throw Error(Message{without_password(path_), 0,
+                      "the database refuses: " + without_secrets(on_one_line(reason), path_),
+                      std::move(hint)});
+}
+
+Postgres::Answer Postgres::ask(const std::string& sql) {
+  Answer answer{{PQexec(connection_->handle, sql.c_str()), PQclear}};
+  const ExecStatusType status = PQresultStatus(answer.result.get());
+  const bool done =
+      status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK || status == PGRES_COPY_IN;
+  if (!done) {
+    fail(PQerrorMessage(connection_->handle),
+         PQresultErrorField(answer.result.get(), PG_DIAG_SQLSTATE));
+  }
+  return answer;
+}
+
+void Postgres::run(const std::string& sql) {
+  ask(sql);
+}
+
+std::optional<std::string> Postgres::value(const std::string& sql) {
+  const Answer answer = ask(sql);
+  if (PQntuples(answer.result.get()) == 0 || PQgetisnull(answer.result.get(), 0, 0) != 0)
+    return std::nullopt;
+  return PQgetvalue(answer.result.get(), 0, 0);
+}
+
+void Postgres::begin_copy(const std::string& sql) {
+  ask(sql);
+}
+
+void Postgres::copy(std::string_view rows) {
+  constexpr std::size_t at_once = std::size_t{1} << 20U;
+  while (!rows.empty()) {
+    const std::string_view part = rows.substr(0, at_once);
+    if (PQputCopyData(connection_->handle, part.data(), static_cast<int>(part.size())) != 1)
+      fail(PQerrorMessage(connection_->handle), nullptr);
+    rows.remove_prefix(part.size());
+  }
+}
+
+void Postgres::end_copy() {
+  if (PQputCopyEnd(connection_->handle, nullptr) != 1)
+    fail(PQerrorMessage(connection_->handle), nullptr);
+  for (;;) {
+    const Answer answer{{PQgetResult(connection_->handle), PQclear}};
+    if (answer.result == nullptr) return;
+    if (PQresultStatus(answer.result.get()) != PGRES_COMMAND_OK) {
+      fail(PQresultErrorMessage(answer.result.get()),
+           PQresultErrorField(answer.result.get(), PG_DIAG_SQLSTATE));
+    }
+  }
+}
+
+std::string Postgres::quoted_name(std::string_view name) {
+  return in_quotes(name, '"');
+}
+
+std::string Postgres::quoted_text(std::string_view text) {
+  return in_quotes(text, '\'');
+}
+
+}  // namespace thiessen

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace thiessen {
+
+/// A connection to a PostgreSQL database, by libpq. A transaction that has begun and not ended is
+/// undone by the server when the connection closes.
+class Postgres {
+ public:
+  /// `path` is the connection as the user names it, with `PG:` in front. Throws Error where the
+  /// database cannot be reached.
+  explicit Postgres(const std::string& path);
+  ~Postgres();
+  Postgres(const Postgres&) = delete;
+  Postgres& operator=(const Postgres&) = delete;
+
+  /// Has the database carry out a command. Throws Error with its words where it does not.
+  void run(const std::string& sql);
+  /// The first value of the first row of an answer; nothing where there is none, or it is null.
+  std::optional<std::string> value(const std::string& sql);
+  /// Begins to hand rows over, to a `COPY ... FROM STDIN`.
+  void begin_copy(const std::string& sql);
+  void copy(std::string_view rows);
+  void end_copy();
+
+  /// A name within quotes, so that every letter of it counts.
+  static std::string quoted_name(std::string_view name);
+  /// A text within quotes.
+  static std::string quoted_text(std::string_view text);
+
+ private:
+  struct Answer;
+
+  Answer ask(const std::string& sql);
+  [[noreturn]] void fail(const char* reason, const char* state) const;
+
+  struct Connection;
+  std::unique_ptr<Connection> connection_;
+  std::string path_;
+};
+
+}  // namespace thiessen
