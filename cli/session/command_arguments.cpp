@@ -103,6 +103,11 @@ PlotSize plot_size(const PictureSize& size) {
 constexpr std::array<std::string_view, 5> show_options = {"--window", "--size", "--dpi", "--view",
                                                           "--site"};
 
+/// Where an option's name ends: at a `=`, behind which its value stands, or with the word.
+std::size_t end_of_name(const std::string& word) {
+  return word.starts_with("--") ? std::min(word.find('='), word.size()) : word.size();
+}
+
 /// The words of `show` or `watch`: the names of files, and options with their values.
 struct ShowWords {
   std::vector<std::string> files;
@@ -110,18 +115,25 @@ struct ShowWords {
 
   explicit ShowWords(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-      const std::string& word = words[i];
+      const std::string word = words[i].substr(0, end_of_name(words[i]));
       const bool is_option =
           std::find(show_options.begin(), show_options.end(), word) != show_options.end();
       if (!is_option && word.starts_with("--"))
         refuse("there is no option " + quoted(word, 40),
                "the options are --window, --size, --dpi, --view and --site");
       if (!is_option) {
-        files.push_back(word);
+        files.push_back(words[i]);
         continue;
       }
-      if (++i == words.size()) refuse(word + " needs a value");
-      if (!options.emplace(word, words[i]).second) refuse(word + " is given twice");
+      std::string value;
+      if (word.size() < words[i].size()) {
+        value = words[i].substr(word.size() + 1);
+      } else if (++i < words.size()) {
+        value = words[i];
+      } else {
+        refuse(word + " needs a value");
+      }
+      if (!options.emplace(word, value).second) refuse(word + " is given twice");
     }
   }
   const std::string* find(const std::string& option) const {

@@ -8,6 +8,7 @@
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "base/utf8.h"
+#include "cli/options/name_lists.h"
 #include "cli/session/command_arguments.h"
 #include "cli/session/words.h"
 #include "map/plot/tessellation_picture.h"
@@ -15,6 +16,7 @@
 #include "tessellation/session.h"
 #include "tessellation/topology_table.h"
 #include "text/points_file.h"
+#include "text/similar_texts.h"
 
 namespace thiessen::cli {
 namespace {
@@ -30,10 +32,14 @@ using Arguments = std::vector<std::string>;
   throw Error(Message{"", 0, std::move(text), std::move(hint)});
 }
 
-std::string names_of_commands() {
-  std::string text;
-  for (const std::string& name : session_commands()) text += (text.empty() ? "" : ", ") + name;
-  return text;
+/// Which command may be meant by a name that none has, or all of them.
+std::string hint_for(const std::string& name) {
+  std::string meant = did_you_mean(nearest_names(name, session_commands()));
+  if (!meant.empty()) return meant;
+
+  std::string all;
+  for (const std::string& command : session_commands()) all += (all.empty() ? "" : ", ") + command;
+  return "the commands are " + all;
 }
 
 template <int Dimension>
@@ -53,8 +59,7 @@ class SessionInterpreter : public Interpreter {
     }
     const auto found = std::find_if(commands.begin(), commands.end(),
                                     [&](const auto& command) { return command.first == name; });
-    if (found == commands.end())
-      refuse("there is no command " + quoted(name, 40), "the commands are " + names_of_commands());
+    if (found == commands.end()) refuse("there is no command " + quoted(name, 40), hint_for(name));
     (this->*found->second)(words);
     return true;
   }

@@ -83,6 +83,22 @@ TEST(CommandArguments, ShowAWindowOfThePlane) {
             "--window is too narrow to tell coordinates in it apart, from XMIN to XMAX");
 }
 
+TEST(CommandArguments, ShowTakesAValueBehindAnEqualsSignToo) {
+  const auto shown =
+      read_show_arguments("show", 2, {"--window=-1,2,1e3,2.5", "a=b.png", "--size=800x600"});
+  ASSERT_TRUE(shown.window);
+  EXPECT_EQ(shown.window->low, (Point{-1, 2}));
+  EXPECT_EQ(shown.file, "a=b.png");
+  EXPECT_EQ(shown.size.height, 600);
+  EXPECT_EQ(complaint_of([] {
+              read_show_arguments("show", 2, {"a.png", "--dpi=1", "--dpi", "2"});
+            }),
+            "--dpi is given twice");
+  EXPECT_TRUE(complaint_of([] {
+                read_show_arguments("show", 2, {"a.png", "--windows=1"});
+              }).starts_with("there is no option '--windows'"));
+}
+
 // 297 mm at 300 dots to the inch: 297 / 25.4 * 300 = 3507.9 pixels.
 TEST(CommandArguments, ShowAPictureOfASizeAsMapDoes) {
   const auto size = [](const std::vector<std::string>& words) {
