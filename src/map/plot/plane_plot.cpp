@@ -80,11 +80,11 @@ class PlaneDrawing {
 
   void draw(const NumberOf& number_of) {
     draw_edges();
-    draw_dots();
-    const bool has_text = !sheet_.style().bare;
-    if (has_text) write_numbers(number_of);
-    if (has_text) draw_axes();
     sheet_.draw_border();
+    const bool has_text = !sheet_.style().bare;
+    if (has_text) draw_axes();
+    draw_dots();
+    if (has_text) write_numbers(number_of);
     if (!has_text) return;
     sheet_.write_legend(in_sight_.size(), tessellation_.count());
     write_notes();
@@ -128,11 +128,16 @@ class PlaneDrawing {
 
   double rim() const { return strokes_.dot < 2 ? strokes_.dot : 1.3 * strokes_.dot + 0.3; }
 
+  /// Draws dots whole, over the border too: a point on it is in sight.
   void draw_dots() {
-    const auto all_discs = [this](double radius, Colour colour) {
+    const PixelBox& panel = sheet_.panel();
+    const int reach = static_cast<int>(std::ceil(rim()));
+    const PixelBox clip{panel.x - reach, panel.y - reach, panel.width + 2 * reach,
+                        panel.height + 2 * reach};
+    const auto all_discs = [&](double radius, Colour colour) {
       for (const PointId p : in_sight_) {
         throw_if_interrupted();
-        sheet_.canvas().disc(dot_of(p), radius, colour, sheet_.panel());
+        sheet_.canvas().disc(dot_of(p), radius, colour, clip);
       }
     };
     if (rim() > strokes_.dot) all_discs(rim(), ink::white);

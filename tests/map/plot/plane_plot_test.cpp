@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <vector>
 
+#include "map/opencv/pixel_canvas.h"
 #include "map/plot/plot_sheet.h"
 
 namespace thiessen {
@@ -86,6 +88,26 @@ TEST(PlanePlot, is_widened_and_never_narrowed) {
   tall.widen_to(0.5);
   EXPECT_NEAR(tall.half()[0], 0.64, 1e-12);
   EXPECT_NEAR(tall.half()[1], 1.28, 1e-12);
+}
+
+// Corners of the window and middles of its sides: the outer part of each dot stands on white.
+TEST(PlanePlot, draws_points_on_the_edge_of_a_window_whole) {
+  const std::vector<Point> points{{0, 0}, {8, 0}, {8, 4}, {0, 4}, {4, 0}, {4, 4}, {0, 2}, {8, 2}};
+  Tessellation<2> tessellation;
+  tessellation.add_all(points);
+  const PlaneWindow window{{0, 0}, {8, 4}};
+  PixelCanvas canvas = plot_plane(
+      tessellation, [](PointId) { return std::uint64_t{1}; }, window);
+  const PlanePlot plot = PlanePlot::of_window(window);
+  const PixelBox panel = PlotSheet(plot.aspect(), PlotSheet::Margins::for_axes).panel();
+  for (const Point p : points) {
+    const Point dot = plot.pixel(plot.scene()(p), panel);
+    const int outward_x = p.x == 0 ? -1 : p.x == 8 ? 1 : 0;
+    const int outward_y = p.y == 0 ? 1 : p.y == 4 ? -1 : 0;
+    const auto x = static_cast<int>(dot.x) + 3 * outward_x;
+    const auto y = static_cast<int>(dot.y) + 3 * outward_y;
+    EXPECT_GT(canvas.darkness({x, y, 1, 1}), 3U * 150U) << p.x << ' ' << p.y;
+  }
 }
 
 }  // namespace
