@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <tuple>
@@ -84,25 +85,14 @@ void require_closed(std::span<const BoundaryPiece> pieces) {
   if (open != 0) throw std::logic_error("the boundary of a cell in a basin does not close");
 }
 
-// Sorts so that the pieces of a cell stand together, in their order. There are millions of them in
-// a basin as large as a continent, and comparing two takes less time than asking for Ctrl-C does.
-void sort_by_place(std::vector<BoundaryPiece>& pieces) {
-  constexpr std::uint32_t comparisons_between = 1U << 12;
-  std::uint32_t comparisons = 0;
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [&](const BoundaryPiece& a, const BoundaryPiece& b) {
-                     if (++comparisons % comparisons_between == 0) throw_if_interrupted();
-                     return a.place < b.place;
-                   });
-}
-
 }  // namespace
 
 CellClipper::CellClipper(const Diagram& diagram, const Surface& surface)
     : surface_(surface),
       overlay_(diagram),
       area_(diagram.places.size()),
-      is_touched_(diagram.places.size(), false) {}
+      is_touched_(diagram.places.size(), false),
+      order_(diagram.places.size(), 0) {}
 
 double area_of(const Basin& basin, const Surface& surface) {
   const double reference = box_of_basin(basin).centre().y;
@@ -180,7 +170,7 @@ double CellClipper::smallest_area() const {
 }
 
 std::vector<CellShare> CellClipper::shares(const Basin& basin) {
-  CutBasin cut = overlay_.cut(basin);
+  CutBasin& cut = overlay_.cut(basin);
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
   const double smallest = smallest_area();
@@ -192,29 +182,48 @@ std::vector<CellShare> CellClipper::shares(const Basin& basin) {
   return shares;
 }
 
+// There are millions of pieces in a basin as large as a continent: they stay where they are, and no
+// step takes long between two looks for Ctrl-C.
+CellClipper::PiecesByCell CellClipper::pieces_by_cell(const CutBasin& cut) {
+  PiecesByCell sorted;
+  sorted.begins.assign(touched_.size() + 1, 0);
+  for (std::size_t i = 0; i < touched_.size(); ++i) order_[index(touched_[i])] = i;
+  for (const BoundaryPiece& piece : cut.pieces) {
+    throw_if_interrupted();
+    ++sorted.begins[order_[index(piece.place)] + 1];
+  }
+  std::partial_sum(sorted.begins.begin(), sorted.begins.end(), sorted.begins.begin());
+  std::vector<std::size_t> next(sorted.begins.begin(), sorted.begins.end() - 1);
+  sorted.numbers.resize(cut.pieces.size());
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
+    sorted.numbers[next[order_[index(cut.pieces[i].place)]]++] = i;
+  }
+  return sorted;
+}
+
 std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
-  CutBasin cut = overlay_.cut(basin);
+  CutBasin& cut = overlay_.cut(basin);
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
   const double smallest = smallest_area();
-  sort_by_place(cut.pieces);
+  const PiecesByCell sorted = pieces_by_cell(cut);
   const bool has_bulges = std::any_of(cut.pieces.begin(), cut.pieces.end(),
                                       [](const BoundaryPiece& piece) { return piece.bulge != 0; });
   std::vector<ClippedCell> cells;
-  for (std::size_t first = 0; first < cut.pieces.size();) {
+  std::vector<BoundaryPiece> pieces;
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
     throw_if_interrupted();
-    const PlaceIndex place = cut.pieces[first].place;
-    std::vector<DirectedEdge> edges;
-    std::size_t end = first;
-    for (; end < cut.pieces.size() && cut.pieces[end].place == place; ++end) {
-      edges.push_back({cut.pieces[end].from, cut.pieces[end].to});
-    }
-    const std::span pieces(cut.pieces.data() + first, end - first);
-    first = end;
-    const double area = area_[index(place)].value();
+    const double area = area_[index(touched_[i])].value();
     if (area <= smallest) continue;
+    pieces.clear();
+    std::vector<DirectedEdge> edges;
+    for (std::size_t n = sorted.begins[i]; n < sorted.begins[i + 1]; ++n) {
+      pieces.push_back(cut.pieces[sorted.numbers[n]]);
+      edges.push_back({pieces.back().from, pieces.back().to});
+    }
     require_closed(pieces);
-    cells.push_back({place, area, link_rings(std::move(edges)), {}});
+    cells.push_back({touched_[i], area, link_rings(std::move(edges)), {}});
     if (has_bulges) cells.back().bulges = bulges_of(cells.back().shape, pieces);
   }
   return cells;

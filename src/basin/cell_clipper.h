@@ -48,6 +48,12 @@ class CellClipper {
   std::vector<ClippedCell> cells(const Basin& basin);
 
  private:
+  /// Which pieces are of which cell, in the order of `touched_`.
+  struct PiecesByCell {
+    std::vector<std::size_t> begins;   ///< of the pieces of each cell, and the end
+    std::vector<std::size_t> numbers;  ///< of all pieces, cell by cell, in their order in each
+  };
+  PiecesByCell pieces_by_cell(const CutBasin& cut);
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
   void settle_bulges();
@@ -59,6 +65,7 @@ class CellClipper {
   std::vector<LongSum> area_;  // by place
   std::vector<bool> is_touched_;
   std::vector<PlaceIndex> touched_;  // those with pieces in the basin at hand
+  std::vector<std::size_t> order_;   // by place: where it stands among these
 };
 
 }  // namespace thiessen

@@ -73,7 +73,7 @@ Overlay::Overlay(const Diagram& diagram)
   }
 }
 
-const CutBasin& Overlay::cut(const Basin& basin) {
+CutBasin& Overlay::cut(const Basin& basin) {
   result_.pieces.clear();
   result_.touching = false;
   chord_events_.clear();

@@ -41,8 +41,9 @@ class Overlay {
   explicit Overlay(const Diagram& diagram);
 
   /// Cuts a basin along the edges of the cells. Requires a valid basin inside the diagram's frame.
-  /// The result stands until the next call.
-  const CutBasin& cut(const Basin& basin);
+  /// The result stands until the next call, and whoever asks may change it until then: a copy of
+  /// millions of pieces would take longer than cutting them.
+  CutBasin& cut(const Basin& basin);
 
  private:
   struct Edge {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "earth/sphere/units.h"
 
 namespace thiessen {
@@ -22,6 +23,7 @@ class OtherSide {
     const std::vector<Chord> chords = std::exchange(diagram_.chords, {});
     const std::vector<double> bulges = std::exchange(diagram_.bulges, {});
     for (std::size_t i = 0; i < chords.size(); ++i) {
+      throw_if_interrupted();
       bulge_ = bulges.empty() ? nullptr : &bulges[i];
       draw(chords[i]);
     }

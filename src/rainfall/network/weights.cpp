@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "rainfall/network/network_cells.h"
 
@@ -114,6 +115,7 @@ std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& r
     if (!drawn || !take_areas(clipped, measured.shares(worker, b)))
       clipped = measured.cells(worker, b);
     for (const ClippedCell& cell : clipped) {
+      throw_if_interrupted();
       const auto stations = measured.stations_of(cell.place);
       const double area = cell.area / static_cast<double>(stations.size());
       for (const StationIndex s : stations)
