@@ -28,6 +28,9 @@ std::vector<EncodedFile> isohyets_file(std::span<const Isohyet> isohyets,
                                        const std::string& path, const std::string& older,
                                        Warnings& warnings) {
   require_known_degrees(path, crs.has_value());
+  if (!crs) {
+    warnings.add({path, 0, "the isohyets are in the plane's own coordinates: no CRS is known", ""});
+  }
   VectorLayer layer;
   layer.name = "isohyets";
   layer.shapes = VectorLayer::Shapes::lines;

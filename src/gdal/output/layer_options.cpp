@@ -47,7 +47,11 @@ std::string foreign_members(const Provenance& made_by) {
     if (json.back() != '{') json += ',';
     append_json_string(json, name);
     json += ':';
-    append_json_string(json, value);
+    if (name == "tolerance") {
+      json += value;  // is a number
+    } else {
+      append_json_string(json, value);
+    }
   }
   return json + "}}";
 }

@@ -108,7 +108,13 @@ class LayerWriter {
   OGRLayer& create_layer(const std::optional<Crs>& crs) {
     const std::string driver = dataset_->GetDriverName();
     std::unique_ptr<OGRSpatialReference> system;
-    if (crs) system.reset(crs->definition().system.Clone());
+    if (crs) {
+      system.reset(crs->definition().system.Clone());
+    } else if (driver == "GPKG") {
+      // By this name a GeoPackage knows a plane; without one it would have unknown degrees.
+      system = std::make_unique<OGRSpatialReference>();
+      system->SetLocalCS("Undefined Cartesian SRS");
+    }
     const OGRwkbGeometryType type =
         layer_.shapes == VectorLayer::Shapes::lines ? wkbMultiLineString : wkbMultiPolygon;
     OGRLayer* layer =

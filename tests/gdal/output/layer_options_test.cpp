@@ -45,6 +45,8 @@ TEST(LayerOptions, say_how_a_layer_was_made_where_the_format_has_a_place) {
   layer.made_by = Provenance();
   layer.made_by->software = "thiessen 0";
   EXPECT_EQ(option(layer, "PGDUMP", "DESCRIPTION").rfind("thiessen 0", 0), 0U);
+  EXPECT_NE(option(layer, "GeoJSON", "NATIVE_DATA").find("\"tolerance\":0.1"), std::string::npos)
+      << "a number, as in the GeoJSON of cells";
   EXPECT_NE(option(layer, "GeoJSON", "NATIVE_DATA").find("\"software\":\"thiessen 0\""),
             std::string::npos);
   EXPECT_EQ(option(layer, "GeoJSON", "RFC7946"), "YES");

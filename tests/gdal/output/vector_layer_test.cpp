@@ -58,6 +58,16 @@ TEST(VectorLayer, of_lines_has_the_options_of_each_driver_as_polygons_have_them)
   }
 }
 
+// -1 is the GeoPackage's own number for an undefined plane, 0 for undefined degrees.
+TEST(VectorLayer, of_a_plane_is_no_geopackage_of_degrees) {
+  TemporaryFolder folder;
+  folder.write("l.gpkg", written(layer_of("l", VectorLayer::Shapes::lines), "l.gpkg")[0].bytes);
+  const std::string ids =
+      program_output("ogrinfo -ro -q -sql 'SELECT srs_id FROM gpkg_contents' '" +
+                     folder.path("l.gpkg") + "' 2>&1");
+  EXPECT_NE(ids.find("= -1"), std::string::npos) << ids;
+}
+
 TEST(VectorLayer, of_the_same_values_is_the_same_bytes) {
   for (const char* path : {"l.gpkg", "l.shp", "l.sqlite", "l.sql"}) {
     const auto first = written(layer_of("l", VectorLayer::Shapes::polygons), path);
