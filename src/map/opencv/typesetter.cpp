@@ -73,6 +73,13 @@ SetText draw(cv::freetype::FreeType2& face, const std::u32string& text, int size
   return cut_to_ink(drawn, line);
 }
 
+/// Takes note of characters that did not come before.
+void note(std::u32string_view characters, std::u32string& seen) {
+  for (const char32_t c : characters) {
+    if (seen.find(c) == std::u32string::npos) seen.push_back(c);
+  }
+}
+
 /// Puts a piece of text beside a line, with both on one baseline.
 void append(SetText& piece, int gap, SetText& line) {
   const int ascent = std::max(line.baseline, piece.baseline);
@@ -156,7 +163,7 @@ void Typesetter::add_word(std::u32string_view word, const FontList& fonts,
     auto font = font_for(cluster, fonts, line);
     if (!font) {
       for (const char32_t c : cluster) {
-        if (!is_invisible(c) && !fonts.first_to_cover({&c, 1})) missing_.insert(c);
+        if (!is_invisible(c) && !fonts.first_to_cover({&c, 1})) note({&c, 1}, missing_);
       }
       cluster = fonts.covers(preferred, U"\uFFFD") ? U"\uFFFD" : U"?";
       font = preferred;
@@ -178,7 +185,7 @@ void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::ve
     }
   }
   for (Piece& word : words) {
-    if (fonts.has_pixels(word.font)) coarse_.insert(word.text.begin(), word.text.end());
+    if (fonts.has_pixels(word.font)) note(word.text, coarse_);
     if (!out.empty() && out.back().font == word.font) {
       out.back().text += word.text;
     } else {
@@ -222,7 +229,7 @@ SetText Typesetter::set_line(std::u32string_view text, int size, Weight weight) 
       const int gap = line.width() == 0 ? 0 : (size + 8) / 16 + space * 3 / 10;
       append(drawn, gap, line);
     } catch (const cv::Exception&) {
-      missing_.insert(piece.text.begin(), piece.text.end());
+      note(piece.text, missing_);
     }
   }
   return line;

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,11 +32,11 @@ class Typesetter {
   SetText fit(std::string_view text, int size, int smallest, int max_width,
               Weight weight = Weight::regular);
 
-  /// The characters set so far that no font shows, in order.
-  const std::set<char32_t>& missing() const { return missing_; }
-  /// The characters set so far that only a font of bitmaps shows, in order; blanks may be among
+  /// The characters set so far that no font shows, each once, in the order in which they came.
+  const std::u32string& missing() const { return missing_; }
+  /// The characters set so far that only a font of bitmaps shows, likewise; blanks may be among
   /// them.
-  const std::set<char32_t>& coarse() const { return coarse_; }
+  const std::u32string& coarse() const { return coarse_; }
 
  private:
   struct Fonts;
@@ -55,8 +54,8 @@ class Typesetter {
 
   std::unique_ptr<Fonts> regular_;
   std::unique_ptr<Fonts> bold_;
-  std::set<char32_t> missing_;
-  std::set<char32_t> coarse_;
+  std::u32string missing_;
+  std::u32string coarse_;
 };
 
 }  // namespace thiessen

@@ -1,15 +1,15 @@
 #include "map/sheet/font_warnings.h"
 
 #include <algorithm>
-#include <set>
 #include <string>
+#include <string_view>
 
 #include "map/ink/unicode.h"
 
 namespace thiessen {
 namespace {
 
-std::string some_of(const std::set<char32_t>& characters) {
+std::string some_of(std::u32string_view characters) {
   constexpr std::size_t listed = 5;
   std::u32string some;
   for (const char32_t c : characters) {
@@ -19,7 +19,7 @@ std::string some_of(const std::set<char32_t>& characters) {
 }
 
 /// Debian's packages of fonts with the outlines of these characters.
-std::string packages_for(const std::set<char32_t>& characters) {
+std::string packages_for(std::u32string_view characters) {
   const auto is_east_asian = [](char32_t c) {
     return (c >= 0x1100 && c <= 0x11FF) || (c >= 0x2E80 && c <= 0xA4CF) ||
            (c >= 0xAC00 && c <= 0xD7FF) || (c >= 0xF900 && c <= 0xFAFF) ||

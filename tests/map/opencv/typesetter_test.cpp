@@ -46,7 +46,9 @@ TEST(Typesetter, what_no_font_has_is_told_and_stands_as_a_sign) {
   Typesetter type;
   const SetText text = type.set("a\U0010F123", 20);  // for private use
   EXPECT_GT(text.width(), type.set("a", 20).width());
-  EXPECT_EQ(type.missing(), std::set<char32_t>{0x10F123});
+  EXPECT_EQ(type.missing(), U"\U0010F123");
+  type.set("\U0010F124 \U0010F123\U0010F122", 20);
+  EXPECT_EQ(type.missing(), U"\U0010F123\U0010F124\U0010F122") << "as they come";
 }
 
 TEST(Typesetter, hostile_text_is_set_or_left_out_but_never_fails) {
