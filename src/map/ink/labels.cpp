@@ -7,6 +7,14 @@
 #include <utility>
 
 namespace thiessen {
+namespace {
+
+double distance(const PixelBox& box, Point p) {
+  return std::hypot(std::max({box.x - p.x, p.x - box.right(), 0.0}),
+                    std::max({box.y - p.y, p.y - box.bottom(), 0.0}));
+}
+
+}  // namespace
 
 Occupancy::Occupancy(int width, int height)
     : width_(width),
@@ -53,15 +61,14 @@ int DotIndex::row_of(double y) const {
 }
 
 bool DotIndex::is_beside_another(const PixelBox& box, Point own) const {
+  const double least = std::max(reach_, times_as_far * distance(box, own));
   const auto is_beside = [&](Point p) {
-    const double x = std::max({box.x - p.x, p.x - box.right(), 0.0});
-    const double y = std::max({box.y - p.y, p.y - box.bottom(), 0.0});
-    return std::hypot(x, y) < reach_ && std::hypot(p.x - own.x, p.y - own.y) >= 0.5;
+    return distance(box, p) < least && std::hypot(p.x - own.x, p.y - own.y) >= 0.5;
   };
-  const int last_row = row_of(box.bottom() + reach_);
-  const int last_column = column_of(box.right() + reach_);
-  for (int row = row_of(box.y - reach_); row <= last_row; ++row) {
-    for (int column = column_of(box.x - reach_); column <= last_column; ++column) {
+  const int last_row = row_of(box.bottom() + least);
+  const int last_column = column_of(box.right() + least);
+  for (int row = row_of(box.y - least); row <= last_row; ++row) {
+    for (int column = column_of(box.x - least); column <= last_column; ++column) {
       const auto begin = dots_.begin() + static_cast<std::ptrdiff_t>(first_[square(column, row)]);
       const auto end = dots_.begin() + static_cast<std::ptrdiff_t>(first_[square(column, row) + 1]);
       if (std::any_of(begin, end, is_beside)) return true;
@@ -70,12 +77,16 @@ bool DotIndex::is_beside_another(const PixelBox& box, Point own) const {
   return false;
 }
 
-std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int width, int height) {
+std::array<PixelBox, 16> boxes_beside(Point dot, double radius, int gap, int width, int height) {
   const int x = static_cast<int>(std::floor(dot.x));
   const int y = static_cast<int>(std::floor(dot.y));
   const int away = static_cast<int>(std::ceil(radius)) + gap;
   const int corner = static_cast<int>(std::ceil(radius)) + 1;
   const int above = y - away - height;
+  const int high = y - height * 3 / 4;
+  const int low = y - height / 4;
+  const int west = x - width * 3 / 4;
+  const int east = x - width / 4;
   return {{{x + away, y - height / 2, width, height},
            {x - away - width, y - height / 2, width, height},
            {x - width / 2, above, width, height},
@@ -83,7 +94,15 @@ std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int widt
            {x + corner, y - corner - height, width, height},
            {x + corner, y + corner, width, height},
            {x - corner - width, y - corner - height, width, height},
-           {x - corner - width, y + corner, width, height}}};
+           {x - corner - width, y + corner, width, height},
+           {x + away, high, width, height},
+           {x + away, low, width, height},
+           {x - away - width, high, width, height},
+           {x - away - width, low, width, height},
+           {east, above, width, height},
+           {east, y + away, width, height},
+           {west, above, width, height},
+           {west, y + away, width, height}}};
 }
 
 std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double radius, int gap,
@@ -95,9 +114,10 @@ std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double rad
 }
 
 std::optional<PixelBox> place_beside(const Occupancy& map, const DotIndex& dots, Point dot,
-                                     double radius, int gap, int width, int height) {
+                                     double radius, int gap, int width, int height, int rim) {
   for (const PixelBox& box : boxes_beside(dot, radius, gap, width, height)) {
-    if (map.is_free(box) && !dots.is_beside_another(box, dot)) return box;
+    const PixelBox letters{box.x + rim, box.y + rim, width - 2 * rim, height - 2 * rim};
+    if (map.is_free(box) && !dots.is_beside_another(letters, dot)) return box;
   }
   return std::nullopt;
 }

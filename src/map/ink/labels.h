@@ -28,12 +28,17 @@ class Occupancy {
 /// Tells how near the dots of the map are to a label.
 class DotIndex {
  public:
-  /// `reach` is the largest distance that is asked for, in pixels. Memory: 24 bytes a dot, and 8
-  /// for each square of that size in the map. Cost: linear in both.
+  /// How many times as far as from its own dot a label is from any other at least, so that nobody
+  /// reads it as another's.
+  static constexpr double times_as_far = 1.5;
+
+  /// `reach` is how far in pixels a label is from another's dot in any case. Memory: 24 bytes a
+  /// dot, and 8 for each square of that size in the map. Cost: linear in both.
   DotIndex(int width, int height, const std::vector<Point>& dots, double reach);
 
-  /// Whether a dot other than `own` lies within `reach` of the box. Dots less than half a pixel
-  /// from `own` count as it. Cost: the dots in the squares that the box touches, grown by `reach`.
+  /// Whether a dot other than `own` lies within `reach` of the box of a label's letters, or is not
+  /// `times_as_far` from it as `own` is. Dots less than half a pixel from `own` count as it. Cost:
+  /// the dots in the squares that the box touches, grown by that distance.
   bool is_beside_another(const PixelBox& box, Point own) const;
 
  private:
@@ -52,16 +57,17 @@ class DotIndex {
 };
 
 /// The boxes of the given size beside a dot, in order of preference: to the right, left, above,
-/// below, and at its corners. `gap` is the distance from the dot in pixels.
-std::array<PixelBox, 8> boxes_beside(Point dot, double radius, int gap, int width, int height);
+/// below, at its corners, and between these. `gap` is the distance from the dot in pixels.
+std::array<PixelBox, 16> boxes_beside(Point dot, double radius, int gap, int width, int height);
 
-/// The first of boxes_beside that is free; none where all eight are taken. `gap` is the distance
+/// The first of boxes_beside that is free; none where all are taken. `gap` is the distance
 /// from the dot in pixels.
 std::optional<PixelBox> place_beside(const Occupancy& map, Point dot, double radius, int gap,
                                      int width, int height);
 
-/// The first of them that is also beside no other dot.
+/// The first of them that is also beside no other dot. `rim` is how many pixels the box of the
+/// letters is smaller than that of the label on each side.
 std::optional<PixelBox> place_beside(const Occupancy& map, const DotIndex& dots, Point dot,
-                                     double radius, int gap, int width, int height);
+                                     double radius, int gap, int width, int height, int rim = 0);
 
 }  // namespace thiessen

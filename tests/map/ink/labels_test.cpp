@@ -47,7 +47,8 @@ TEST(Labels, never_overlap_each_other_or_the_border_and_stand_beside_no_other_do
       map.occupy(*box);
       labels.push_back(*box);
       for (const Point other : dots) {
-        ASSERT_TRUE(other == dot || distance(*box, other) >= reach) << "seed " << seed;
+        const double least = std::max(reach, 1.5 * distance(*box, dot));
+        ASSERT_TRUE(other == dot || distance(*box, other) >= least) << "seed " << seed;
       }
     }
     ASSERT_GT(labels.size(), 15u) << "seed " << seed;
@@ -78,6 +79,24 @@ TEST(Labels, go_left_at_the_right_border_and_nowhere_in_a_full_map) {
   EXPECT_FALSE(place_beside(map, dots, {50, 50}, 3, 1, 30, 10));
 }
 
+// The label right of the dot is 4 pixels from it, and its end as far from the other.
+TEST(Labels, do_not_stand_half_way_between_two_dots) {
+  const Occupancy map(200, 100);
+  const auto place = [&](Point other) {
+    return place_beside(map, DotIndex(200, 100, {{50, 50}, other}, 1), {50, 50}, 3, 1, 30, 10);
+  };
+  EXPECT_EQ(place({91, 50})->x, 54) << "7 pixels";
+  EXPECT_NE(place({88, 50})->x, 54) << "4 pixels";
+}
+
+// What counts is how far the letters are, which stand 2 pixels within the label.
+TEST(Labels, are_measured_by_their_letters) {
+  const Occupancy map(200, 100);
+  const DotIndex dots(200, 100, {{50, 50}, {91, 50}}, 1);
+  EXPECT_EQ(place_beside(map, dots, {50, 50}, 3, 1, 30, 10)->x, 54) << "4 and 7 pixels";
+  EXPECT_NE(place_beside(map, dots, {50, 50}, 3, 1, 30, 10, 3)->x, 54) << "7 and 10";
+}
+
 // The place right of the dot is beside the other one, 4 pixels below the label; left there is none.
 TEST(Labels, do_not_stand_beside_the_dot_of_another_gauge) {
   const Occupancy map(100, 100);
@@ -85,7 +104,8 @@ TEST(Labels, do_not_stand_beside_the_dot_of_another_gauge) {
   const auto box = place_beside(map, DotIndex(100, 100, dots, 5), dots[0], 3, 1, 30, 10);
   ASSERT_TRUE(box);
   EXPECT_EQ(box->right(), 46);
-  EXPECT_EQ(place_beside(map, DotIndex(100, 100, dots, 3), dots[0], 3, 1, 30, 10)->x, 54);
+  EXPECT_EQ(
+      place_beside(map, DotIndex(100, 100, {{50, 50}, {75, 62}}, 3), dots[0], 3, 1, 30, 10)->x, 54);
   EXPECT_TRUE(place_beside(map, DotIndex(100, 100, {{50, 50}, {50, 50}}, 5), dots[0], 3, 1, 30, 10))
       << "two gauges at one place";
 }
