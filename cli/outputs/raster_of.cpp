@@ -36,7 +36,7 @@ std::vector<float> values_by_number(std::span<const double> readings) {
 using OwnerRows = std::function<std::span<const std::int32_t>(int row, int count)>;
 
 std::vector<EncodedFile> raster_of_stations(const Inputs& inputs, const RasterOutput& output,
-                                            const OwnerRows& rows) {
+                                            const OwnerRows& rows, Warnings& warnings) {
   std::vector<std::string> ids;
   for (const Station& station : inputs.network().stations()) ids.push_back(station.id);
   StationStyle style(std::move(ids), output.grid.columns);
@@ -48,6 +48,14 @@ std::vector<EncodedFile> raster_of_stations(const Inputs& inputs, const RasterOu
   std::vector<EncodedFile> files =
       owners_geotiff(output, noted_rows, style.ids(), [&] { return style.colours(); });
   files.push_back(style.file(output.path));
+  if (style.owners() > StationStyle::most_chosen) {
+    warnings.add_notice(
+        {output.path, 0,
+         "its attribute table has the ids of its " + std::to_string(style.owners()) +
+             " gauges without colours, and in QGIS colours follow their numbers, so "
+             "that neighbours may look alike",
+         ""});
+  }
   return files;
 }
 
@@ -81,7 +89,7 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
       output.grid, areas_of(inputs), inputs.network(), study.metric, reports,
       [&] { return to_study(inputs); }, output.threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
-  if (readings == nullptr) return raster_of_stations(inputs, output, rows);
+  if (readings == nullptr) return raster_of_stations(inputs, output, rows, warnings);
   const BandText text{readings->label, shown.time, output.made_by.unit};
   const std::vector<double> values_shown = shown_values(inputs, *readings, output.threads);
   const RainfallClasses classes(values_shown, shown.classes);

@@ -57,9 +57,14 @@ void StationStyle::touch(std::int32_t a, std::int32_t b) {
   pairs_.add(static_cast<std::uint32_t>(a - 1), static_cast<std::uint32_t>(b - 1));
 }
 
+std::size_t StationStyle::owners() const {
+  return static_cast<std::size_t>(std::count(owns_.begin() + 1, owns_.end(), true));
+}
+
 const std::vector<Colour>& StationStyle::colours() {
   const auto palette = categorical_colours();
   colours_.clear();
+  if (owners() > most_chosen) return colours_;
   for (const std::uint8_t chosen : colour_neighbours(ids_.size(), pairs_.pairs(), palette.size())) {
     colours_.push_back(palette[chosen]);
   }
@@ -67,6 +72,9 @@ const std::vector<Colour>& StationStyle::colours() {
 }
 
 EncodedFile StationStyle::file(const std::string& path) const {
+  constexpr std::size_t numbers_to_a_colour = 3;
+  if (owners() > most_chosen)
+    return {style_path(path), style_of_numbers(ids_.size(), numbers_to_a_colour)};
   std::vector<StyleEntry> entries;
   for (std::size_t i = 0; i < ids_.size(); ++i) {
     if (owns_[i + 1]) entries.push_back({static_cast<double>(i + 1), ids_[i], colours_[i]});

@@ -16,16 +16,22 @@
 namespace thiessen::cli {
 
 /// Colours for the stations whose numbers a raster holds, so that neighbours differ. The pixels are
-/// noted as they are written, row by row from the north.
+/// noted as they are written, row by row from the north. Where more stations than `most_chosen` own
+/// a pixel, colours follow their numbers instead, for a colour of each would take megabytes.
 class StationStyle {
  public:
+  static constexpr std::size_t most_chosen = 10'000;
+
   /// `columns` is the number of pixels in a row.
   StationStyle(std::vector<std::string> ids, int columns);
 
   const std::vector<std::string>& ids() const { return ids_; }
   /// Notes which numbers lie beside each other in these rows, and in the last row before them.
   void note(std::span<const std::int32_t> rows);
-  /// Chooses the colours of all stations. To be called when all rows are noted.
+  /// How many stations own a pixel of the rows noted so far.
+  std::size_t owners() const;
+  /// Chooses the colours of all stations; none where colours follow numbers. To be called when all
+  /// rows are noted.
   const std::vector<Colour>& colours();
   /// The style for QGIS of the raster at `path`: the stations that own a pixel.
   EncodedFile file(const std::string& path) const;

@@ -4,12 +4,14 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <string>
 
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "gdal/crs/crs_definition.h"
+#include "gdal/output/compact_xml.h"
 
 namespace thiessen {
 namespace {
@@ -136,7 +138,14 @@ std::vector<EncodedFile> GeoTiffWriter::finish() {
   check(true);
   if (output_.has_overviews) make_overviews();
   check(true);
-  return folder_.take();
+  std::vector<EncodedFile> files = folder_.take();
+  // GDAL's layout, for readers of a few lines, makes a table of many stations twice as large.
+  constexpr std::size_t large = std::size_t{1} << 18;
+  for (EncodedFile& file : files) {
+    if (file.bytes.size() > large && file.name.ends_with(".aux.xml"))
+      file.bytes = compact_xml(file.bytes);
+  }
+  return files;
 }
 
 void GeoTiffWriter::check(bool done) const {

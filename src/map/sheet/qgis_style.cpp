@@ -1,6 +1,7 @@
 #include "map/sheet/qgis_style.h"
 
 #include "base/number.h"
+#include "map/sheet/palette.h"
 #include "map/svg/xml_text.h"
 
 namespace thiessen {
@@ -16,7 +17,13 @@ std::string document(const std::string& renderer) {
 
 std::string entry_text(const char* element, const std::string& value, const StyleEntry& entry) {
   return std::string("<") + element + " value=\"" + value + "\" label=\"" + xml_text(entry.label) +
-         "\" color=\"" + hexadecimal(entry.colour) + "\" alpha=\"255\"/>\n";
+         "\" color=\"" + hexadecimal(entry.colour) + "\"/>\n";
+}
+
+/// A colour as a ramp of QGIS's names it.
+std::string ramp_colour(const char* name, const Colour& colour) {
+  return std::string("<prop k=\"") + name + "\" v=\"" + std::to_string(colour.red) + "," +
+         std::to_string(colour.green) + "," + std::to_string(colour.blue) + ",255\"/>\n";
 }
 
 }  // namespace
@@ -37,6 +44,26 @@ std::string style_of_classes(std::span<const StyleEntry> entries) {
   for (const StyleEntry& entry : entries) {
     const bool is_last = &entry == &entries.back();
     renderer += entry_text("item", is_last ? "inf" : shortest_text(entry.value), entry);
+  }
+  return document(renderer + "</colorrampshader>\n</rastershader>\n</rasterrenderer>\n");
+}
+
+std::string style_of_numbers(std::size_t last, std::size_t step) {
+  const std::span<const Colour> colours = categorical_colours();
+  const std::string end = std::to_string(last);
+  // QGIS shows the ramp as one bar where it knows of one.
+  std::string renderer =
+      "<rasterrenderer type=\"singlebandpseudocolor\" band=\"1\" opacity=\"1\" alphaBand=\"-1\" "
+      "classificationMin=\"1\" classificationMax=\"" +
+      end +
+      "\">\n<rastershader>\n<colorrampshader colorRampType=\"INTERPOLATED\" clip=\"0\" "
+      "minimumValue=\"1\" maximumValue=\"" +
+      end + "\">\n<colorramp type=\"gradient\" name=\"[source]\">\n" +
+      ramp_colour("color1", colours.front()) + ramp_colour("color2", colours.back()) +
+      "</colorramp>\n";
+  for (std::size_t i = 0; i * step < last + step; ++i) {
+    renderer += "<item value=\"" + std::to_string(1 + i * step) + "\" color=\"" +
+                hexadecimal(colours[i % colours.size()]) + "\"/>\n";
   }
   return document(renderer + "</colorrampshader>\n</rastershader>\n</rasterrenderer>\n");
 }

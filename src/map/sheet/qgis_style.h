@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -21,5 +22,11 @@ std::string style_of_values(std::span<const StyleEntry> entries);
 /// The same where entries are classes, from the lowest to the highest. A value belongs to the first
 /// class that reaches up to it; the last one has no end.
 std::string style_of_classes(std::span<const StyleEntry> entries);
+
+/// The same where the numbers from 1 to `last` have colours that run from one of our soft colours
+/// to the next, over and over, in `step` numbers each. It has no entry for each number, so that
+/// QGIS opens it at once, but numbers far from each other may have one colour. Requires a number,
+/// and a step of at least 1.
+std::string style_of_numbers(std::size_t last, std::size_t step);
 
 }  // namespace thiessen

@@ -35,6 +35,22 @@ TEST(StationStyle, its_file_lies_beside_the_raster_and_has_who_owns_a_pixel) {
   EXPECT_EQ(file.bytes.find("no pixel"), std::string::npos);
 }
 
+TEST(StationStyle, of_thousands_follows_their_numbers) {
+  const std::size_t most = StationStyle::most_chosen;
+  std::vector<std::int32_t> row(most + 1);
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = static_cast<std::int32_t>(i + 1);
+  StationStyle all(std::vector<std::string>(most + 1, "id"), static_cast<int>(most + 1));
+  all.note(row);
+  EXPECT_EQ(all.owners(), most + 1);
+  EXPECT_TRUE(all.colours().empty());
+  EXPECT_NE(all.file("map.tif").bytes.find("INTERPOLATED"), std::string::npos);
+  row.back() = 0;
+  StationStyle some(std::vector<std::string>(most + 1, "id"), static_cast<int>(most + 1));
+  some.note(row);
+  EXPECT_EQ(some.colours().size(), most + 1) << "one owns no pixel";
+  EXPECT_NE(some.file("map.tif").bytes.find("paletted"), std::string::npos);
+}
+
 TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
   const double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double> readings{8, none, 0.25, 0.1, 3};

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace thiessen {
+
+/// The same XML without the blanks and line ends that only lay it out: those between two tags,
+/// unless they are all that an element holds.
+std::string compact_xml(std::string_view xml);
+
+}  // namespace thiessen
