@@ -56,6 +56,8 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   picture.width = view.width();
   picture.height = view.height();
   picture.dots_to_the_inch = view.dots_to_the_inch();
+  if (view.size.millimetres)
+    picture.paper = {static_cast<double>(view.size.width), static_cast<double>(view.size.height)};
   const std::vector<Station>& stations = inputs.network().stations();
   for (std::size_t i = 0; i < stations.size(); ++i) {
     const bool reports = readings == nullptr || !std::isnan(readings->readings[i]);

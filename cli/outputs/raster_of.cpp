@@ -16,6 +16,7 @@
 #include "map/raster/raster_grid.h"
 #include "map/raster/surface_rows.h"
 #include "map/sheet/picture.h"
+#include "rainfall/series/value_sample.h"
 
 namespace thiessen::cli {
 namespace {
@@ -91,22 +92,28 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings == nullptr) return raster_of_stations(inputs, output, rows, warnings);
   const BandText text{readings->label, shown.time, output.made_by.unit};
-  const std::vector<double> values_shown = shown_values(inputs, *readings, output.threads);
-  const RainfallClasses classes(values_shown, shown.classes);
-  warn_of_outside(classes, warnings);
   if (shown.surface && reports.any()) {
+    ValueSample sample;
     SurfaceRows values(
         output.grid, SurfaceRows::Extent::all,
         [&] {
           return surface_of(*shown.surface, inputs.network(), study.metric, readings->readings);
         },
         [&] { return to_study(inputs); }, output.threads);
-    std::vector<EncodedFile> files = rainfall_geotiff(
-        output, [&](int row, int count) { return values.rows(row, count, rows(row, count)); }, text,
-        {});
+    const auto sampled_rows = [&](int row, int count) {
+      const std::span<const float> some = values.rows(row, count, rows(row, count));
+      for (const float value : some) sample.add(value);
+      return some;
+    };
+    std::vector<EncodedFile> files = rainfall_geotiff(output, sampled_rows, text, {});
+    const RainfallClasses classes(sample.values(), shown.classes);
+    warn_of_outside(classes, false, warnings);
     files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
     return files;
   }
+  const std::vector<double> values_shown = shown_values(inputs, *readings, output.threads);
+  const RainfallClasses classes(values_shown, shown.classes);
+  warn_of_outside(classes, true, warnings);
   const RainfallStyle style(classes, values_shown, output.made_by.unit);
   const std::vector<float> by_number = values_by_number(readings->readings);
   std::vector<float> values;

@@ -5,10 +5,13 @@
 #include <string>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "cli/outputs/isohyets_in.h"
 #include "cli/outputs/raster_of.h"
 #include "gdal/output/surface_bands.h"
+#include "map/raster/area_rows.h"
 #include "map/sheet/ticks.h"
+#include "rainfall/series/value_sample.h"
 
 namespace thiessen::cli {
 namespace {
@@ -44,6 +47,23 @@ std::vector<double> band_levels(const RainfallClasses& classes) {
   if (classes.has_dry() && !levels.empty())
     levels.insert(levels.begin(), hardly_any * levels.front());
   return levels;
+}
+
+/// A sample of the surface's values at the pixels whose centres lie in the areas.
+std::vector<double> values_within(const SurfaceRaster& raster,
+                                  const std::vector<MultiPolygon>& areas) {
+  const AreaSpans spans = AreaRows(raster.grid, areas).rows(0, raster.grid.rows);
+  const auto columns = static_cast<std::size_t>(raster.grid.columns);
+  ValueSample sample;
+  for (int row = 0; row < raster.grid.rows; ++row) {
+    throw_if_interrupted();
+    const auto values = std::span(raster.values).subspan(static_cast<std::size_t>(row) * columns);
+    for (const PixelSpan& span : spans.row(row)) {
+      for (int column = span.first; column < span.end; ++column)
+        sample.add(values[static_cast<std::size_t>(column)]);
+    }
+  }
+  return sample.values();
 }
 
 std::vector<PictureBand> picture_bands(const SurfaceRaster& raster, const RainfallClasses& classes,
@@ -98,19 +118,19 @@ void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
   if (!options.shows_any()) return;
   const int wanted = maps.size() == 1 ? maps.front().width : coarsest;
   const RasterSize size{0, std::clamp(wanted, coarsest, finest)};
+  const std::vector<MultiPolygon> areas = areas_of(inputs);
   std::vector<std::optional<SurfaceRaster>> shown(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!options.surface() || !steps[i].reports().any()) continue;
     shown[i] = surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Extent::all, size,
                               threads);
-    maps[i].least = shown[i]->least;
-    maps[i].largest = shown[i]->largest;
+    maps[i].surface = values_within(*shown[i], areas);
   }
   for (auto& [name, value] : maps.front().tags) {
     if (name == "method" && options.surface()) value = name_of(*options.surface());
   }
   const RainfallClasses classes = classes_of(maps);
-  const MultiPolygon area = union_of(areas_of(inputs));
+  const MultiPolygon area = union_of(areas);
   ToStudy to_study(inputs);
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (shown[i]) maps[i].bands = picture_bands(*shown[i], classes, area, to_study);

@@ -31,6 +31,24 @@ class SurfacesTest(thiessen.ProgramTest):
                               check=True, text=True, capture_output=True).stdout
         return [tuple(map(float, line.split())) for line in text.splitlines()]
 
+    def test_a_raster_of_a_surface_has_a_style_of_its_own_values(self):
+        # The plane x from 0 to 10 over a basin from x = 4 to 6: classes lie between 4 and 6, and nothing is dry.
+        self.write("g.csv", "id,x,y\na,0,0\nb,10,0\nc,0,10\nd,10,10\n")
+        self.write("q.csv", 'basin,WKT\nQ,"POLYGON((4 2,6 2,6 8,4 8,4 2))"\n')
+        self.write("p.csv", "time,a,b,c,d\n2020-01-01,0,10,0,10\n")
+        self.output("map", "g.csv", "q.csv", "p.csv", "--metric", "planar", "--method", "linear", "--resolution", "0.1",
+                    "-o", "s.tif", "-q")
+        style = (self.folder / "s.qml").read_text()
+        bounds = [float(value) for value in re.findall(r'<item value="([0-9.]+)"', style)]
+        self.assertGreaterEqual(len(bounds), 3)
+        self.assertTrue(all(4 < bound < 6 for bound in bounds), bounds)
+        self.assertNotIn("dry", style)
+        self.output("map", "g.csv", "q.csv", "p.csv", "--metric", "planar", "--method", "linear", "-o", "s.svg", "-q")
+        picture = (self.folder / "s.svg").read_text()
+        self.assertNotIn(">dry</text>", picture)
+        legend = picture.split('class="legend"')[1].split("</g>")[0]
+        self.assertEqual(re.findall(r">(10|0)</text>", legend), [])
+
     def test_natural_and_linear_rasters_reproduce_a_plane(self):
         for method in ("natural", "linear"):
             for x, y, value in self.pixels("--time", "plane", "--method", method):

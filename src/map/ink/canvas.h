@@ -93,7 +93,10 @@ class Canvas {
   /// Draws a border of `thickness` pixels inside the box.
   virtual void border(const PixelBox& box, Colour colour, int thickness) = 0;
   /// Fills a disc with a smooth edge, as far as it lies in `clip`.
-  virtual void disc(Point centre, double radius, Colour colour, const PixelBox& clip) = 0;
+  void disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+            const Mark& mark = {}) {
+    draw_disc(centre, radius, colour, clip, mark);
+  }
   /// Fills areas, the later ones over the earlier ones. Nothing shows between areas that share an
   /// edge.
   virtual void areas(std::span<const Area> areas, const Hatch& hatch, const Window& window) = 0;
@@ -114,6 +117,9 @@ class Canvas {
   Canvas& operator=(Canvas&&) = default;
 
  private:
+  virtual void draw_disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+                         const Mark& mark) = 0;
+
   int width_;
   int height_;
 };

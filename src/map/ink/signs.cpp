@@ -29,9 +29,10 @@ double gauge_reach(double radius) {
   return radius < 2 ? radius + 0.4 : radius * 1.3 + 0.3;
 }
 
-void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip) {
+void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip,
+                const Mark& mark) {
   canvas.disc(centre, gauge_reach(radius), ink::white, clip);
-  canvas.disc(centre, radius, ink::gauge, clip);
+  canvas.disc(centre, radius, ink::gauge, clip, mark);
   if (!reports) canvas.disc(centre, std::max(0.5, radius * 0.62), ink::white, clip);
 }
 

@@ -19,7 +19,8 @@ double gauge_radius(int em, std::size_t gauges, double pixels);
 double gauge_reach(double radius);
 
 /// Draws a gauge as a red dot in a white ring, hollow where the gauge is silent. Only pixels inside
-/// `clip` change.
-void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip);
+/// `clip` change. The dot has the mark.
+void draw_gauge(Canvas& canvas, Point centre, double radius, bool reports, const PixelBox& clip,
+                const Mark& mark = {});
 
 }  // namespace thiessen

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
@@ -25,6 +26,14 @@ cv::Mat pixels_of(PixelCanvas& canvas) {
 /// The part of a box that lies on the page.
 cv::Rect on_page(const PixelBox& box, const Canvas& canvas) {
   return fine::rectangle(box) & cv::Rect(0, 0, canvas.width(), canvas.height());
+}
+
+/// The coverage twice over: thin strokes cover half of their pixels, and a rim of half its colour
+/// would let dark ground through.
+Coverage firm(Coverage coverage) {
+  for (std::uint8_t& value : coverage.values)
+    value = static_cast<std::uint8_t>(std::min(255, 2 * value));
+  return coverage;
 }
 
 }  // namespace
@@ -51,7 +60,8 @@ void PixelCanvas::border(const PixelBox& box, Colour colour, int thickness) {
   fill({box.right() - thickness, box.y, thickness, box.height}, colour);
 }
 
-void PixelCanvas::disc(Point centre, double radius, Colour colour, const PixelBox& clip) {
+void PixelCanvas::draw_disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+                            const Mark& /*mark*/) {
   constexpr int fineness = 8;
   const int reach = static_cast<int>(std::ceil(radius)) + 1;
   const PixelBox around{static_cast<int>(std::floor(centre.x)) - reach,
@@ -100,7 +110,7 @@ void PixelCanvas::lines(std::span<const Polyline> lines, const Stroke& stroke,
 void PixelCanvas::text(const SetText& text, int x, int y, const Lettering& lettering) {
   constexpr int nearly_opaque = 225;
   const int rim = lettering.halo;
-  if (rim > 0) blend(x - rim, y - rim, halo(text.ink, rim), ink::white, nearly_opaque);
+  if (rim > 0) blend(x - rim, y - rim, halo(firm(text.ink), rim), ink::white, nearly_opaque);
   blend(x, y, text.ink, lettering.colour, 255);
 }
 

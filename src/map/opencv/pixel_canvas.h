@@ -21,7 +21,6 @@ class PixelCanvas : public Canvas {
 
   void fill(const PixelBox& box, Colour colour) override;
   void border(const PixelBox& box, Colour colour, int thickness) override;
-  void disc(Point centre, double radius, Colour colour, const PixelBox& clip) override;
   void areas(std::span<const Area> areas, const Hatch& hatch, const Window& window) override;
   void lines(std::span<const Polyline> lines, const Stroke& stroke, const Window& window) override;
   void text(const SetText& text, int x, int y, const Lettering& lettering) override;
@@ -29,6 +28,8 @@ class PixelCanvas : public Canvas {
   void end() override {}
 
  private:
+  void draw_disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+                 const Mark& mark) override;
   void blend(int x, int y, const Coverage& coverage, Colour colour, int alpha);
 
   std::vector<std::uint8_t> bytes_;

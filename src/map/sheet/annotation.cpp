@@ -139,7 +139,8 @@ void Annotation::draw_gauges() {
       const Point p = view_.gauges[i];
       if (picture_.gauges[i].reports != reporting || !in_sight(p)) continue;
       const Point on_page{p.x + page_.panel.x, p.y + page_.panel.y};
-      draw_gauge(canvas_, on_page, radius_, reporting, page_.panel);
+      const Mark mark{reporting ? "gauge" : "gauge silent", picture_.gauges[i].station};
+      draw_gauge(canvas_, on_page, radius_, reporting, page_.panel, mark);
       const int x = static_cast<int>(std::floor(p.x));
       const int y = static_cast<int>(std::floor(p.y));
       taken_.occupy({x - reach, y - reach, 2 * reach + 1, 2 * reach + 1});
@@ -153,6 +154,11 @@ void Annotation::put(const SetText& text, const PixelBox& box, Colour colour, co
   taken_.occupy(box);
 }
 
+int Annotation::halo_width() const {
+  constexpr int least = 2;  // pixels: one leaves the ground of a letter's inside as it is
+  return std::max(least, page_.style.ems(0.13));
+}
+
 void Annotation::draw_levels() {
   const int size = std::max(9, page_.style.ems(0.72));
   for (std::size_t i = 0; i < view_.isohyets.size(); ++i) draw_level(i, size);
@@ -160,10 +166,11 @@ void Annotation::draw_levels() {
 
 void Annotation::draw_level(std::size_t isohyet, int size) {
   const SetText text = type_.set(picture_.isohyets[isohyet].level, size, Weight::bold);
-  const int rim = std::max(1, page_.style.ems(0.12));
+  const int rim = halo_width();
   const int width = text.width() + 2 * rim;
   const int height = text.height() + 2 * rim;
   const double apart = page_.style.ems(20);
+  const int clear = size / 2;  // between two levels, so that their figures are not read as one
   std::vector<Point> written;
   const auto is_near = [&](Point p) {
     return std::any_of(written.begin(), written.end(), [&](Point other) {
@@ -174,22 +181,27 @@ void Annotation::draw_level(std::size_t isohyet, int size) {
     for (const Point p : text_places(*line, width)) {
       const PixelBox box{static_cast<int>(std::lround(p.x)) - width / 2,
                          static_cast<int>(std::lround(p.y)) - height / 2, width, height};
-      if (is_near(p) || !taken_.is_free(box)) continue;
+      const PixelBox around{box.x - clear, box.y - clear, width + 2 * clear, height + 2 * clear};
+      if (is_near(p) || !taken_.is_free(around)) continue;
       put(text, box, ink::isohyet,
           {.kind = "isohyet-label", .level = picture_.isohyets[isohyet].level});
       written.push_back(p);
     }
   }
+  if (!view_.isohyets[isohyet].empty()) ++count_.isohyets;
+  if (!written.empty()) ++count_.levelled;
 }
 
 void Annotation::draw_basin_names(const LabelImage& basins) {
   constexpr std::array<int, 7> shares{
       50, 40, 60, 30, 70, 20, 80};  // places to try, in percent of the height, the middle first
   const std::vector<Rows> rows = rows_of_basins(basins, picture_.basins.size());
-  const int rim = std::max(1, page_.style.ems(0.12));
+  const int rim = halo_width();
   for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (picture_.basins[i].name.empty()) continue;
+    ++count_.to_name;
     const int height = rows[i].bottom - rows[i].top + 1;
-    if (picture_.basins[i].name.empty() || height < page_.style.em) continue;
+    if (height < page_.style.em) continue;
     const auto basin = static_cast<std::int32_t>(i);
     const SetText text =
         type_.set(picture_.basins[i].name, page_.style.ems(0.85), Weight::bold, 40);
@@ -202,6 +214,7 @@ void Annotation::draw_basin_names(const LabelImage& basins) {
                          text.width() + 2 * rim, text.height() + 2 * rim};
       if (!taken_.is_free(box) || !holds(basins, basin, box)) continue;
       put(text, box, ink::basin_edge, {"basin-name", {}, picture_.basins[i].name});
+      ++count_.named;
       break;
     }
   }
@@ -213,7 +226,7 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
   const int size = std::max(9, page_.style.ems(label_size(count_.in_sight)));
-  const int rim = std::max(1, page_.style.ems(0.13));
+  const int rim = halo_width();
   const double outer = gauge_reach(radius_);
   // Half a letter between a label and another gauge's dot, so that it is not read as that gauge's.
   const DotIndex dots(page_.panel.width, page_.panel.height, dots_in_sight(), outer + 0.5 * size);
@@ -226,8 +239,8 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
     if (!place_beside(taken_, dots, dot, outer, 1, least, size / 2)) continue;
     const SetText text = type_.set(picture_.gauges[i].label, size, Weight::regular, longest_label);
     if (text.width() == 0) continue;
-    const auto box =
-        place_beside(taken_, dots, dot, outer, 1, text.width() + 2 * rim, text.height() + 2 * rim);
+    const auto box = place_beside(taken_, dots, dot, outer, 1, text.width() + 2 * rim,
+                                  text.height() + 2 * rim, rim);
     if (!box) continue;
     put(text, *box, ink::text, {"label", picture_.gauges[i].station});
     ++count_.labelled;
@@ -239,6 +252,10 @@ LabelCount& LabelCount::operator+=(const LabelCount& other) {
   in_sight += other.in_sight;
   to_label += other.to_label;
   labelled += other.labelled;
+  to_name += other.to_name;
+  named += other.named;
+  isohyets += other.isohyets;
+  levelled += other.levelled;
   return *this;
 }
 

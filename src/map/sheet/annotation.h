@@ -20,6 +20,10 @@ struct LabelCount {
   std::size_t in_sight = 0;
   std::size_t to_label = 0;  ///< of those in sight, which have a label
   std::size_t labelled = 0;
+  std::size_t to_name = 0;  ///< basins that have a name
+  std::size_t named = 0;
+  std::size_t isohyets = 0;  ///< that have a line
+  std::size_t levelled = 0;  ///< of these, whose level is written somewhere
 
   LabelCount& operator+=(const LabelCount& other);
 };
@@ -51,6 +55,7 @@ class Annotation {
 
  private:
   bool in_sight(Point p) const;
+  int halo_width() const;
   std::vector<Point> dots_in_sight() const;
   void draw_level(std::size_t isohyet, int size);
   void put(const SetText& text, const PixelBox& box, Colour colour, const Mark& mark);

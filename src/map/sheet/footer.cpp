@@ -34,12 +34,18 @@ int draw_scale_bar(Canvas& canvas, const Page& page, const StudyView& view, doub
   const SetText number = type.set(end, size);
   end += " " + bar.unit + (view.radius > wide_area ? " at the map's centre" : "");
   const SetText last = type.set(end, size);
+  // The figure of a bar with no room for two stands below all of it.
+  const bool is_short = full < zero.width() / 2 + number.width() / 2 + em / 2;
   const RoundValue middle{bar.length.digits * 5, bar.length.exponent - 1};
   const SetText halfway = type.set(middle.text(), size);
   const int baseline = top + height + page.style.ems(1.0);
   const auto put = [&](const SetText& text, int x) {
     canvas.text(text, x, baseline - text.baseline, {ink::text});
   };
+  if (is_short) {
+    put(last, left);
+    return left + std::max(full, last.width());
+  }
   put(zero, left - zero.width() / 2);
   put(last, left + full - number.width() / 2);
   if (half > zero.width() + halfway.width() / 2 + number.width() / 2 + em) {
@@ -90,10 +96,11 @@ ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longes
   return bar;
 }
 
-void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
-                 bool north_is_up, const std::string& labels_note, Typesetter& type) {
+std::vector<std::string> draw_footer(Canvas& canvas, const Page& page, const StudyView& view,
+                                     double pixels_per_unit, bool north_is_up,
+                                     const std::string& labels_note, Typesetter& type) {
   const PageStyle& style = page.style;
-  if (page.footer.height == 0) return;
+  if (page.footer.height == 0) return {};
   int left = draw_scale_bar(canvas, page, view, pixels_per_unit, type) + style.ems(1.5);
   constexpr double nearly_pole = 89;
   const bool is_plane = view.projection.kind() == MapProjection::Kind::plane;
@@ -102,13 +109,18 @@ void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double
   if (has_north) left = draw_north_arrow(canvas, page, left, type) + style.ems(1.5);
   const int right = page.footer.x + page.footer.width;
   int baseline = page.footer.y + style.ems(1.3);
+  std::vector<std::string> without_room;
   for (const std::string& note : {labels_note, view.projection.name()}) {
     if (note.empty()) continue;
     const SetText text = type.set(note, style.ems(0.72));
-    if (text.width() > right - left) continue;
+    if (text.width() > right - left) {
+      without_room.push_back(note);
+      continue;
+    }
     canvas.text(text, right - text.width(), baseline - text.baseline, {ink::quiet_text});
     baseline += style.ems(1.1);
   }
+  return without_room;
 }
 
 }  // namespace thiessen

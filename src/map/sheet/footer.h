@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "map/ink/canvas.h"
 #include "map/opencv/typesetter.h"
@@ -21,9 +22,10 @@ struct ScaleBar {
 /// counts plain units.
 ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longest);
 
-/// Draws scale bar, north arrow and notes below the map, side by side. A note that finds no room is
-/// left out.
-void draw_footer(Canvas& canvas, const Page& page, const StudyView& view, double pixels_per_unit,
-                 bool north_is_up, const std::string& labels_note, Typesetter& type);
+/// Draws scale bar, north arrow and notes below the map, side by side. Returns the notes that find
+/// no room and are left out.
+std::vector<std::string> draw_footer(Canvas& canvas, const Page& page, const StudyView& view,
+                                     double pixels_per_unit, bool north_is_up,
+                                     const std::string& labels_note, Typesetter& type);
 
 }  // namespace thiessen

@@ -75,7 +75,8 @@ void draw_lower(Canvas& canvas, const Page& page, const Coordinate& value, Frame
   const int size = std::max(8, style.ems(0.6));
   const int length = std::max(2, style.ems(0.25));
   int free_from = panel.x - style.em;
-  for (const FrameTick& tick : frame_ticks(value, panel.width, panel.width / style.ems(8), axis)) {
+  for (const FrameTick& tick :
+       frame_ticks(value, panel.width, std::max(1, panel.width / style.ems(3.3)), axis)) {
     const int x = panel.x + static_cast<int>(tick.at);
     const SetText text = type.set(tick.text, size);
     canvas.fill({x, panel.bottom(), style.hairline, length}, ink::border);
@@ -94,7 +95,7 @@ void draw_left(Canvas& canvas, const Page& page, const Coordinate& value, FrameA
   const int length = std::max(2, style.ems(0.25));
   int free_below = panel.bottom() + style.em;
   for (const FrameTick& tick :
-       frame_ticks(value, panel.height, panel.height / style.ems(5), axis)) {
+       frame_ticks(value, panel.height, std::max(1, panel.height / style.ems(3.5)), axis)) {
     const int y = panel.bottom() - 1 - static_cast<int>(tick.at);
     canvas.fill({panel.x - length, y, length, style.hairline}, ink::border);
     const int room = panel.x - length - style.ems(0.4);

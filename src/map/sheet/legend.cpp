@@ -48,6 +48,13 @@ bool is_of_gauges(Legend::Sign sign) {
   return sign == Sign::gauge || sign == Sign::silent_gauge || sign == Sign::point;
 }
 
+/// Whether the map shows what the sign is of.
+bool is_drawn(Legend::Sign sign, const MapDetail& detail) {
+  if (is_of_gauges(sign)) return detail.has_gauges;
+  if (sign == Legend::Sign::cell) return detail.has_cell_outlines;
+  return sign != Legend::Sign::basin || detail.has_basin_outlines;
+}
+
 /// The signs of one map, beside that of dry ground.
 std::vector<Legend::Sign> signs_of(const Picture& picture) {
   using Sign = Legend::Sign;
@@ -67,10 +74,21 @@ std::vector<Legend::Sign> signs_of(const Picture& picture) {
   return signs;
 }
 
+/// Whether the map shows ground of 0, which is of the dry class where there is one.
+bool shows_zero(const Picture& picture) {
+  if (!picture.bands.empty()) {
+    return std::any_of(picture.bands.begin(), picture.bands.end(),
+                       [](const PictureBand& band) { return band.rainfall == 0; });
+  }
+  return std::any_of(picture.cells.begin(), picture.cells.end(),
+                     [](const PictureCell& cell) { return cell.rainfall == 0; });
+}
+
 /// The signs of all maps, each once, in the order of the enumeration.
 std::set<Legend::Sign> signs_of(std::span<const Picture> maps, const RainfallClasses& classes) {
   std::set<Legend::Sign> signs;
-  if (classes.has_dry()) signs.insert(Legend::Sign::dry);
+  if (classes.has_dry() && std::any_of(maps.begin(), maps.end(), shows_zero))
+    signs.insert(Legend::Sign::dry);
   for (const Picture& map : maps) {
     const std::vector<Legend::Sign> more = signs_of(map);
     signs.insert(more.begin(), more.end());
@@ -85,25 +103,21 @@ Hatch hatching(int em) {
           static_cast<double>(std::max(1, em / 16))};
 }
 
-Legend::Legend(std::span<const Picture> maps, bool has_gauges, const RainfallClasses& classes,
-               const PageStyle& style, Typesetter& type)
+Legend::Legend(std::span<const Picture> maps, const MapDetail& detail,
+               const RainfallClasses& classes, const PageStyle& style, Typesetter& type)
     : em_(style.em), units_(maps.front().units) {
   if (style.bare) return;
   const Picture& picture = maps.front();
   const int size = style.ems(0.85);
   const int most = std::max(style.ems(7), picture.width / 5);
   const int sign = style.ems(2);
-  if (picture.by_rainfall) {
-    const std::string units = picture.units.empty() ? "" : " (" + picture.units + ")";
-    heading_ = type.fit("Rainfall" + units, size, style.ems(0.65), most, Weight::bold);
-    width_ = heading_.width();
-  }
+  if (picture.by_rainfall) set_heading(picture, style, most, type);
   for (const std::string& tick : classes.ticks()) {
     ticks_.push_back(type.fit(tick, size, size, most - sign));
     width_ = std::max(width_, sign + ticks_.back().width());
   }
   for (const Sign kind : signs_of(maps, classes)) {
-    if (!has_gauges && is_of_gauges(kind)) continue;
+    if (!is_drawn(kind, detail)) continue;
     entries_.push_back({kind, type.set(meaning(kind), size)});
     width_ = std::max(width_, sign + entries_.back().text.width());
   }
@@ -111,24 +125,73 @@ Legend::Legend(std::span<const Picture> maps, bool has_gauges, const RainfallCla
 
 Legend::Legend(const Picture& picture, const RainfallClasses& classes, const PageStyle& style,
                Typesetter& type)
-    : Legend(std::span<const Picture>(&picture, 1), true, classes, style, type) {}
+    : Legend(std::span<const Picture>(&picture, 1), MapDetail(), classes, style, type) {}
+
+void Legend::set_heading(const Picture& picture, const PageStyle& style, int most,
+                         Typesetter& type) {
+  const std::string unit = picture.units.empty() ? "" : "(" + picture.units + ")";
+  const auto fit = [&](const std::string& text) {
+    return type.fit(text, style.ems(0.85), style.ems(0.65), most, Weight::bold);
+  };
+  heading_ = {fit(unit.empty() ? "Rainfall" : "Rainfall " + unit)};
+  if (heading_.front().is_shortened && !unit.empty()) heading_ = {fit("Rainfall"), fit(unit)};
+  for (const SetText& line : heading_) width_ = std::max(width_, line.width());
+}
+
+int Legend::heading_height() const {
+  return heading_.empty() ? 0 : em_ * 3 / 2 + static_cast<int>(heading_.size() - 1) * em_ * 5 / 4;
+}
 
 int Legend::bar_height(std::size_t classes, int step) const {
   return classes == 0 ? 0 : static_cast<int>(classes) * step + em_ * 3 / 2;
 }
 
+int Legend::bar_height(const PixelBox& box, const RainfallClasses& classes) const {
+  return bar_height(classes.count(), step_of(box, classes));
+}
+
 int Legend::height() const {
-  const int heading = heading_.width() > 0 ? em_ * 7 / 4 : 0;
+  const int heading = heading_.empty() ? 0 : heading_height() + em_ / 4;
   const std::size_t classes = ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1;
   return heading + bar_height(classes, em_ * 5 / 4) +
          static_cast<int>(entries_.size()) * em_ * 3 / 2;
 }
 
-int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const {
+int Legend::step_of(const PixelBox& box, const RainfallClasses& classes) const {
+  const int n = std::max(1, static_cast<int>(classes.count()));
+  return std::clamp((box.height - em_ * 3 / 2) / n, 2, em_ * 7 / 4);
+}
+
+PixelBox Legend::bar_box(const PixelBox& column) const {
+  const int top = column.y + (column.height < em_ * 3 / 2 ? 0 : heading_height());
+  const int below = static_cast<int>(entries_.size()) * em_ * 3 / 2;
+  return {column.x, top, column.width, column.bottom() - top - below};
+}
+
+std::size_t Legend::signs_in(const PixelBox& column, int top) const {
+  const int room = (column.bottom() + em_ / 2 - top) / (em_ * 3 / 2);
+  return std::min(entries_.size(), static_cast<std::size_t>(std::max(room, 0)));
+}
+
+std::string Legend::left_out(const Page& page, const RainfallClasses& classes) const {
+  const PixelBox& column = page.legend;
+  const PixelBox bar = bar_box(column);
+  const std::size_t shown = signs_in(column, bar.y + bar_height(bar, classes));
+  const bool is_cut = std::any_of(heading_.begin(), heading_.end(),
+                                  [](const SetText& line) { return line.is_shortened; });
+  std::string text = is_cut ? "the end of the legend's heading" : "";
+  if (shown < entries_.size()) {
+    text += (text.empty() ? "" : ", ") + std::to_string(entries_.size() - shown) +
+            " of the legend's " + std::to_string(entries_.size()) + " signs";
+  }
+  return text;
+}
+
+void Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const {
   const std::size_t count = classes.count();
-  if (count == 0) return box.y;
+  if (count == 0) return;
   const int n = static_cast<int>(count);
-  const int step = std::clamp((box.height - em_ * 3 / 2) / n, 2, em_ * 7 / 4);
+  const int step = step_of(box, classes);
   const int bar_width = em_ * 5 / 4;
   const int top = box.y + em_ / 2;
   for (int i = 0; i < n; ++i) {
@@ -146,7 +209,6 @@ int Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses&
     }
     canvas.text(text, box.x + em_ * 2, y - text.height() / 2, {ink::text});
   }
-  return top + n * step + em_;
 }
 
 void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
@@ -178,21 +240,24 @@ void Legend::draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const {
 
 void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const {
   const Group group(canvas, {"legend"});
-  const PixelBox& box = page.legend;
+  const PixelBox& column = page.legend;
   const int line = em_ * 3 / 2;
-  int y = box.y;
-  if (heading_.width() > 0 && box.height >= line) {
-    canvas.text(heading_, box.x, y + em_ * 3 / 4 - heading_.height() / 2,
-                {ink::text, 0, {.kind = "unit", .part = units_}});
-    y += line;
+  int y = column.y;
+  for (std::size_t i = 0; i < heading_.size() && column.height >= line; ++i) {
+    const bool has_unit = i + 1 == heading_.size() && !units_.empty();
+    const Mark mark = has_unit ? Mark{.kind = "unit", .part = units_} : Mark();
+    canvas.text(heading_[i], column.x, y + em_ * 3 / 4 - heading_[i].height() / 2,
+                {ink::text, 0, mark});
+    y += em_ * 5 / 4;
   }
-  const int below = static_cast<int>(entries_.size()) * line;
-  y = draw_bar(canvas, {box.x, y, box.width, box.bottom() - y - below}, classes);
-  for (const Entry& entry : entries_) {
-    if (y + line > box.bottom() + em_ / 2) break;
-    draw_entry(canvas, {box.x, y + (line - em_) / 2, em_ * 5 / 4, em_}, entry.sign);
-    const int middle = y + line / 2;
-    canvas.text(entry.text, box.x + em_ * 2, middle - entry.text.height() / 2, {ink::text});
+  const PixelBox bar = bar_box(column);
+  draw_bar(canvas, bar, classes);
+  y = bar.y + bar_height(bar, classes);
+  const std::size_t shown = signs_in(column, y);
+  for (std::size_t i = 0; i < shown; ++i) {
+    draw_entry(canvas, {column.x, y + (line - em_) / 2, em_ * 5 / 4, em_}, entries_[i].sign);
+    const SetText& text = entries_[i].text;
+    canvas.text(text, column.x + em_ * 2, y + line / 2 - text.height() / 2, {ink::text});
     y += line;
   }
 }

@@ -6,17 +6,12 @@
 #include "map/ink/canvas.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/annotation.h"
+#include "map/sheet/map_detail.h"
 #include "map/sheet/page.h"
 #include "map/sheet/picture.h"
 #include "map/sheet/study_view.h"
 
 namespace thiessen {
-
-/// What is drawn on a map beside its cells and basins.
-struct MapDetail {
-  bool has_gauges = true;
-  bool has_labels = true;  ///< of gauges and of basins
-};
 
 /// How many gauges lie within the extent of a view on the map's plane.
 std::size_t gauges_within(const StudyView& view);

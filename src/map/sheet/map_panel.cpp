@@ -188,22 +188,32 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
   canvas.areas(areas, hatching(em), window_of(panel, sight));
 }
 
-void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight) {
+void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight,
+                   const MapDetail& detail) {
+  constexpr double ample = 14;  // pixels: the side of a cell that no line hides anything of
+  constexpr int basin_alpha = 230;
+  constexpr double line_to_side = 0.09;
   const PixelBox& panel = page.panel;
   const int em = page.style.em;
-  const double share = static_cast<double>(panel.width) * panel.height /
-                       std::max(1.0, static_cast<double>(view.cells.size()));
-  const double cell_size = std::sqrt(share) / em;  // side of a cell of mean size, in ems
-  const int alpha = static_cast<int>(std::clamp(70 + 160 * cell_size, 70.0, 200.0));
+  const double pixels = static_cast<double>(panel.width) * panel.height;
+  const double cell = side_of_each(view.cells.size(), pixels);
+  const double basin = side_of_each(view.basins.size(), pixels);
+  const auto faded = [&](double alpha, double side) {
+    return static_cast<int>(alpha * std::clamp(side / ample, 0.3, 1.0));
+  };
+  const double alpha = std::clamp(70 + 160 * cell / em, 70.0, 200.0);
   const Group group(canvas, {"outlines"});
   const Window window = window_of(panel, sight);
-  if (view.bands.empty())
-    canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), alpha}, window);
+  if (view.bands.empty() && detail.has_cell_outlines) {
+    canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), faded(alpha, cell)},
+                 window);
+  }
+  if (!detail.has_basin_outlines) return;
   constexpr std::size_t many = 200;
-  constexpr int basin_alpha = 230;
   const double thinner = view.basins.size() > many ? 0.6 : 1.0;
-  const double width = std::max(1.2, basin_line_width(em) * thinner);
-  canvas.lines(lines_of(view.basins), {ink::basin_edge, width, basin_alpha}, window);
+  const double wide = std::max(1.2, basin_line_width(em) * thinner);
+  const double width = std::min(wide, std::max(0.8, line_to_side * basin));
+  canvas.lines(lines_of(view.basins), {ink::basin_edge, width, faded(basin_alpha, basin)}, window);
 }
 
 void draw_isohyets(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,

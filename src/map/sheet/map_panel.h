@@ -6,6 +6,7 @@
 #include "map/ink/canvas.h"
 #include "map/opencv/label_image.h"
 #include "map/sheet/legend.h"
+#include "map/sheet/map_detail.h"
 #include "map/sheet/page.h"
 #include "map/sheet/picture.h"
 #include "map/sheet/study_view.h"
@@ -40,8 +41,9 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
                 const Picture& picture, const StudyView& view, const LabelImage& cells,
                 const RainfallClasses& classes, int em);
 
-/// Draws the outlines of cells, fainter where cells are small, unless a surface is shown, and those
-/// of basins over them.
-void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight);
+/// Draws the outlines of cells, unless a surface is shown, and those of basins over them, fainter
+/// where these are small, as far as there is room for them.
+void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight,
+                   const MapDetail& detail);
 
 }  // namespace thiessen

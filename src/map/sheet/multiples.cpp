@@ -9,6 +9,7 @@
 #include "map/sheet/font_warnings.h"
 #include "map/sheet/footer.h"
 #include "map/sheet/graticule.h"
+#include "map/sheet/left_out.h"
 #include "map/sheet/legend.h"
 #include "map/sheet/map_drawing.h"
 #include "map/sheet/multiples_page.h"
@@ -30,15 +31,18 @@ Extent common_extent(std::span<const Picture> maps, const StudyView& first) {
 }
 
 /// What has room on a map: small ones with hundreds of gauges show the cells alone.
-MapDetail detail_of(const MultiplesPage& layout, std::size_t gauges, std::size_t basins) {
+MapDetail detail_of(const MultiplesPage& layout, const StudyView& view) {
   constexpr double smallest_dot = 2;    // pixels
   constexpr double room_of_label = 20;  // ems squared
   const MapGrid& grid = layout.grid;
   const double pixels = static_cast<double>(grid.width) * grid.height;
   const int em = layout.style.em;
-  const auto labels = static_cast<double>(std::max(gauges, basins));
-  return {gauge_radius(em, gauges, pixels) >= smallest_dot,
-          labels * room_of_label * em * em <= pixels};
+  const std::size_t gauges = gauges_within(view);
+  const auto labels = static_cast<double>(std::max(gauges, view.basins.size()));
+  MapDetail detail{gauge_radius(em, gauges, pixels) >= smallest_dot,
+                   labels * room_of_label * em * em <= pixels};
+  thin_out(detail, view.bands.empty() ? view.cells.size() : 0, view.basins.size(), pixels);
+  return detail;
 }
 
 /// All that is known of the page before it is drawn.
@@ -47,11 +51,11 @@ struct Sheet {
       : maps(all),
         view(view_study(all.front())),
         classes(classes_of(all)),
-        legend(all, true, classes, style(), type) {
+        legend(all, detail, classes, style(), type) {
     view.extent = common_extent(all, view);
     layout = lay_out_multiples(all.front(), all.size(), view.extent, legend, type);
-    detail = detail_of(layout, gauges_within(view), all.front().basins.size());
-    if (!detail.has_gauges) legend = Legend(all, false, classes, style(), type);
+    detail = detail_of(layout, view);
+    legend = Legend(all, detail, classes, style(), type);
   }
   PageStyle style() const {
     const Picture& first = maps.front();
@@ -62,9 +66,9 @@ struct Sheet {
   StudyView view;  ///< of the first map
   Typesetter type;
   RainfallClasses classes;
+  MapDetail detail;
   Legend legend;
   MultiplesPage layout;
-  MapDetail detail;
 };
 
 void draw_heading(Canvas& canvas, Sheet& sheet, std::size_t map) {
@@ -106,7 +110,8 @@ std::string note_of_all(const LabelCount& each, const LabelCount& all, const Map
   return labelled.empty() ? in_sight : parted + labelled + " on all maps";
 }
 
-void draw(Canvas& canvas, Sheet& sheet) {
+/// Draws the page, and returns what has no room on it.
+LeftOut draw(Canvas& canvas, Sheet& sheet) {
   Page page = sheet.layout.page;
   LabelCount each;
   LabelCount all;
@@ -114,11 +119,23 @@ void draw(Canvas& canvas, Sheet& sheet) {
     each = draw_one(canvas, sheet, i);
     all += each;
   }
+  // Basins are the same on all maps, isohyets are not.
+  LabelCount told = all;
+  told.to_name = each.to_name;
+  told.named = each.named;
+  LeftOut left_out(page, told, sheet.detail);
   page.panel = sheet.layout.maps.front();
-  draw_footer(canvas, page, sheet.view, PanelTransform(sheet.view.extent, page.panel).scale(),
-              sheet.maps.front().north_is_up, note_of_all(each, all, sheet.detail), sheet.type);
   draw_head(canvas, page);
-  if (sheet.legend.width() > 0) sheet.legend.draw(canvas, page, sheet.classes);
+  if (sheet.legend.width() > 0) {
+    sheet.legend.draw(canvas, page, sheet.classes);
+    left_out.add(sheet.legend.left_out(page, sheet.classes));
+  }
+  const double scale = PanelTransform(sheet.view.extent, page.panel).scale();
+  for (const std::string& lost :
+       draw_footer(canvas, page, sheet.view, scale, sheet.maps.front().north_is_up,
+                   note_of_all(each, all, sheet.detail), sheet.type))
+    left_out.add_note(lost);
+  return left_out;
 }
 
 }  // namespace
@@ -130,9 +147,9 @@ std::string encode_multiples(std::span<const Picture> maps, PictureFormat format
   try {
     Sheet sheet(maps);
     std::string bytes = page_file(sheet.layout.page, maps.front(), format,
-                                  [&](Canvas& canvas) { draw(canvas, sheet); });
+                                  [&](Canvas& canvas) { draw(canvas, sheet).tell(warnings); });
     warn_of_fonts(sheet.type, warnings);
-    warn_of_outside(sheet.classes, warnings);
+    warn_of_outside(sheet.classes, maps.front().surface.empty(), warnings);
     return bytes;
   } catch (...) {
     throw_drawing_error("choose a smaller " + setting("size"));

@@ -17,6 +17,17 @@ std::string description_of(const Picture& picture) {
   return text;
 }
 
+/// The page on paper: as it was asked for in millimetres, else by its pixels and their density.
+PaperSize paper_of(const Page& page, const Picture& picture) {
+  constexpr double millimetres_to_the_inch = 25.4;
+  const double dots = picture.dots_to_the_inch;
+  if (dots <= 0) return {};
+  const auto side = [&](double asked, int pixels) {
+    return asked > 0 ? asked : pixels * millimetres_to_the_inch / dots;
+  };
+  return {side(picture.paper.width, page.width), side(picture.paper.height, page.height)};
+}
+
 }  // namespace
 
 std::string page_file(const Page& page, const Picture& picture, PictureFormat format,
@@ -24,7 +35,7 @@ std::string page_file(const Page& page, const Picture& picture, PictureFormat fo
   if (format == PictureFormat::svg) {
     SvgCanvas canvas(page.width, page.height);
     draw(canvas);
-    return canvas.document(picture.title, description_of(picture), picture.dots_to_the_inch);
+    return canvas.document(picture.title, description_of(picture), paper_of(page, picture));
   }
   PixelCanvas canvas(page.width, page.height);
   draw(canvas);

@@ -9,6 +9,7 @@
 #include "map/sheet/font_warnings.h"
 #include "map/sheet/footer.h"
 #include "map/sheet/graticule.h"
+#include "map/sheet/left_out.h"
 #include "map/sheet/legend.h"
 #include "map/sheet/map_drawing.h"
 #include "map/sheet/page.h"
@@ -31,11 +32,10 @@ struct Sheet {
                page_style(picture.width, picture.height, picture.dots_to_the_inch), type),
         page(lay_out(picture, view.extent, legend, type)),
         detail{true, !page.style.bare} {
-    if (!dots_would_cover(gauges_within(view),
-                          static_cast<double>(page.panel.width) * page.panel.height))
-      return;
-    detail = {false, false};
-    legend = Legend({&picture, 1}, false, classes, page.style, type);
+    const double pixels = static_cast<double>(page.panel.width) * page.panel.height;
+    if (dots_would_cover(gauges_within(view), pixels)) detail = {false, false};
+    thin_out(detail, view.bands.empty() ? view.cells.size() : 0, view.basins.size(), pixels);
+    if (!page.style.bare) legend = Legend({&picture, 1}, detail, classes, page.style, type);
   }
 
   StudyView view;
@@ -46,7 +46,8 @@ struct Sheet {
   MapDetail detail;
 };
 
-void draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
+/// Draws the page, and returns what has no room on it.
+LeftOut draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
   const Page& page = sheet.page;
   StudyView& view = sheet.view;
   const PanelTransform transform(view.extent, page.panel);
@@ -54,22 +55,30 @@ void draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
       draw_map(canvas, page, picture, view, sheet.classes, sheet.detail, sheet.type);
   const std::string note =
       sheet.detail.has_gauges ? note_of(count) : note_of_crowd(picture.gauges.size());
+  LeftOut left_out(page, count, sheet.detail);
   if (!page.style.bare) draw_graticule(canvas, page, view, transform, FrameEdges(), sheet.type);
-  draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, note, sheet.type);
   draw_head(canvas, page);
-  if (sheet.legend.width() > 0) sheet.legend.draw(canvas, page, sheet.classes);
+  if (sheet.legend.width() > 0) {
+    sheet.legend.draw(canvas, page, sheet.classes);
+    left_out.add(sheet.legend.left_out(page, sheet.classes));
+  }
+  for (const std::string& lost :
+       draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, note, sheet.type))
+    left_out.add_note(lost);
+  return left_out;
 }
 
 std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
   Sheet sheet(picture);
-  std::string bytes =
-      page_file(sheet.page, picture, format, [&](Canvas& canvas) { draw(canvas, picture, sheet); });
+  std::string bytes = page_file(sheet.page, picture, format, [&](Canvas& canvas) {
+    draw(canvas, picture, sheet).tell(warnings);
+  });
   if (sheet.page.style.bare) {
     warnings.add_notice(
         {{}, 0, "the picture is too small for a title and a legend, and is the map alone", ""});
   }
   warn_of_fonts(sheet.type, warnings);
-  warn_of_outside(sheet.classes, warnings);
+  warn_of_outside(sheet.classes, picture.surface.empty(), warnings);
   return bytes;
 }
 
@@ -81,29 +90,28 @@ RainfallClasses classes_of(std::span<const Picture> maps) {
   for (const Picture& map : maps) {
     if (!map.by_rainfall) continue;
     rule = map.classes;
+    values.insert(values.end(), map.surface.begin(), map.surface.end());
+    if (!map.surface.empty()) continue;
     std::map<std::size_t, double> readings;
     for (const PictureCell& cell : map.cells) readings[cell.gauge] = cell.rainfall;
     for (const auto& [gauge, rainfall] : readings) values.push_back(rainfall);
   }
-  RainfallClasses classes(std::move(values), rule);
-  for (const Picture& map : maps) {
-    if (std::isfinite(map.largest)) classes.reach_to(map.least, map.largest);
-  }
-  return classes;
+  return {std::move(values), rule};
 }
 
 RainfallClasses classes_of(const Picture& picture) {
   return classes_of({&picture, 1});
 }
 
-void warn_of_outside(const RainfallClasses& classes, Warnings& warnings) {
-  if (classes.outside() == 0) return;
-  const bool one = classes.outside() == 1;
+void warn_of_outside(const RainfallClasses& classes, bool is_of_gauges, Warnings& warnings) {
+  const std::size_t count = classes.outside();
+  if (count == 0) return;
+  const std::string some =
+      is_of_gauges ? std::to_string(count) + (count == 1 ? " gauge's" : " gauges'") : "some of the";
   warnings.add({{},
                 0,
-                std::to_string(classes.outside()) + (one ? " gauge's" : " gauges'") +
-                    " rainfall lies outside the range of the colours, and takes the colour at its "
-                    "end",
+                some + " rainfall lies outside the range of the colours, and takes the colour at "
+                       "its end",
                 ""});
 }
 

@@ -10,6 +10,7 @@
 #include "geometry/polygon.h"
 #include "map/opencv/picture_tags.h"
 #include "map/sheet/rainfall_classes.h"
+#include "map/svg/svg_canvas.h"
 
 namespace thiessen {
 
@@ -56,8 +57,9 @@ struct Picture {
   /// Where a surface is shown, its bands are filled and not the cells, which still say how many
   /// gauges share the ground and which classes their rainfall has.
   std::vector<PictureBand> bands;
-  double least = std::numeric_limits<double>::quiet_NaN();    ///< of the surface's values
-  double largest = std::numeric_limits<double>::quiet_NaN();  ///< NaN: no surface is shown
+  /// Values of the surface, evenly from all the study area, with the least and the largest: its
+  /// classes are of these. Empty: cells are shown.
+  std::vector<double> surface;
   std::vector<PictureIsohyet> isohyets;
   std::vector<PictureBasin> basins;
   std::vector<PictureGauge> gauges;
@@ -80,17 +82,19 @@ struct Picture {
   PictureTags tags;      ///< what the file says of how it was made
   /// The density that the file tells a printer; 0: none. An SVG has its size on paper by it.
   int dots_to_the_inch = 0;
+  PaperSize paper;  ///< as it was asked for, which whole pixels may miss by a little; 0: it was not
   int width = 1600;  ///< width of the picture, in pixels
   int height = 0;    ///< in pixels; 0: chosen by the shape of the study area
 };
 
-/// The classes of the rainfall that the cells of all maps show, each gauge's once a map; none where
-/// cells are not filled by rainfall. The rule is that of the last map.
+/// The classes of the rainfall that all maps show: of each gauge that has a cell, once a map, or of
+/// a surface; none where cells are not filled by rainfall. The rule is that of the last map.
 RainfallClasses classes_of(std::span<const Picture> maps);
 RainfallClasses classes_of(const Picture& picture);
 
-/// Warns of rainfall outside of a range that was asked for.
-void warn_of_outside(const RainfallClasses& classes, Warnings& warnings);
+/// Warns of rainfall outside of a range that was asked for: of gauges, or anywhere on a surface or
+/// in a series.
+void warn_of_outside(const RainfallClasses& classes, bool is_of_gauges, Warnings& warnings);
 
 /// The limits of a picture's side, and of its area, in pixels.
 inline constexpr int min_picture_side = 64;

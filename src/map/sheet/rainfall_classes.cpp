@@ -84,8 +84,6 @@ void RainfallClasses::lay_over(std::vector<double> readings, const ClassRule& ru
 void RainfallClasses::lay(std::vector<RoundValue> bounds, const Ends& ends) {
   count_ = bounds.size() + 1;
   for (const RoundValue& bound : bounds) bounds_.push_back(bound.value());
-  if (ends.low) low_ = ends.low->value();
-  if (ends.high) high_ = ends.high->value();
   if (ends.low) bounds.insert(bounds.begin(), *ends.low);
   if (ends.high) bounds.push_back(*ends.high);
   ticks_ = texts_of(bounds);
@@ -133,10 +131,6 @@ void RainfallClasses::lay_range(const ClassRule::Range& range, const std::vector
 void RainfallClasses::open_ends(bool below, bool above) {
   if (below && !ticks_.front().starts_with("\u2264")) ticks_.front().insert(0, "\u2264 ");
   if (above && !ticks_.back().starts_with("\u2265")) ticks_.back().insert(0, "\u2265 ");
-}
-
-void RainfallClasses::reach_to(double least, double largest) {
-  open_ends(low_ && least < *low_, high_ && largest > *high_);
 }
 
 // The classes do not depend on the readings, so that those of a series are the same.

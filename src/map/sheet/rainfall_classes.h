@@ -48,9 +48,6 @@ class RainfallClasses {
   std::size_t outside() const { return outside_; }
   /// The values at which classes meet, ascending; 0, where it is a class of its own, is none.
   const std::vector<double>& bounds() const { return bounds_; }
-  /// Lets the outermost classes hold these values too, which may lie beyond the readings; their
-  /// ends say so.
-  void reach_to(double least, double largest);
   /// The texts at the ends of classes, from the lowest to the highest, one more than classes, with
   /// equal decimals; empty where a class has no end. Where all readings are equal there is one
   /// class and one text.
@@ -80,8 +77,6 @@ class RainfallClasses {
   bool has_dry_ = false;
   bool no_negative_ = true;
   std::vector<double> bounds_;  ///< between the classes
-  std::optional<double> low_;   ///< the lower end of the first class, where it has one
-  std::optional<double> high_;
   std::vector<std::string> ticks_;
 };
 

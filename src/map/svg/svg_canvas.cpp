@@ -82,16 +82,15 @@ std::string content(const SetText& text, const Mark& mark) {
 }  // namespace
 
 std::string SvgCanvas::document(std::string_view title, std::string_view description,
-                                double dpi) const {
-  constexpr double millimetres_to_the_inch = 25.4;
-  const auto side = [&](int pixels) {
-    return dpi > 0 ? number(pixels * millimetres_to_the_inch / dpi, 3) + "mm" : number(pixels);
+                                const PaperSize& paper) const {
+  const auto side = [](double millimetres, int pixels) {
+    return millimetres > 0 ? number(millimetres, 3) + "mm" : number(pixels);
   };
   const std::string box = "0 0 " + number(width()) + " " + number(height());
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
          "<svg xmlns=\"http://www.w3.org/2000/svg\" version=\"1.1\"" +
-         attribute("width", side(width())) + attribute("height", side(height())) +
-         attribute("viewBox", box) +
+         attribute("width", side(paper.width, width())) +
+         attribute("height", side(paper.height, height())) + attribute("viewBox", box) +
          attribute("font-family", "'DejaVu Sans', Verdana, sans-serif") + ">\n<title>" +
          xml_text(title) + "</title>\n<desc>" + xml_text(description) + "</desc>\n<rect" +
          attributes(PixelBox{0, 0, width(), height()}) + " fill=\"#ffffff\"/>\n" + body_ +
@@ -123,11 +122,12 @@ void SvgCanvas::border(const PixelBox& box, Colour colour, int thickness) {
            attribute("stroke-width", thickness) + "/>\n";
 }
 
-void SvgCanvas::disc(Point centre, double radius, Colour colour, const PixelBox& clip) {
+void SvgCanvas::draw_disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+                          const Mark& mark) {
   const bool whole = centre.x - radius >= clip.x && centre.x + radius <= clip.right() &&
                      centre.y - radius >= clip.y && centre.y + radius <= clip.bottom();
   const std::string cut = whole ? std::string() : clip_path(clip);
-  body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) +
+  body_ += "<circle" + attributes(mark) + attribute("cx", centre.x) + attribute("cy", centre.y) +
            attribute("r", radius) + attribute("fill", hexadecimal(colour)) + cut + "/>\n";
 }
 

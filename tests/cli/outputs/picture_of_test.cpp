@@ -61,6 +61,16 @@ TEST(PictureOf, what_the_options_say_goes_before) {
 
 // UTM's grid is north up at its central meridian, and EPSG:3031, about the south pole, is turned
 // over at 180 degrees, which lies below the pole there.
+TEST(PictureOf, a_size_in_mm_stays_known_as_it_was_given) {
+  ViewOptions view;
+  view.size = {297, 210, true};
+  const Picture shown = picture(GivenInputs(), nullptr, view);
+  EXPECT_EQ(shown.width, 3508) << "297 / 25.4 * 300 is 3507.9";
+  EXPECT_EQ(shown.paper.width, 297);
+  EXPECT_EQ(shown.paper.height, 210);
+  EXPECT_EQ(picture(GivenInputs(), nullptr).paper.width, 0);
+}
+
 TEST(PictureOf, the_plane_says_its_unit_and_whether_north_is_up) {
   const Picture nowhere = picture(GivenInputs(), nullptr);
   EXPECT_FALSE(nowhere.geographic);

@@ -19,9 +19,6 @@ class RecordingCanvas : public Canvas {
   };
   std::vector<Disc> discs;
 
-  void disc(Point centre, double radius, Colour colour, const PixelBox& clip) override {
-    discs.push_back({centre, radius, colour, clip});
-  }
   void fill(const PixelBox&, Colour) override {}
   void border(const PixelBox&, Colour, int) override {}
   void areas(std::span<const Area>, const Hatch&, const Window&) override {}
@@ -29,6 +26,12 @@ class RecordingCanvas : public Canvas {
   void text(const SetText&, int, int, const Lettering&) override {}
   void begin(const Mark&) override {}
   void end() override {}
+
+ private:
+  void draw_disc(Point centre, double radius, Colour colour, const PixelBox& clip,
+                 const Mark& /*mark*/) override {
+    discs.push_back({centre, radius, colour, clip});
+  }
 };
 
 }  // namespace thiessen

@@ -63,10 +63,10 @@ TEST(Legend, of_several_maps_has_what_any_of_them_shows) {
   Typesetter type;
   const PageStyle style = {.em = 20};
   const auto height = [&](std::span<const Picture> some, bool has_gauges) {
-    return Legend(some, has_gauges, classes_of(maps), style, type).height();
+    return Legend(some, {.has_gauges = has_gauges}, classes_of(maps), style, type).height();
   };
   const int first = height({maps.data(), 1}, true);
-  EXPECT_EQ(height(maps, true) - first, 2 * 30) << "no reading, and the gauge that is silent";
+  EXPECT_EQ(height(maps, true) - first, 3 * 30) << "dry, no reading, and the silent gauge";
   EXPECT_EQ(height(maps, true) - height(maps, false), 2 * 30) << "gauges that are not drawn";
 }
 

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <clocale>
 #include <cmath>
+#include <map>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "map/sheet/row_of_cells.h"
 
@@ -140,15 +143,123 @@ TEST(Picture, an_svg_marks_cells_labels_unit_and_legend) {
 TEST(Picture, of_a_surface_fills_its_bands_and_draws_isohyets_with_their_levels) {
   Picture picture = row_of_cells({3, 8});
   picture.bands = {{square(0, 0, 1), 3}, {square(1, 0, 1), 7}};
-  picture.least = 3;
-  picture.largest = 12;
+  picture.surface = {3, 7, 12};
   picture.isohyets = {{"5", {{{0.2, 0.5}, {1.8, 0.6}}}}};
   const std::string text = svg(picture);
   EXPECT_EQ(count_of(text, "class=\"cell\""), 0u);
   EXPECT_EQ(count_of(text, "<path class=\"surface\""), 2u);
   EXPECT_EQ(count_of(text, "<g class=\"isohyet\" data-level=\"5\">"), 1u);
   EXPECT_GE(count_of(text, "<text class=\"isohyet-label\" data-level=\"5\""), 1u);
-  EXPECT_EQ(count_of(text, ">\u2265 "), 1u) << "the surface reaches beyond the gauges' values";
+}
+
+// Gauges read 0 and 8, the surface lies between 2 and 4: steps of a half from 2 to 4.
+TEST(Picture, of_a_surface_has_its_classes_and_no_dry_ground_where_there_is_none) {
+  Picture picture = row_of_cells({0, 8});
+  EXPECT_EQ(count_of(svg(picture), ">dry</text>"), 1u);
+  picture.bands = {{square(0, 0, 1), 2}, {square(1, 0, 1), 3}};
+  picture.surface = {2, 2.5, 3, 3.5, 4};
+  const std::string wet = svg(picture);
+  EXPECT_EQ(count_of(wet, ">dry</text>"), 0u);
+  EXPECT_EQ(count_of(wet, ">4.0</text>"), 1u);
+  EXPECT_EQ(count_of(wet, ">8</text>"), 0u);
+  picture.surface = {0, 2.5, 3, 3.5, 4};
+  EXPECT_EQ(count_of(svg(picture), ">dry</text>"), 0u) << "a point of 0 is no ground";
+  picture.bands[0].rainfall = 0;
+  EXPECT_EQ(count_of(svg(picture), ">dry</text>"), 1u);
+}
+
+TEST(Picture, an_svg_has_a_circle_of_each_gauge_that_names_its_station) {
+  Picture picture = row_of_cells({3, none});
+  picture.gauges[0].station = "A";
+  picture.gauges[1].station = "B";
+  const std::string text = svg(picture);
+  EXPECT_EQ(count_of(text, "<circle class=\"gauge\" data-station=\"A\""), 1u);
+  EXPECT_EQ(count_of(text, "<circle class=\"gauge silent\" data-station=\"B\""), 1u);
+}
+
+/// The value of an attribute in an element of an SVG.
+std::string attribute_of(const std::string& element, const std::string& name) {
+  const std::size_t at = element.find(" " + name + "=\"");
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + name.size() + 3;
+  return element.substr(begin, element.find('"', begin) - begin);
+}
+
+/// The elements of an SVG that begin so.
+std::vector<std::string> elements_of(const std::string& text, const std::string& begin) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
+    found.push_back(text.substr(at, text.find('>', at) - at));
+  return found;
+}
+
+/// Gauges at random, some of them in clusters, in one basin of 3 by 2.
+Picture random_network(unsigned seed, std::size_t gauges) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0, 1);
+  std::normal_distribution<double> near(0, 0.06);
+  Picture picture;
+  picture.width = 500 + 150 * static_cast<int>(seed);
+  picture.basins.push_back({"", {{{{0, 0}, {3, 0}, {3, 2}, {0, 2}}, {}}}});
+  Point centre{1, 1};
+  for (std::size_t i = 0; i < gauges; ++i) {
+    Point p{3 * share(random), 2 * share(random)};
+    if (i % 10 == 0) centre = p;
+    if (i % 3 == 0) {
+      p = {std::clamp(centre.x + near(random), 0.0, 3.0),
+           std::clamp(centre.y + near(random), 0.0, 2.0)};
+    }
+    const std::string id = "N" + std::to_string(1000 + i);
+    picture.gauges.push_back({p, id, i % 7 != 0, id});
+  }
+  return picture;
+}
+
+// Judged by what the SVG shows: the box of the letters, of capitals and digits, is 0.73 of their
+// size high in DejaVu Sans and stands on the baseline.
+TEST(Picture, no_label_is_as_near_to_another_dot_as_to_its_own) {
+  constexpr double capital_height = 0.73;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const std::string text = svg(random_network(seed, 40 * seed));
+    std::map<std::string, Point> dots;
+    for (const std::string& dot : elements_of(text, "<circle class=\"gauge"))
+      dots[attribute_of(dot, "data-station")] = {std::stod(attribute_of(dot, "cx")),
+                                                 std::stod(attribute_of(dot, "cy"))};
+    const auto labels = elements_of(text, "<text class=\"label\"");
+    EXPECT_GT(labels.size(), 10u * seed) << "seed " << seed;
+    for (const std::string& label : labels) {
+      const double left = std::stod(attribute_of(label, "x"));
+      const double foot = std::stod(attribute_of(label, "y"));
+      const double right = left + std::stod(attribute_of(label, "textLength"));
+      const double top = foot - capital_height * std::stod(attribute_of(label, "font-size"));
+      const auto distance = [&](Point p) {
+        return std::hypot(std::max({left - p.x, p.x - right, 0.0}),
+                          std::max({top - p.y, p.y - foot, 0.0}));
+      };
+      const std::string station = attribute_of(label, "data-station");
+      const double own = distance(dots.at(station));
+      for (const auto& [other, dot] : dots) {
+        if (other != station) {
+          EXPECT_GT(distance(dot), 1.25 * own)
+              << station << " and the dot of " << other << ", seed " << seed;
+        }
+      }
+    }
+  }
+}
+
+TEST(Picture, tells_in_one_line_what_has_no_room) {
+  Picture picture = row_of_cells({1, 2, 3});
+  picture.width = 300;
+  picture.units = "thousandths of an inch per quarter of an hour";
+  for (int i = 0; i < 3; ++i)
+    picture.basins.push_back({"a name that is far too long", square(i, 0, 1)});
+  Warnings warnings;
+  encode_picture(picture, PictureFormat::png, warnings);
+  ASSERT_EQ(warnings.notices().size(), 1u);
+  const std::string told = warnings.notices()[0].text.plain();
+  EXPECT_NE(told.find("the names of 4 of 4 basins"), std::string::npos) << told;
+  EXPECT_NE(told.find("the end of the legend's heading"), std::string::npos) << told;
 }
 
 // 480 pixels across hold some thousands of dots, and not 24,000.
@@ -169,6 +280,16 @@ TEST(Picture, an_svg_has_its_size_on_paper_by_its_density) {
   EXPECT_NE(svg(picture).find(" width=\"600\" height=\"300\""), std::string::npos);
   picture.dots_to_the_inch = 100;
   EXPECT_NE(svg(picture).find(" width=\"152.4mm\" height=\"76.2mm\""), std::string::npos);
+}
+
+TEST(Picture, an_svg_has_the_size_on_paper_that_was_asked_for) {
+  Picture picture = row_of_cells({1, 2});
+  picture.width = 3508;
+  picture.height = 2480;
+  picture.dots_to_the_inch = 300;
+  picture.paper = {297, 210};
+  EXPECT_NE(svg(picture).find(" width=\"297mm\" height=\"210mm\" viewBox=\"0 0 3508 2480\""),
+            std::string::npos);
 }
 
 TEST(Picture, coordinates_that_are_not_finite_are_errors) {

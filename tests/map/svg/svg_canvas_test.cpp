@@ -22,7 +22,7 @@ SetText set_text(std::string text) {
 
 /// What is drawn between the background and the end of the document.
 std::string body(const SvgCanvas& canvas) {
-  const std::string all = canvas.document("", "", 0);
+  const std::string all = canvas.document("", "");
   const std::string ground = "fill=\"#ffffff\"/>\n";
   const std::size_t from = all.find(ground) + ground.size();
   return all.substr(from, all.size() - from - std::string("</svg>\n").size());
@@ -30,13 +30,13 @@ std::string body(const SvgCanvas& canvas) {
 
 TEST(SvgCanvas, a_document_has_its_size_in_pixels_or_on_paper) {
   const SvgCanvas canvas(300, 150);
-  const std::string pixels = canvas.document("A & B", "made", 0);
+  const std::string pixels = canvas.document("A & B", "made");
   EXPECT_TRUE(pixels.starts_with("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns="));
   EXPECT_NE(pixels.find(" width=\"300\" height=\"150\" viewBox=\"0 0 300 150\""),
             std::string::npos);
   EXPECT_NE(pixels.find("<title>A &amp; B</title>"), std::string::npos);
   EXPECT_NE(pixels.find("<desc>made</desc>"), std::string::npos);
-  const std::string paper = canvas.document("", "", 300);  // one inch by half an inch
+  const std::string paper = canvas.document("", "", {25.4, 12.7});
   EXPECT_NE(paper.find(" width=\"25.4mm\" height=\"12.7mm\" viewBox=\"0 0 300 150\""),
             std::string::npos);
 }
@@ -133,7 +133,7 @@ TEST(SvgCanvas, law_1_numbers_are_the_same_in_every_locale) {
   const auto drawn = [] {
     SvgCanvas canvas(100, 100);
     canvas.disc({10.5, -20.25}, 3.333, red, {-50, -50, 150, 150});
-    return canvas.document("", "", 90);
+    return canvas.document("", "");
   };
   const std::string first = drawn();
   const std::string before = std::setlocale(LC_ALL, nullptr);
