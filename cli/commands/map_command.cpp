@@ -19,6 +19,7 @@
 #include "cli/outputs/maps_of.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
+#include "cli/outputs/raster_style.h"
 #include "cli/outputs/surface_maps.h"
 #include "cli/terminal/progress.h"
 #include "files/netcdf_grid.h"
@@ -26,6 +27,7 @@
 #include "gdal/output/geotiff_grid.h"
 #include "gdal/output/raster_output.h"
 #include "map/sheet/multiples.h"
+#include "map/sheet/picture.h"
 
 namespace thiessen::cli {
 namespace {
@@ -87,13 +89,13 @@ class MapCommand : public Command {
     if (is_picture(kind)) {
       raster_.check_picture();
     } else {
-      view_.check_raster(raster_.of_steps);
+      view_.check_raster(kind == Kind::netcdf);
       check_label();
     }
     check_times(kind);
     if (kind == Kind::netcdf) raster_.check_netcdf();
     check_steps();
-    check_surface(kind);
+    surface_.check_map(rainfall_.given(), is_picture(kind));
   }
 
   void run(Warnings& warnings) override {
@@ -144,14 +146,6 @@ class MapCommand : public Command {
     throw UsageError{label->name + " is about pictures, and a raster is written", "leave it out"};
   }
 
-  void check_surface(Kind kind) const {
-    surface_.check_map(rainfall_.given(), is_picture(kind));
-    if (!surface_.surface() || !raster_.of_steps) return;
-    throw UsageError{"--method " + std::string(name_of(*surface_.surface())) +
-                         " is of pictures, and of a raster of one time, a .tif",
-                     "grids are of cells; --time shows a step"};
-  }
-
   void check_steps() const {
     if (!raster_.of_steps) {
       const Option* const given = range_.first_given();
@@ -192,28 +186,49 @@ class MapCommand : public Command {
     Warnings told_later;
     const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
     settle_unit(first->unit());
-    const GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
+    GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
     const RasterOutput output = raster_output(inputs, nullptr);
     if (kind == Kind::netcdf) {
-      NetcdfGrid grid(foreign, output, times_of(steps, range_.stamp(), rainfall_.name(), warnings));
+      NetcdfGrid grid(
+          foreign, output,
+          times_of(steps, length_of(inputs, steps), range_.stamp(), rainfall_.name(), warnings));
       fill_grid(inputs, steps, output, grid, warnings);
       grid.close();
       remove_side_files(outputs, output_.output);
     } else {
       GeoTiffGrid grid(output, steps.times);
       fill_grid(inputs, steps, output, grid, warnings);
-      append_files(outputs, *file, grid.finish());
+      std::vector<EncodedFile> files = grid.finish();
+      const RainfallClasses classes(steps.sample.values(), view_.colours.rule);
+      warn_of_outside(classes, false, warnings);
+      files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
+      append_files(outputs, *file, files);
     }
     outputs.commit();
   }
 
-  void fill_grid(Inputs& inputs, const GridSteps& steps, const RasterOutput& output, GridFile& grid,
+  /// The series' own step, for which all of RAINFALL is read where the steps that are written do
+  /// not tell it.
+  std::optional<StepLength> length_of(Inputs& inputs, const GridSteps& steps) const {
+    const auto step = step_of(steps);
+    if (step || range_.first_given() == nullptr) return step;
+    Warnings told_elsewhere;
+    return step_of(*inputs.open_readings(study_, rainfall_, told_elsewhere));
+  }
+
+  /// Writes all steps. Of a surface it is its values, not the readings, that the sample is of.
+  void fill_grid(Inputs& inputs, GridSteps& steps, const RasterOutput& output, GridFile& grid,
                  Warnings& warnings) const {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, range_.times());
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
-    write_steps(inputs, steps, *readings, output.grid, output.threads, grid,
-                [&] { progress.advance(); });
+    const auto advance = [&] { progress.advance(); };
+    if (!surface_.surface()) {
+      return write_steps(inputs, steps, *readings, output.grid, output.threads, grid, advance);
+    }
+    steps.sample = {};
+    write_surfaces(inputs, *surface_.surface(), *readings, output.grid, output.threads, grid,
+                   steps.sample, advance);
   }
 
   RasterOutput raster_output(const Inputs& inputs, const GaugeReadings* shown) const {

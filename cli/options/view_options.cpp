@@ -81,11 +81,11 @@ void ViewOptions::check(bool has_rainfall, bool has_basins) const {
   }
 }
 
-void ViewOptions::check_raster(bool of_steps) const {
+void ViewOptions::check_raster(bool is_netcdf) const {
   const Option* const colour = colours.first_given();
-  if (of_steps && colour != nullptr) {
-    throw UsageError{colour->name + " is about colours, and a grid of time steps has none",
-                     "--time shows one step in a .tif, with its colours beside it"};
+  if (is_netcdf && colour != nullptr) {
+    throw UsageError{colour->name + " is about colours, and a .nc has none",
+                     "a .tif has its colours beside it"};
   }
   for (const Option* option : {title_option_, size_option_, dpi_option_}) {
     if (option == nullptr || !option->is_given()) continue;

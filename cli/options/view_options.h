@@ -31,9 +31,9 @@ class ViewOptions : public OptionBlock, public PictureSize {
   /// there is no RAINFALL, a margin where there are BASINS; and for a size in millimetres that
   /// takes too few or too many pixels.
   void check(bool has_rainfall, bool has_basins) const;
-  /// Throws UsageError for options of a picture's look that a raster lacks; a grid of steps has no
-  /// colours either.
-  void check_raster(bool of_steps) const;
+  /// Throws UsageError for options of a picture's look that a raster lacks; a NetCDF has no colours
+  /// either.
+  void check_raster(bool is_netcdf) const;
 
  private:
   const Option* margin_option_ = nullptr;

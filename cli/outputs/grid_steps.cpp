@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
 
 #include "base/interrupt.h"
 #include "base/iso_time.h"
 #include "base/utf8.h"
 #include "cli/outputs/raster_of.h"
+#include "map/raster/area_rows.h"
 #include "map/raster/step_pixels.h"
+#include "map/raster/surface_rows.h"
 #include "rainfall/series/step_intervals.h"
 
 namespace thiessen::cli {
@@ -29,39 +36,55 @@ IsoTime required_time(const std::string& time, const WrittenTime& written,
 }  // namespace
 
 GridSteps look_through(Readings& readings, const Network& network, const std::string& file) {
-  GridSteps steps{{}, {}, ReportingStations(network.stations().size(), false)};
+  GridSteps steps{{}, {}, ReportingStations(network.stations().size(), false), {}};
   for (TimeStep step; readings.next(step);) {
     throw_if_interrupted();
     steps.times.push_back(step.time);
     steps.calendar.push_back(
         step.written.value_or(WrittenTime{calendar_time(step.time, {}), {}, {}}));
     for (std::uint32_t s = 0; s < step.readings.size(); ++s) {
-      if (!std::isnan(step.readings[s])) steps.reports.set(StationIndex{s}, true);
+      if (std::isnan(step.readings[s])) continue;
+      steps.reports.set(StationIndex{s}, true);
+      steps.sample.add(step.readings[s]);
     }
   }
   if (steps.times.empty()) throw Error({file, 0, "there is no time step to write", ""});
   return steps;
 }
 
-GridTimes times_of(const GridSteps& steps, Stamp stamp, const std::string& file,
-                   Warnings& warnings) {
-  std::vector<IsoTime> times;
+std::optional<StepLength> step_of(const GridSteps& steps) {
   StepIntervals intervals;
-  for (std::size_t i = 0; i < steps.times.size(); ++i) {
-    times.push_back(required_time(steps.times[i], steps.calendar[i], file));
-    intervals.note({times.back(), IsoTimeFault::none});
+  for (const WrittenTime& time : steps.calendar) intervals.note(time.parsed);
+  return intervals.step();
+}
+
+std::optional<StepLength> step_of(Readings& readings) {
+  StepIntervals intervals;
+  for (TimeStep step; readings.next(step);) {
+    throw_if_interrupted();
+    intervals.note(calendar_time(step.time, step.written));
   }
+  return intervals.step();
+}
+
+GridTimes times_of(const GridSteps& steps, const std::optional<StepLength>& step, Stamp stamp,
+                   const std::string& file, Warnings& warnings) {
+  std::vector<IsoTime> times;
+  for (std::size_t i = 0; i < steps.times.size(); ++i)
+    times.push_back(required_time(steps.times[i], steps.calendar[i], file));
   const auto has_zone = [](const IsoTime& time) { return time.ahead_of_utc.has_value(); };
   const auto zoned = std::count_if(times.begin(), times.end(), has_zone);
   if (zoned != 0 && zoned != std::ssize(times)) {
     throw Error({file, 0, "some times have a zone and others have none, and a .nc counts from one",
                  takes_any});
   }
-  const std::optional<StepLength> step = intervals.step();
   const bool has_moments = std::any_of(times.begin(), times.end(), [](const IsoTime& time) {
     return time.precision == TimePrecision::instant;
   });
-  if (!step && has_moments) {
+  if (!step && has_moments && times.size() == 1) {
+    warnings.add_notice(
+        {file, 0, "nothing tells how long its only step is: in the .nc it has no bounds", ""});
+  } else if (!step && has_moments) {
     warnings.add_notice({file, 0,
                          stamp == Stamp::begin
                              ? "its times have no regular step: in the .nc each lasts until the "
@@ -82,6 +105,34 @@ void write_steps(const Inputs& inputs, const GridSteps& steps, Readings& reading
   for (TimeStep step; readings.next(step); advance()) {
     throw_if_interrupted();
     to.add(pixels.at(step.readings));
+  }
+}
+
+void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readings,
+                    const PixelGrid& grid, unsigned threads, GridFile& to, ValueSample& sample,
+                    const std::function<void()>& advance) {
+  const std::size_t columns = static_cast<std::size_t>(grid.columns);
+  const std::size_t pixels = columns * static_cast<std::size_t>(grid.rows);
+  const AreaSpans spans = AreaRows(grid, areas_of(inputs)).rows(0, grid.rows);
+  std::vector<std::int32_t> is_inside(pixels, 0);
+  for (int row = 0; row < grid.rows; ++row) {
+    const auto begin = is_inside.begin() + static_cast<std::ptrdiff_t>(row) * grid.columns;
+    for (const PixelSpan& span : spans.row(row)) std::fill(begin + span.first, begin + span.end, 1);
+  }
+  const std::vector<float> nothing(pixels, std::numeric_limits<float>::quiet_NaN());
+  for (TimeStep step; readings.next(step); advance()) {
+    throw_if_interrupted();
+    if (!reporting_stations(step.readings).any()) {
+      to.add(nothing);
+      continue;
+    }
+    SurfaceRows surface(
+        grid, SurfaceRows::Extent::all,
+        [&] { return surface_of(method, inputs.network(), inputs.study().metric, step.readings); },
+        [&] { return to_study(inputs); }, threads);
+    const std::span<const float> values = surface.rows(0, grid.rows, is_inside);
+    for (const float value : values) sample.add(value);
+    to.add(values);
   }
 }
 

@@ -32,6 +32,20 @@ bool is_of_disk(int why) {
   return why == ENOSPC || why == EFBIG || why == EDQUOT || why == EIO;
 }
 
+/// Whether all steps have a length.
+bool have_lengths(const GridTimes& times) {
+  return std::all_of(times.bounds.begin(), times.bounds.end(),
+                     [](const TimeBounds& step) { return step.end > step.begin; });
+}
+
+/// What the rainfall of a step is of its time: a sum, but of a rate such as mm/h a mean.
+const char* method_of(const std::string& unit) {
+  const bool is_rate = unit.find('/') != std::string::npos ||
+                       unit.find(" per ") != std::string::npos ||
+                       unit.find("-1") != std::string::npos;
+  return is_rate ? "time: mean" : "time: sum";
+}
+
 }  // namespace
 
 NetcdfGrid::NetcdfGrid(const std::string& file, const RasterOutput& output, const GridTimes& times)
@@ -86,7 +100,7 @@ void NetcdfGrid::define(const GridTimes& times) {
       define_axis(is_geographic ? "lon" : "x", static_cast<std::size_t>(grid.columns), true);
   define_times(time, times);
   if (output_.crs) define_mapping();
-  define_rainfall(time, south, east);
+  define_rainfall(time, south, east, have_lengths(times));
   check(nc_enddef(file_));
   put_times(times);
 }
@@ -126,11 +140,12 @@ void NetcdfGrid::define_mapping() {
     check(nc_put_att_double(file_, crs, name.c_str(), NC_DOUBLE, numbers.size(), numbers.data()));
 }
 
-void NetcdfGrid::define_rainfall(int time, int south, int east) {
+void NetcdfGrid::define_rainfall(int time, int south, int east, bool has_bounds) {
   rainfall_ = variable("rainfall", NC_FLOAT, std::array{time, south, east});
   check(nc_put_att_float(file_, rainfall_, "_FillValue", NC_FLOAT, 1, &none));
   put_text(rainfall_, "long_name", "rainfall");
   put_text(rainfall_, "units", output_.made_by.unit);
+  if (has_bounds) put_text(rainfall_, "cell_methods", method_of(output_.made_by.unit));
   if (output_.crs) put_text(rainfall_, "grid_mapping", "crs");
   check(nc_def_var_chunking(file_, rainfall_, NC_CHUNKED, chunk_of(output_.grid).data()));
   if (output_.compression == Compression::deflate)
@@ -138,18 +153,19 @@ void NetcdfGrid::define_rainfall(int time, int south, int east) {
 }
 
 void NetcdfGrid::define_times(int time, const GridTimes& times) {
-  int ends = -1;
-  check(nc_def_dim(file_, "nv", 2, &ends));
   time_ = variable("time", NC_DOUBLE, std::array{time});
   put_text(time_, "standard_name", "time");
   put_text(time_, "axis", "T");
   put_text(time_, "units",
            std::string("seconds since 1970-01-01 00:00:00") + (times.is_utc ? " +00:00" : ""));
   put_text(time_, "calendar", "proleptic_gregorian");
-  put_text(time_, "bounds", "time_bnds");
   put_text(time_, "comment",
            times.stamp == Stamp::begin ? "a time is when its step begins"
                                        : "a time with a clock is when its step ends");
+  if (!have_lengths(times)) return;
+  int ends = -1;
+  check(nc_def_dim(file_, "nv", 2, &ends));
+  put_text(time_, "bounds", "time_bnds");
   time_bounds_ = variable("time_bnds", NC_DOUBLE, std::array{time, ends});
 }
 
@@ -163,7 +179,8 @@ void NetcdfGrid::put_times(const GridTimes& times) {
   const std::array<std::size_t, 2> first{0, 0};
   const std::array<std::size_t, 2> count{stamps.size(), 2};
   check(nc_put_vara_double(file_, time_, first.data(), count.data(), stamps.data()));
-  check(nc_put_vara_double(file_, time_bounds_, first.data(), count.data(), bounds.data()));
+  if (time_bounds_ >= 0)
+    check(nc_put_vara_double(file_, time_bounds_, first.data(), count.data(), bounds.data()));
 }
 
 void NetcdfGrid::add(std::span<const float> pixels) {

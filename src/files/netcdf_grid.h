@@ -20,7 +20,9 @@ struct GridTimes {
 };
 
 /// A grid as NetCDF-4 by the conventions CF-1.8: `rainfall(time, y, x)`, or (time, lat, lon) in a
-/// geographic CRS, `time` with its bounds, and the grid mapping `crs` where the CRS is known. A
+/// geographic CRS, `time` with its bounds where all steps have a length, over which rainfall is a
+/// sum (or, where its unit is that of a rate, a mean), and the grid mapping `crs` where the CRS is
+/// known. A
 /// step is on its way to the disk when `add` returns, so memory does not grow with the steps.
 class NetcdfGrid : public GridFile {
  public:
@@ -39,7 +41,7 @@ class NetcdfGrid : public GridFile {
   void define(const GridTimes& times);
   int define_axis(const char* name, std::size_t length, bool is_east);
   void define_mapping();
-  void define_rainfall(int time, int south, int east);
+  void define_rainfall(int time, int south, int east, bool has_bounds);
   void define_times(int time, const GridTimes& times);
   int variable(const char* name, int type, std::span<const int> dimensions);
   void put_text(int variable, const char* name, const std::string& text);
@@ -51,7 +53,7 @@ class NetcdfGrid : public GridFile {
   int file_ = -1;
   int rainfall_ = -1;
   int time_ = -1;
-  int time_bounds_ = -1;
+  int time_bounds_ = -1;  ///< -1: there are none
   std::size_t steps_ = 0;
 };
 

@@ -95,6 +95,7 @@ TEST(NetcdfGrid, holds_steps_with_times_and_places) {
   EXPECT_EQ(found.text("time", "bounds"), "time_bnds");
   EXPECT_EQ(found.text("lat", "units"), "degrees_north");
   EXPECT_EQ(found.text("rainfall", "units"), "mm");
+  EXPECT_EQ(found.text("rainfall", "cell_methods"), "time: sum");
   EXPECT_EQ(found.text("rainfall", "grid_mapping"), "crs");
   EXPECT_EQ(found.text("crs", "grid_mapping_name"), "latitude_longitude");
   EXPECT_EQ(found.text("", "Conventions"), "CF-1.8");
@@ -115,6 +116,22 @@ TEST(NetcdfGrid, in_a_projection_or_a_plane_of_its_own_has_y_and_x) {
   const Reading plane(folder.path("b.nc"));
   EXPECT_EQ(plane.text("rainfall", "grid_mapping"), "none");
   EXPECT_EQ(plane.text("y", "standard_name"), "none");
+}
+
+TEST(NetcdfGrid, of_a_rate_is_a_mean_over_time_and_of_a_moment_neither) {
+  const TemporaryFolder folder;
+  RasterOutput output = output_in("EPSG:32633");
+  for (const char* rate : {"mm/h", "mm per day", "mm d-1"}) {
+    output.made_by.unit = rate;
+    const std::string path = folder.path(std::string(1, rate[3]) + ".nc");
+    NetcdfGrid(path, output, {{{0, 1}}, false}).close();
+    EXPECT_EQ(Reading(path).text("rainfall", "cell_methods"), "time: mean") << rate;
+  }
+  NetcdfGrid(folder.path("moment.nc"), output, {{{5, 5}}, false}).close();
+  const Reading moment(folder.path("moment.nc"));
+  EXPECT_EQ(moment.text("rainfall", "cell_methods"), "none");
+  EXPECT_EQ(moment.text("time", "bounds"), "none");
+  EXPECT_EQ(moment.numbers("time", 1), (Numbers{5}));
 }
 
 TEST(NetcdfGrid, is_not_compressed_by_zstd) {

@@ -119,6 +119,69 @@ print(*grid.rainfall.sel(time="2020-02-29").values.ravel())
         self.assertEqual(lines_of("Rscript", "-e", script, self.folder / "g.nc"),
                          ["2020-02-28 2020-02-29 2020-03-01 3 3 3 3 3 3 3 1 1 1 1 1 1 mm/d"])
 
+    def test_a_band_of_a_surface_is_the_raster_of_its_step(self):
+        span = ("--from", "1990-01", "--to", "1990-02", "--method", "natural", "--resolution", "0.25", "-q")
+        self.output("map", *INPUTS, "-o", "g.tif", "--steps", *span)
+        self.output("map", *INPUTS, "-o", "g.nc", "--steps", *span)
+        for band, time in enumerate(("1990-01", "1990-02"), 1):
+            self.output("map", *INPUTS, "-o", f"{time}.tif", "--time", time, "--method", "natural", "--resolution",
+                        "0.25", "-q")
+            alone = self.pixels_of(f"{time}.tif", 1)
+            self.assertTrue(alone == self.pixels_of("g.tif", band), time)
+            values = [line.split()[2] for line in alone.splitlines()]
+            self.assertTrue(values == [line.split()[2] for line in self.pixels_of("g.nc", band).splitlines()], time)
+        info = json.loads("\n".join(lines_of("gdalinfo", "-json", self.folder / "g.tif")))
+        self.assertEqual(info["metadata"][""]["method"], "natural")
+
+    def test_a_step_without_readings_has_no_surface(self):
+        self.write("s.csv", STATIONS)
+        self.write("b.csv", BASIN)
+        self.write("r.csv", "time,a,b,c\n2020-01-01,1,2,3\n2020-01-02,,,\n")
+        self.output("map", "s.csv", "b.csv", "r.csv", "-o", "g.tif", "--steps", "--metric", "planar", "--resolution",
+                    "1", "--method", "linear", "-q")
+        self.assertEqual({line.split()[2] for line in self.pixels_of("g.tif", 2).splitlines()}, {"nan"})
+
+    def test_a_series_has_one_style_whose_classes_are_those_of_all_steps_or_as_asked_for(self):
+        # Of the readings 1 to 6, of which three equal 1 and three 3: steps of 0.5 or 1 from 1 to 6.
+        self.assertEqual(self.textbook_grid("g.tif").returncode, 0)
+        style = (self.folder / "g.qml").read_text()
+        self.assertIn('type="singlebandpseudocolor" band="1"', style)
+        self.assertRegex(style, 'label="from 5[.0-9]* mm/d"')
+        ran = self.textbook_grid("g.tif", "--overwrite", "--breaks", "2,5", "--palette", "greys")
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        labels = [line.split('"')[3] for line in (self.folder / "g.qml").read_text().splitlines() if "<item" in line]
+        self.assertEqual(labels, ["below 2 mm/d", "2 to 5 mm/d", "from 5 mm/d"])
+        ran = self.textbook_grid("g.tif", "--overwrite", "--range", "2,8")
+        self.assertIn("some of the rainfall lies outside the range of the colours", ran.stderr)
+
+    def netcdf_text(self, file):
+        """What the file says of itself and its times, as far as GDAL tells it."""
+        return "\n".join(lines_of("gdalinfo", "-mdd", "all", self.folder / file))
+
+    def test_one_step_is_as_long_as_the_series_step(self):
+        times = ("2020-02-01T00:00", "2020-02-01T06:00", "2020-02-01T12:00")
+        ran = self.textbook_grid("g.nc", "--from", times[1], "--to", times[1], times=times)
+        self.assertEqual((ran.returncode, ran.stderr), (0, ""))
+        python = python_with("netCDF4") or python_with("xarray")
+        self.assertIn("rainfall#cell_methods=time: mean", self.netcdf_text("g.nc"))  # of mm/d
+        if python is None:
+            self.skipTest("python3-xarray is not installed")
+        script = "import sys, xarray\nprint(*xarray.open_dataset(sys.argv[1]).time_bnds.values.ravel())"
+        self.assertEqual(lines_of(python, "-c", script, self.folder / "g.nc"),
+                         ["2020-02-01T06:00:00.000000000 2020-02-01T12:00:00.000000000"])
+
+    def test_one_step_of_unknown_length_has_no_bounds(self):
+        self.write("s.csv", STATIONS)
+        self.write("b.csv", BASIN)
+        self.write("r.csv", "time,a,b,c\n2020-02-01T06:00,1,2,3\n")
+        ran = self.run_program("map", "s.csv", "b.csv", "r.csv", "-o", "g.nc", "--steps", "--metric", "planar",
+                               "--resolution", "1")
+        self.assertEqual(ran.returncode, 0)
+        self.assertIn("nothing tells how long its only step is: in the .nc it has no bounds", ran.stderr)
+        text = self.netcdf_text("g.nc")
+        self.assertNotIn("cell_methods", text)
+        self.assertNotIn("time_bnds", text)
+
     def test_times_of_no_calendar_are_an_error_that_says_to_use_a_tif(self):
         labels = ("first", "second", "third")
         ran = self.textbook_grid("g.nc", times=labels)
@@ -136,7 +199,7 @@ print(*grid.rainfall.sel(time="2020-02-29").values.ravel())
                 bytes_.add((self.folder / output).read_bytes())
             self.assertEqual(len(bytes_), 1, output)
         names = sorted(path.name for path in self.folder.iterdir())
-        self.assertEqual(names, ["b.csv", "g.nc", "g.tif", "r.csv", "s.csv"])
+        self.assertEqual(names, ["b.csv", "g.nc", "g.qml", "g.tif", "r.csv", "s.csv"])
 
 
 if __name__ == "__main__":

@@ -108,7 +108,7 @@ TEST(ViewOptions, a_raster_has_no_title_and_no_size) {
   View colours;
   colours.read({"--palette", "blues"});
   EXPECT_NO_THROW(colours.block.check_raster(false));
-  EXPECT_THROW(colours.block.check_raster(true), UsageError) << "a grid of steps has no colours";
+  EXPECT_THROW(colours.block.check_raster(true), UsageError) << "a NetCDF has no colours";
   View view;
   view.read({"--units", "mm"});
   EXPECT_NO_THROW(view.block.check_raster(false));
