@@ -139,8 +139,8 @@ TEST(Interpreter, a_command_that_cannot_be_carried_out_changes_nothing) {
        {"add 1 2", "add 1", "add 1 2 3", "add x 2", "delete 9 9", "cell 9 9", "load",
         "load nowhere.csv", "undo now", "show a.png --view 1,2,3", "'print", "check 1", "quit now"})
     EXPECT_THROW(session.perform(line), Error) << line;
-  EXPECT_TRUE(session.complaint("ad 1 2").starts_with(
-      "there is no command 'ad' | the commands are add, delete, "));
+  EXPECT_TRUE(
+      session.complaint("ad 1 2").starts_with("there is no command 'ad' | did you mean 'add'?"));
   EXPECT_EQ(session.answer("print"), "point 1 1 2\n");
 }
 
