@@ -16,6 +16,8 @@ struct CsvDialect {
   /// Numbers by which columns are called. Where the first row has no such name, the file has no
   /// header, and its columns are called 1, 2, 3...
   std::vector<std::string> numbers = {};
+  std::vector<std::string> names = {};     ///< of the columns of a file that has no header
+  std::vector<std::string> repeated = {};  ///< names that the header may have more than once
 };
 
 }  // namespace thiessen

@@ -44,6 +44,13 @@ bool has_known_name(const Fields& fields) {
   return std::ranges::any_of(fields, is_known_name);
 }
 
+/// The same where a unit in brackets may stand behind a name: rain (mm).
+bool has_known_name_or_unit(const Fields& fields) {
+  return has_known_name(fields) || std::ranges::any_of(fields, [](std::string_view field) {
+           return field.ends_with(')') && is_known_name(field.substr(0, field.find('(')));
+         });
+}
+
 bool has_number(const Fields& fields) {
   return std::ranges::any_of(fields, [](std::string_view field) {
     return parse_number(field) || parse_number(field, DecimalMark::comma);
@@ -161,35 +168,40 @@ class FormFinder {
     return seen > 0;
   }
 
-  /// Looks for a header below a preamble where the first record does not look like one.
+  /// Looks for a header below a preamble where the first record does not look like one. Where it
+  /// has as many fields as the record below it, as labels and their texts have, too, only one with
+  /// more of them, parted alike, is the header.
   void find_header() {
     if (hints_.skip) return;
     const char separator = separator_of(0);
     const Fields first = csv_fields(records_[0], separator);
     if (has_known_name(first)) return;
-    if (first.size() > 1 && (records_.size() == 1 || is_below(0, separator, first.size(), 1)))
-      return;
+    const bool may_be_header =
+        first.size() > 1 && (records_.size() == 1 || is_below(0, separator, first.size(), 1));
+    if (may_be_header && hints_.one_row) return;
+    const std::size_t surpassed = may_be_header ? first.size() : 0;
     std::size_t best = 0;
     for (std::size_t i = 1; i < records_.size(); ++i) {
-      const std::size_t size = size_below(i);
-      if (size <= best) continue;
+      const std::size_t size = size_below(i, surpassed);
+      if (size <= best || (may_be_header && separator_of(i) != separator)) continue;
       best = size;
       header_ = i;
       if (hints_.one_row) break;
     }
-    is_sure_ = header_ > 0;
-    if (!is_sure_) return;
+    is_sure_ = may_be_header || header_ > 0;
+    if (header_ == 0) return;
     for (std::size_t at = form_.header; at < records_[header_].at; at = next_line(at))
       ++form_.preamble;
     form_.header = records_[header_].at;
   }
 
   /// How many fields stand in a record and those below it that have as many; 0 where the record
-  /// does not look like a header.
-  std::size_t size_below(std::size_t record) const {
+  /// does not look like a header, or has no more fields than those to be surpassed.
+  std::size_t size_below(std::size_t record, std::size_t surpassed) const {
     const char separator = separator_of(record);
     const Fields fields = csv_fields(records_[record], separator);
-    if (fields.size() < 2 || !has_known_name(fields) || has_number(fields)) return 0;
+    if (fields.size() < 2 || fields.size() <= surpassed) return 0;
+    if (!has_known_name_or_unit(fields) || has_number(fields)) return 0;
     std::size_t records = 1;
     while (record + records < records_.size() &&
            csv_fields(records_[record + records], separator).size() == fields.size())

@@ -47,7 +47,8 @@ struct CsvForm {
 /// Decimal marks are commas where a field is a number with one that cannot part thousands, and none
 /// is a number with a point. Lines before the header that begin with # are passed over, unless the
 /// last of them has the names of a row of data below; and lines before the first that has a known
-/// name and the fields of the rows below it, where the first line of all has neither.
+/// name and the fields of the rows below it, where the first line of all has neither, or has fewer
+/// fields.
 CsvForm find_csv_form(std::string_view beginning, const CsvHints& hints);
 
 }  // namespace thiessen

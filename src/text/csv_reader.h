@@ -38,6 +38,8 @@ struct CsvOptions {
   std::optional<std::size_t> skip = {};   ///< lines before the header; nothing: they are found out
   bool decimal_comma = false;             ///< false: the decimal mark is found out
   std::vector<std::string> numbers = {};  ///< see CsvDialect
+  std::vector<std::string> names = {};
+  std::vector<std::string> repeated = {};
 };
 
 /// A reader of CSV files, which reads one row at a time (RFC 4180).
@@ -95,6 +97,7 @@ class CsvReader : public Table {
   void read_header();
   void pass_columns();
   void number_columns();
+  void take_first_row(std::vector<std::string> names);
   bool next_of_first(Row& row);
   void pass_rows_below_header();
   bool is_row(const Row& row);

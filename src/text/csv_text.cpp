@@ -26,6 +26,15 @@ bool has_mark_of_utf16(std::string_view text) {
 
 }  // namespace
 
+std::size_t count_line_ends(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool inside_crlf = text[i] == '\r' && i + 1 < text.size() && text[i + 1] == '\n';
+    if ((text[i] == '\n' || text[i] == '\r') && !inside_crlf) ++count;
+  }
+  return count;
+}
+
 CsvText::CsvText(InputFile input, char separator, const std::string& encoding)
     : input_(std::move(input)),
       separator_(separator),

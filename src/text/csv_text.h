@@ -14,6 +14,9 @@
 
 namespace thiessen {
 
+/// Counts line ends as an editor does: LF, CRLF and CR each end one line.
+std::size_t count_line_ends(std::string_view text);
+
 /// The text of a CSV file, of which a window is in memory. It is checked to be UTF-8 without NUL,
 /// and scanned for the characters that can end a field. Places are byte offsets in the file, from
 /// 0; where the file is written in another encoding, in its text as UTF-8.

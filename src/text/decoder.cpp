@@ -51,6 +51,20 @@ bool is_encoding(const std::string& name) {
   return true;
 }
 
+std::string decoded(std::string_view text, const std::string& encoding) {
+  Decoder decoder(encoding, text);
+  InputFile none("", [](std::span<char>) { return std::size_t{0}; });
+  std::string all;
+  constexpr std::size_t part = 4096;
+  for (std::size_t count = part; count > 0;) {
+    const std::size_t size = all.size();
+    all.resize(size + part);
+    count = decoder.read(none, std::span<char>(all).subspan(size));
+    all.resize(size + count);
+  }
+  return all;
+}
+
 Decoder::Decoder(std::string encoding, std::string_view begun)
     : encoding_(std::move(encoding)),
       raw_(std::max(raw_bytes, begun.size())),

@@ -16,6 +16,10 @@ namespace thiessen {
 /// underscores: Latin-1, cp932, Windows-1252 and whatever else iconv of this machine knows.
 bool is_encoding(const std::string& name);
 
+/// A text of another encoding as UTF-8, up to the first byte that is not of it. Throws Error where
+/// is_encoding is false.
+std::string decoded(std::string_view text, const std::string& encoding);
+
 /// Reads a file that is written in another encoding than UTF-8, by iconv.
 class Decoder {
  public:

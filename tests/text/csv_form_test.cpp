@@ -73,6 +73,14 @@ TEST(CsvForm, a_header_below_a_preamble_is_found_by_its_names) {
       << "it is said";
 }
 
+TEST(CsvForm, labels_and_their_texts_above_a_header_are_a_preamble) {
+  const std::string text = "UF:;DF\nCODE:;A1\nLATITUDE:;-15,8\nData;Hora;Chuva\n2019-01-01;1;,8\n";
+  EXPECT_EQ(header(text), "Data;Hora;Chuva");
+  EXPECT_EQ(form(text).preamble, 3U);
+  EXPECT_EQ(header("a;b\nc;d\ntime,rain,id;e\n"), "a;b") << "parted otherwise";
+  EXPECT_EQ(header("a;b\nc;d\ntime;rain\n1;2\n"), "a;b") << "no more fields";
+}
+
 TEST(CsvForm, a_pipe_is_judged_by_its_first_row) {
   const CsvHints pipe{'\0', false, {}, true, false, true};
   EXPECT_FALSE(form("date;A\n2020-01-01;1", pipe).has_rows);

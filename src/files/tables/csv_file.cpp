@@ -71,6 +71,8 @@ std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvDialect& s
   options.skip = said.skip;
   options.decimal_comma = said.decimal_comma;
   options.numbers = said.numbers;
+  options.names = said.names;
+  options.repeated = said.repeated;
   auto csv = open(file, options);
   tell_form(*csv, said, warnings);
   return csv;
