@@ -8,6 +8,7 @@
 
 #include "base/utf8.h"
 #include "readings/rain_unit.h"
+#include "readings/times/time_shape.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -127,6 +128,37 @@ std::optional<TimeColumns> time_in_parts(const LayoutFinder& finder) {
   return TimeColumns(std::move(columns));
 }
 
+/// The first row of a table, as texts of its own; empty where it cannot be seen before it is read.
+std::vector<std::string> first_row(const Table& table) {
+  try {
+    const std::unique_ptr<Table> rows = table.first_rows();
+    Row row;
+    if (!rows || !rows->next(row)) return {};
+    return {row.fields.begin(), row.fields.end()};
+  } catch (const Error&) {
+    return {};  // the error is met again, and reported, when the rows are read
+  }
+}
+
+/// A column of dates and one of clocks, if the table has both and no column that holds a whole
+/// time; the column of dates alone where these have a clock of their own.
+std::optional<TimeColumns> date_and_clock(const LayoutFinder& finder, const Table& table) {
+  const auto date = finder.column_among(known::dates, false);
+  const auto clock = finder.column_among(known::clocks, false);
+  if (!date || !clock || *date == *clock || finder.is_station(*clock)) return std::nullopt;
+  const auto& header = table.header();
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (i != *date && i != *clock && find_field({header[i]}, known::times)) return std::nullopt;
+  }
+  const std::vector<std::string> row = first_row(table);
+  if (row.empty() || !is_clock(row[*clock])) return std::nullopt;
+  if (is_date_with_clock(row[*date])) return TimeColumns(*date);
+  if (!is_date(row[*date])) return std::nullopt;
+  const bool is_hour = TimeColumns::part_called(header[*clock]) == TimeColumns::Part::hour;
+  return TimeColumns({{*date, TimeColumns::Part::text},
+                      {*clock, is_hour ? TimeColumns::Part::hour : TimeColumns::Part::text}});
+}
+
 /// A column that is called time or the like, and not for the day or the hour alone.
 std::optional<std::size_t> whole_time(const LayoutFinder& finder, const Table& table) {
   const auto found = finder.column_among(known::times, false);
@@ -142,6 +174,10 @@ void find_time_of_wide(const LayoutFinder& finder, const Table& table,
     return;
   }
   const auto whole = whole_time(finder, table);
+  if (const auto pair = date_and_clock(finder, table); pair && pair->has(0)) {
+    layout.time = *pair;
+    return;
+  }
   if (whole == std::size_t{0}) return;
   const bool has_index = !table.header().empty() && trimmed(table.header()[0]).empty();
   if (whole && has_index) {
@@ -158,6 +194,7 @@ void find_time_of_wide(const LayoutFinder& finder, const Table& table,
 TimeColumns time_of_long(const LayoutFinder& finder, const Table& table,
                          const ReadingsOptions& options) {
   if (const auto named = named_time(finder, options)) return *named;
+  if (const auto pair = date_and_clock(finder, table)) return *pair;
   if (const auto whole = whole_time(finder, table)) return *whole;
   if (const auto parts = time_in_parts(finder)) return *parts;
   return finder.column("", setting("time_field"), known::times, false);

@@ -21,10 +21,11 @@ struct ReadingsLayout {
 
 /// Decides by the header whether a table is wide or long: see open_readings. Column names compare
 /// without regard to case; that of the value may have a unit, as in prcp_mm or "Rain (in)". Where
-/// no column of times is named, columns called year, month and day (and hour and minute) are the
-/// time together, and the first column of a wide table is not if it has no name and another is
-/// called time or the like. Throws Error if a column that the user names is not there, or if the
-/// columns of a long table cannot be found.
+/// no column of times is named, a column called date and one called time or hour are the time
+/// together where the first row has a date and a clock in them, columns called year, month and day
+/// (and hour and minute) are the time together, and the first column of a wide table is not if it
+/// has no name and another is called time or the like. Throws Error if a column that the user names
+/// is not there, or if the columns of a long table cannot be found.
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
                            const ReadingsOptions& options);
 

@@ -92,7 +92,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
   if (options.is_one_of_several) findings.are_of_one_file_of_several();
   const ReadingGrammar grammar = grammar_of(options, *table);
-  TimeReader times(options.time_format);
+  TimeReader times(options.time_format, options.day_first);
   look_at_times(*table, layout, times);
   if (options.time_fields.empty() && layout.time.columns().size() > 1)
     warnings.add_notice({file, 0, columns_told(*table, layout), {}});

@@ -21,6 +21,7 @@ namespace thiessen {
 struct ReadingsOptions {
   std::vector<std::string> time_fields;  ///< one, or several whose texts together are the time
   std::string time_format;               ///< see TimeFormat; empty: see TimeReader
+  bool day_first = false;                ///< of dates without a format, see TimeReader
   std::string station_field;
   std::string value_field;
   std::vector<std::string> missing;  ///< further texts and numbers that mean "no reading"

@@ -321,6 +321,17 @@ inline constexpr std::array<std::string_view, 6> hours = {"hour",   "hh",   "hr"
 inline constexpr std::array<std::string_view, 5> minutes = {"minute", "min", "minuto", "mi",
                                                             "minuten"};
 
+/// A date in one column whose clock stands in another. Either counts only where its values are
+/// that.
+inline constexpr std::array<std::string_view, 14> dates = {
+    "date",     "datum",    "fecha",        "data",       "dia",  "jour",   "day",
+    "date_utc", "utc_date", "data_medicao", "dt_medicao", "日付", "年月日", "yyyymmdd"};
+inline constexpr std::array<std::string_view, 22> clocks = {
+    "time",     "hour",     "hora",       "uhrzeit",    "zeit",         "heure",
+    "clock",    "hh",       "hr",         "stunde",     "time_utc",     "utc_time",
+    "hour_utc", "hora_utc", "hora (utc)", "time (utc)", "hora_medicao", "hr_medicao",
+    "ora",      "時刻",     "時",         "hhmm"};
+
 /// The value of a reading in such a table; a unit may follow (prcp_mm, rain (mm)).
 inline constexpr std::array<std::string_view, 48> values = {"value",
                                                             "rain",

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/complaints.h"
@@ -146,6 +149,52 @@ TEST(Layout, of_a_wide_table_passes_over_an_index_without_a_name) {
   EXPECT_EQ(time_columns(layout), Fields{1});
   EXPECT_EQ(layout.index, std::size_t{0});
   EXPECT_EQ(time_columns(finder.layout({"", "A", "B"})), Fields{0}) << "it is the time itself";
+}
+
+/// A table of which the first row is known before it is read.
+class FirstRowTable : public HeaderTable {
+ public:
+  FirstRowTable(Texts header, Texts row) : HeaderTable(std::move(header)), row_(std::move(row)) {}
+  bool next(Row& row) override {
+    if (is_read_) return false;
+    is_read_ = true;
+    row.fields.assign(row_.begin(), row_.end());
+    return true;
+  }
+  std::unique_ptr<Table> again() const override {
+    return std::make_unique<FirstRowTable>(header(), row_);
+  }
+
+ private:
+  Texts row_;
+  bool is_read_ = false;
+};
+
+/// How many columns the time has that is found.
+std::size_t time_columns(const Texts& header, const Texts& row) {
+  const std::vector<Station> stations = {{"A", {}, 0}};
+  const FirstRowTable table(header, row);
+  return find_layout(table, ReadingsStations(stations, {}), {}).time.columns().size();
+}
+
+TEST(Layout, a_date_and_a_clock_beside_it_are_the_time_together) {
+  EXPECT_EQ(time_columns({"DATE", "TIME", "A"}, {"2020-01-01", "05:00", "1"}), 2U);
+  EXPECT_EQ(time_columns({"station", "date", "hour", "rain"}, {"A", "01/01/2020", "24", "1"}), 2U);
+  EXPECT_EQ(time_columns({"Data", "Hora UTC", "A"}, {"2019/01/01", "0000 UTC", "1"}), 2U);
+}
+
+TEST(Layout, a_column_that_holds_the_whole_time_needs_no_other) {
+  const std::vector<Station> stations = {{"A", {}, 0}};
+  const FirstRowTable long_table({"station", "time", "date", "rain"},
+                                 {"A", "05:00", "2020-01-01 05:00", "1"});
+  EXPECT_TRUE(find_layout(long_table, ReadingsStations(stations, {}), {}).time.has(2));
+  EXPECT_EQ(time_columns({"date", "time", "A"}, {"2020-01-01 05:00", "05:00", "1"}), 1U);
+  EXPECT_EQ(time_columns({"station", "date", "time", "rain"},
+                         {"A", "2020-01-01", "2020-01-01T05:00", "1"}),
+            1U);
+  EXPECT_EQ(time_columns({"station", "date", "time", "datetime", "rain"},
+                         {"A", "2020-01-01", "05:00", "2020-01-01 05:00", "1"}),
+            1U);
 }
 
 }  // namespace

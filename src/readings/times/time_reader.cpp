@@ -15,7 +15,8 @@ constexpr std::size_t most_formats = 16;
 
 }  // namespace
 
-TimeReader::TimeReader(const std::string& format) {
+TimeReader::TimeReader(const std::string& format, bool day_first) {
+  if (day_first) order_ = Order::day_first;
   if (format.empty()) return;
   if (!TimeFormat::is_sound(format)) {
     throw Error({"", 0, setting("time_format", format) + " does not say what time it is",
@@ -89,9 +90,11 @@ WrittenTime TimeReader::contradiction() const {
   WrittenTime time;
   time.parsed.fault = IsoTimeFault::value;
   time.breaks_format = true;
-  time.fault = std::string(" has the ") + (day ? "month" : "day") + " first, and " +
-               quoted(told_by_, 80) + " in line " + std::to_string(told_in_) + " the " +
-               (day ? "day" : "month");
+  const std::string other = told_by_.empty()
+                                ? std::string("its format")
+                                : quoted(told_by_, 80) + " in line " + std::to_string(told_in_);
+  time.fault = std::string(" has the ") + (day ? "month" : "day") + " first, and " + other +
+               " the " + (day ? "day" : "month");
   return time;
 }
 

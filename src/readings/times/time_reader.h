@@ -20,8 +20,9 @@ namespace thiessen {
 /// what was found, or the user's format, is a fault of the file.
 class TimeReader {
  public:
-  /// An empty format: none is given. Throws Error where it is not sound.
-  explicit TimeReader(const std::string& format = {});
+  /// An empty format: none is given. `day_first`: the day of dates comes before their month, as the
+  /// publisher of the table says. Throws Error where the format is not sound.
+  explicit TimeReader(const std::string& format = {}, bool day_first = false);
 
   /// Takes a time of those that the table begins with; `line` is for messages.
   void see(std::string_view text, std::size_t line);
@@ -52,7 +53,7 @@ class TimeReader {
   bool serials_have_clocks_ = false;
   Order order_ = Order::unknown;
   bool is_begun_ = false;  ///< a time with two readings came while the order was not known
-  std::string told_by_;    ///< the time that told the order, and its line
+  std::string told_by_;    ///< the time that told the order, and its line; empty: the publisher
   std::size_t told_in_ = 0;
   std::vector<Formats> formats_;
 };

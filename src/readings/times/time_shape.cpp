@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "readings/times/time_format.h"
 
 namespace thiessen {
 namespace {
@@ -194,6 +195,10 @@ std::optional<std::string> zone_shape(Rest& rest) {
   return rest.empty() ? std::optional<std::string>(" %Ez") : std::nullopt;
 }
 
+bool shows_clock(const std::string& format) {
+  return format.find("%H") != std::string::npos || format.find("%I") != std::string::npos;
+}
+
 }  // namespace
 
 TimeShape time_shape(std::string_view text) {
@@ -215,6 +220,21 @@ TimeShape time_shape(std::string_view text) {
   date->format += clock;
   if (!date->month_first.empty()) date->month_first += clock;
   return *date;
+}
+
+bool is_date(std::string_view text) {
+  const std::string format = time_shape(text).format;
+  return format.find("%d") != std::string::npos && !shows_clock(format);
+}
+
+bool is_date_with_clock(std::string_view text) {
+  return shows_clock(time_shape(text).format);
+}
+
+bool is_clock(std::string_view text) {
+  const std::string whole = "2000-01-01 " + std::string(trimmed(text));
+  const std::string format = time_shape(whole).format;
+  return shows_clock(format) && TimeFormat(format).read(whole);
 }
 
 }  // namespace thiessen

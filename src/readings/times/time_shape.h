@@ -18,4 +18,9 @@ struct TimeShape {
 /// +0100). Years have four digits, and where all digits stand together they begin in 1800.
 TimeShape time_shape(std::string_view text);
 
+/// Whether a text is a date with a day and without a clock, both, or a clock without a date.
+bool is_date(std::string_view text);
+bool is_date_with_clock(std::string_view text);
+bool is_clock(std::string_view text);
+
 }  // namespace thiessen

@@ -52,5 +52,23 @@ TEST(TimeShape, is_unknown_of_labels_and_of_years_of_two_digits) {
     EXPECT_EQ(told(text), "none") << text;
 }
 
+TEST(TimeShape, tells_dates_from_clocks) {
+  for (const char* date : {"2020-01-01", "20200101", "31.12.2010", "01/02/2010", "1-Jan-2020"}) {
+    EXPECT_TRUE(is_date(date)) << date;
+    EXPECT_FALSE(is_clock(date)) << date;
+  }
+  for (const char* clock : {"05:00", "5", "24", "0500", "0000 UTC", "05:00:00", "5:00 PM"}) {
+    EXPECT_TRUE(is_clock(clock)) << clock;
+    EXPECT_FALSE(is_date(clock)) << clock;
+  }
+  EXPECT_TRUE(is_date_with_clock("2020-01-01 05:00"));
+  EXPECT_FALSE(is_date_with_clock("05:00"));
+  EXPECT_FALSE(is_date_with_clock("2020-01-01"));
+  for (const char* other : {"2020-01-01 05:00", "", "A", "3.2"}) {
+    EXPECT_FALSE(is_date(other)) << other;
+    EXPECT_FALSE(is_clock(other)) << other;
+  }
+}
+
 }  // namespace
 }  // namespace thiessen
