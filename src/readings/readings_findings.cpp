@@ -23,21 +23,37 @@ ReadingsFindings::ReadingsFindings(std::string file, const ReadingsStations& sta
       heard_(stations.all().size()),
       steps_(stations.all().size()) {}
 
+Message ReadingsFindings::at(std::size_t row, Wording text, Wording hint) const {
+  if (table_ == nullptr || !table_->numbers_rows())
+    return {file_, row, std::move(text), std::move(hint)};
+  const RowPlace place = table_->place(row);
+  if (!place.words.empty()) text = place.words + ": " + text;
+  return {place.file, place.line, std::move(text), std::move(hint)};
+}
+
+std::string ReadingsFindings::in_words(std::size_t row) const {
+  if (table_ == nullptr || !table_->numbers_rows()) return "line " + std::to_string(row);
+  const RowPlace place = table_->place(row);
+  if (place.line == 0) return place.words;
+  const std::string line = "line " + std::to_string(place.line);
+  return place.file == file_ ? line : line + " of " + quoted(place.file, longest_field_shown);
+}
+
 void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
                                    std::string_view field, const ReadingGrammar& grammar) {
   if (reading.kind == ReadingKind::amount) return note_amount(reading.amount, place, field);
   const std::string station = " of station " + quoted(stations_.id(place.station));
   const std::string shown = quoted(trimmed(field), longest_field_shown);
-  Message message{file_, place.line, "", hint_for(reading, trimmed(field), grammar)};
+  Wording text;
   if (reading.kind == ReadingKind::negative) {
-    message.text = "negative reading " + shown + station;
+    text = "negative reading " + shown + station;
   } else {
-    message.text = "reading " + shown + station +
-                   (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
-                    : grammar.wants_decimal_comma(field) ? no_number_for_its_comma(trimmed(field))
-                                                         : " is no number");
+    text = "reading " + shown + station +
+           (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
+            : grammar.wants_decimal_comma(field)      ? no_number_for_its_comma(trimmed(field))
+                                                      : " is no number");
   }
-  complaints_.add(std::move(message));
+  complaints_.add(at(place.line, std::move(text), hint_for(reading, trimmed(field), grammar)));
 }
 
 /// What may be done about a reading that is wrong. It is told once for each kind of fault: twenty
@@ -58,19 +74,18 @@ void ReadingsFindings::note_amount(double amount, const Place& place, std::strin
   for (Code& code : codes_) {
     if (amount != code.number) continue;
     if (++code.count > 1) return;
-    code.line = place.line;
+    code.first = at(place.line, "", "");
     code.station = place.station;
-    code.file = file_;
     return;
   }
   const bool above_year = amount * millimetres_ > more_than_a_year;
   if (!above_year && amount * millimetres_ <= more_than_a_day) return;
   Absurd& absurd = above_year ? above_year_ : above_day_;
   if (++absurd.count > 1) return;
-  absurd.first = {file_, place.line,
-                  "reading " + quoted(trimmed(field), longest_field_shown) + " of station " +
-                      quoted(stations_.id(place.station)) + " is more than falls anywhere in a ",
-                  setting("missing", trimmed(field)) + " takes it for a gap"};
+  absurd.first = at(place.line,
+                    "reading " + quoted(trimmed(field), longest_field_shown) + " of station " +
+                        quoted(stations_.id(place.station)) + " is more than falls anywhere in a ",
+                    setting("missing", trimmed(field)) + " takes it for a gap");
 }
 
 void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const std::string& text,
@@ -83,7 +98,7 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
     if (unknown_.size() <= Complaints::listed_at_most) meant = stations_.meant_by(id);
     const bool fresh = told_causes_.insert(meant.cause).second;
     if (meant.cause == ReadingsStations::Cause::none) meant.hint = hint;
-    complaints_.add({file_, line, text, fresh ? std::move(meant.hint) : Wording()});
+    complaints_.add(at(line, text, fresh ? std::move(meant.hint) : Wording()));
   } else if (first_unknown_.size() < stations_named) {
     first_unknown_.emplace_back(id);
   }
@@ -91,21 +106,20 @@ void ReadingsFindings::note_unknown(std::string_view id, std::size_t line, const
 
 void ReadingsFindings::note_format(const TimeStep& step) {
   if (!step.written || !step.written->breaks_format || std::exchange(told_format_, true)) return;
-  complaints_.add({file_, step.line,
-                   "time " + quoted(step.time, longest_field_shown) + step.written->fault,
-                   step.written->hint});
+  complaints_.add(at(step.line,
+                     "time " + quoted(step.time, longest_field_shown) + step.written->fault,
+                     step.written->hint));
 }
 
 void ReadingsFindings::note_empty_time(std::size_t line) {
-  complaints_.add({file_, line, "the time is empty", ""});
+  complaints_.add(at(line, "the time is empty", ""));
 }
 
 Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
                                      std::size_t first_line) const {
-  return {file_, line,
-          "time " + quoted(time, longest_field_shown) + " is already in line " +
-              std::to_string(first_line),
-          "each time stands once: keep the row that is meant"};
+  return at(line,
+            "time " + quoted(time, longest_field_shown) + " is already in " + in_words(first_line),
+            "each time stands once: keep the row that is meant");
 }
 
 void ReadingsFindings::conclude(std::size_t steps) {
@@ -152,8 +166,8 @@ void ReadingsFindings::warn_of_absurd() {
 void ReadingsFindings::warn_of_codes() {
   for (const Code& code : codes_) {
     if (code.count < 2) continue;
-    warnings_.add({code.file, code.line,
-                   "reading " + std::string(code.text) + " of station " +
+    warnings_.add({code.first.file, code.first.line,
+                   code.first.text + "reading " + std::string(code.text) + " of station " +
                        quoted(stations_.id(code.station)) + " comes " + std::to_string(code.count) +
                        " times in the file: it may stand for a gap",
                    setting("missing", code.text) + " takes it for one"});

@@ -32,6 +32,16 @@ class ReadingsFindings {
   /// count in this file.
   void now_in(const std::string& file) { file_ = file; }
   const std::string& file() const { return file_; }
+  /// Says which table the readings are of, which must outlive this: it knows where its rows stand.
+  void are_of(const Table& table) { table_ = &table; }
+  /// A message about a row, with its place in the file.
+  Message at(std::size_t row, Wording text, Wording hint) const;
+  /// The same place within a sentence: `line 7`.
+  std::string in_words(std::size_t row) const;
+  /// The line of a row, 0 where none holds it.
+  std::size_t line_of(std::size_t row) const {
+    return table_ != nullptr && table_->numbers_rows() ? table_->place(row).line : row;
+  }
   void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
   /// Says how many millimetres a reading of 1 stands for, without which it is one. A number that is
@@ -95,9 +105,8 @@ class ReadingsFindings {
     double number;
     const char* text;
     std::size_t count = 0;
-    std::size_t line = 0;
     StationIndex station = {};
-    std::string file = {};  ///< where it came first
+    Message first = {};  ///< where it came first
   };
   /// Readings above a bound: the first of them, and how many.
   struct Absurd {
@@ -106,6 +115,7 @@ class ReadingsFindings {
   };
 
   std::string file_;
+  const Table* table_ = nullptr;  ///< null where row numbers are lines
   bool told_format_ = false;
   const ReadingsStations& stations_;
   bool ignore_unknown_;

@@ -39,6 +39,7 @@ bool LongReadings::next(TimeStep& step) {
     step.written = rows_.source().times.read(step.time, step.line);
     findings.note_format(step);
     findings.note_step(step);
+    step.line = findings.line_of(step.line);
     if (findings.complaints().empty() && twice_.empty()) return true;
   }
   done_ = true;
@@ -77,11 +78,12 @@ void LongReadings::take(const ReadingsPiece& piece) {
 void LongReadings::complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading,
                                      std::size_t line) {
   const ReadingsSource& source = rows_.source();
-  twice_.add_by_line({source.table->file(), line,
-                      "the reading of station " + quoted(source.stations->id(reading.station)) +
-                          " at " + quoted(piece.time, 80) + " is already in line " +
-                          std::to_string(lines_[index(reading.station)]),
-                      ""});
+  twice_.add_by_line(
+      source.findings.at(line,
+                         "the reading of station " + quoted(source.stations->id(reading.station)) +
+                             " at " + quoted(piece.time, 80) + " is already in " +
+                             source.findings.in_words(lines_[index(reading.station)]),
+                         ""));
 }
 
 }  // namespace thiessen

@@ -60,6 +60,8 @@ class TableOfStation : public Table {
   const std::vector<std::string>& header() const override { return header_; }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
   std::size_t header_line() const override { return table_->header_line(); }
+  bool numbers_rows() const override { return table_->numbers_rows(); }
+  RowPlace place(std::size_t number) const override { return table_->place(number); }
   bool next(Row& row) override {
     if (!table_->next(row)) return false;
     row.fields.push_back(std::string_view(padded_).substr(0, id_.size()));

@@ -13,9 +13,18 @@ namespace thiessen {
 
 /// One record of a table: its fields as text, and where it stands.
 struct Row {
-  std::size_t line = 0;  ///< the line on which it begins (CSV), or the feature's number, from 1
+  /// The line on which it begins (CSV), the feature's number, from 1, or a number that grows from
+  /// row to row: see Table::numbers_rows.
+  std::size_t line = 0;
   std::vector<std::string_view> fields;  ///< as many as the header has; valid until the next row
   bool padded = false;  ///< number_padding bytes can be read where each field begins (number.h)
+};
+
+/// Where a row stands, as messages tell it.
+struct RowPlace {
+  std::string file;
+  std::size_t line = 0;    ///< 0 where no line holds it
+  std::string words = {};  ///< what tells it then
 };
 
 /// A table of text fields that is read one row at a time, in memory that does not grow with its
@@ -32,6 +41,11 @@ class Table {
   virtual std::string unit(std::size_t /*field*/) const { return {}; }
   /// The line on which the header stands, from 1; 0 where there is none.
   virtual std::size_t header_line() const { return 0; }
+  /// Whether a row's number is none of a line, for several rows stand in one, or they stand in
+  /// several files.
+  virtual bool numbers_rows() const { return false; }
+  /// Where a row of this number stands that has been read.
+  virtual RowPlace place(std::size_t number) const { return {file(), number, {}}; }
   /// Reads the next row into `row`; returns false at the end. A row that has too few or too many
   /// fields or cannot be read is gathered as a fault; all faults are thrown as one Error at the
   /// end.

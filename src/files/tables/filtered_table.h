@@ -38,6 +38,8 @@ class FilteredTable : public Table {
   std::size_t header_line() const override { return table_->header_line(); }
   bool next(Row& row) override;
   double share_read() const override { return table_->share_read(); }
+  bool numbers_rows() const override { return table_->numbers_rows(); }
+  RowPlace place(std::size_t number) const override { return table_->place(number); }
   std::unique_ptr<Table> again() const override { return filtered(table_->again()); }
   std::unique_ptr<Table> first_rows() const override { return filtered(table_->first_rows()); }
 

@@ -106,7 +106,7 @@ bool MonthRows::next(Row& row) {
     if (!next_month()) return false;
   }
   time_ = month_text_ + two_digits(day_ + 1);
-  row.line = ++row_;
+  row.line = month_.line * days_a_line + day_;
   row.padded = false;
   row.fields = {month_.fields[station_], time_, month_.fields[days_[day_]]};
   ++day_;

@@ -25,7 +25,7 @@ bool is_ana_header(const std::vector<std::string>& header);
 /// Chuva with a row a day. Where a month is there raw and checked (NivelConsistencia 1 and 2), the
 /// checked one is read. Days that a month lacks are passed over. Throws Error as the table does,
 /// and at the end, with their lines, for dates that are none and for rain that is no number or
-/// negative; its own rows are numbered from 1, for each needs a number of its own.
+/// negative.
 class MonthRows : public Table {
  public:
   /// Requires a table whose header is one of ANA's, and that can be read twice.
@@ -34,12 +34,15 @@ class MonthRows : public Table {
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return header_; }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
+  bool numbers_rows() const override { return true; }
+  RowPlace place(std::size_t number) const override { return table_->place(number / days_a_line); }
   bool next(Row& row) override;
   double share_read() const override { return table_->share_read(); }
   std::unique_ptr<Table> again() const override;
 
  private:
   static constexpr std::size_t most_days = 31;
+  static constexpr std::size_t days_a_line = 32;  ///< rows that may be numbered in a line
 
   void find_checked();
   bool next_month();
@@ -59,7 +62,6 @@ class MonthRows : public Table {
   std::string month_text_;  ///< 2020-01-
   std::size_t day_ = 0;     ///< the next one, from 0
   std::size_t day_count_ = 0;
-  std::size_t row_ = 0;
   std::string time_;
   Complaints complaints_;
 };

@@ -27,6 +27,8 @@ class PublishedTable : public Table {
   const std::vector<std::string>& header() const override { return table_->header(); }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
   std::size_t header_line() const override { return table_->header_line(); }
+  bool numbers_rows() const override { return table_->numbers_rows(); }
+  RowPlace place(std::size_t number) const override { return table_->place(number); }
   bool next(Row& row) override;
   double share_read() const override { return table_->share_read(); }
   std::unique_ptr<Table> again() const override { return of(table_->again()); }

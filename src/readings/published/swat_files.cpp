@@ -155,7 +155,7 @@ bool SwatRainfall::next(Row& row) {
       return false;
     }
   }
-  row.line = kind_ == SwatFile::list ? ++row_ : lines_->line();
+  row.line = places_.number(lines_->line());
   row.padded = false;
   row.fields = {stations_[next_value_], date_, values_[next_value_]};
   ++next_value_;
@@ -178,6 +178,7 @@ bool SwatRainfall::next_line() {
 
 bool SwatRainfall::open_next() {
   if (next_file_ == files_.size()) return false;
+  places_.begin(files_[next_file_]);
   lines_.emplace(open_(files_[next_file_++]));
   if (kind_ == SwatFile::gauges) {
     read_heads_of_gauges();

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "readings/published/published_format.h"
+#include "text/lines_of_files.h"
 #include "text/table.h"
 #include "text/text_lines.h"
 
@@ -34,7 +35,7 @@ using OpenNamed = std::function<InputFile(const std::string& file)>;
 /// The rain in files of SWAT or SWAT+, as a table of station, date (YYYY-MM-DD) and precipitation,
 /// in millimetres. Stations of SWAT+ are called as their files, without .pcp. Throws Error at the
 /// end with all lines that are none, and rain that is no number from 0 on, and at once for steps
-/// shorter than a day. Rows of a list are numbered from 1, for they have lines in several files.
+/// shorter than a day.
 class SwatRainfall : public Table {
  public:
   /// Requires a file that is one of SWAT's, and what it is.
@@ -43,6 +44,8 @@ class SwatRainfall : public Table {
   const std::string& file() const override { return file_; }
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t header_line() const override { return kind_ == SwatFile::list ? 0 : 1; }
+  bool numbers_rows() const override { return kind_ == SwatFile::list; }
+  RowPlace place(std::size_t number) const override { return places_.place(number); }
   bool next(Row& row) override;
   std::unique_ptr<Table> again() const override;
 
@@ -66,7 +69,7 @@ class SwatRainfall : public Table {
   std::vector<std::string> stations_;  ///< of the file that is read
   std::vector<std::string> values_;    ///< of its line, by station
   std::size_t next_value_ = 0;
-  std::size_t row_ = 0;
+  LinesOfFiles places_;
   std::string date_;
   Complaints complaints_;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -57,6 +58,20 @@ TEST_F(MonthRowsTest, takes_the_checked_row_of_a_month) {
     EXPECT_EQ(found.size(), 30U);
     EXPECT_EQ(found.front(), "2020-04-01 5");
   }
+}
+
+TEST_F(MonthRowsTest, days_stand_in_the_line_of_their_month) {
+  const std::string file = folder_.write(
+      "r.csv", header() + month("7,1,01/02/2020", "3") + "\n" + month("7,1,01/03/2020", "3"));
+  MonthRows table(std::make_unique<CsvReader>(file));
+  EXPECT_TRUE(table.numbers_rows());
+  std::size_t last = 0;
+  std::size_t rows = 0;
+  for (Row row; table.next(row); last = row.line) {
+    EXPECT_GT(row.line, last);
+    EXPECT_EQ(table.place(row.line).line, ++rows <= 29 ? 2U : 4U);
+  }
+  EXPECT_EQ(rows, 60U);
 }
 
 TEST_F(MonthRowsTest, names_every_date_that_is_none) {
