@@ -8,6 +8,7 @@
 
 #include "base/utf8.h"
 #include "files/tables/csv_file.h"
+#include "files/tables/netcdf_rainfall.h"
 #include "files/tables/netcdf_stations.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/table_file.h"

@@ -7,6 +7,7 @@
 #include "base/utf8.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/within_limit.h"
+#include "text/decoder.h"
 
 namespace thiessen {
 namespace {
@@ -17,21 +18,6 @@ constexpr std::array<std::string_view, 8> names = {"Stations_id",   "von_datum",
 constexpr std::size_t parted_by_blanks = 6;
 constexpr std::size_t latitude = 4;
 constexpr std::size_t longitude = 5;
-
-/// The text as UTF-8, in which a letter of Latin-1 beyond ASCII has two bytes.
-std::string of_latin_1(std::string_view text) {
-  std::string all;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      all += c;
-    } else {
-      all += static_cast<char>(0xC0U | (byte >> 6U));
-      all += static_cast<char>(0x80U | (byte & 0x3FU));
-    }
-  }
-  return all;
-}
 
 /// Takes the first word from a text, and the blanks round it.
 std::string_view take_word(std::string_view& text) {
@@ -75,7 +61,7 @@ DwdStationList::DwdStationList(const std::string& file)
 bool DwdStationList::next(Row& row) {
   while (const auto line = lines_.next()) {
     if (line->find_first_not_of("- \t") == std::string_view::npos) continue;
-    line_ = find_invalid_utf8(*line) ? of_latin_1(*line) : std::string(*line);
+    line_ = find_invalid_utf8(*line) ? decoded(*line, "Latin-1") : std::string(*line);
     if (read(line_, row)) return true;
     complaints_.add(
         {file_, lines_.line(), "is no line of DWD's list of stations: " + quoted(line_, 60), ""});

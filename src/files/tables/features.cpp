@@ -8,6 +8,7 @@
 #include "files/tables/csv_file.h"
 #include "files/tables/dwd_station_list.h"
 #include "files/tables/ghcn_station_list.h"
+#include "files/tables/netcdf_station_list.h"
 #include "files/tables/netcdf_stations.h"
 #include "files/tables/swat_station_list.h"
 #include "gdal/layers/geometry_text.h"

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "files/tables/packed_file.h"
 #include "files/tables/within_limit.h"
 
 namespace thiessen {
@@ -51,33 +50,25 @@ bool is_station(std::string_view line) {
 }  // namespace
 
 bool is_ghcn_station_list(const std::string& file) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) return false;
-  try {
-    SeekableLines lines;
-    lines.go(file, {});
-    const auto line = lines.next();
-    return line && is_station(*line);
-  } catch (const Error&) {
-    return false;  // whoever reads it says what is wrong
-  }
+  constexpr std::size_t enough = 1024;
+  const std::string beginning = beginning_of_text(file, enough);
+  return is_station(std::string_view(beginning).substr(0, beginning.find_first_of("\r\n")));
 }
 
-GhcnStationList::GhcnStationList(std::string file) : file_(std::move(file)) {
+GhcnStationList::GhcnStationList(const std::string& file) : file_(file), lines_(open_text(file)) {
   for (const Column& column : columns) header_.emplace_back(column.name);
-  lines_.go(file_, {});
 }
 
 bool GhcnStationList::next(Row& row) {
   while (const auto line = lines_.next()) {
     if (trimmed(*line).empty()) continue;
     if (!is_station(*line)) {
-      complaints_.add({file_, lines_.place().line,
+      complaints_.add({file_, lines_.line(),
                        "is no line of GHCN-Daily's list of stations: " + quoted(*line, 60), ""});
       continue;
     }
     line_ = *line;
-    row.line = lines_.place().line;
+    row.line = lines_.line();
     row.padded = false;
     row.fields.clear();
     for (const Column& column : columns) row.fields.push_back(field_of(line_, column));

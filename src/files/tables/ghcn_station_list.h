@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "readings/dly/seekable_lines.h"
 #include "text/table.h"
+#include "text/text_lines.h"
 
 namespace thiessen {
 
@@ -19,7 +19,7 @@ bool is_ghcn_station_list(const std::string& file);
 /// Throws Error, with all lines that are no station's, at the end.
 class GhcnStationList : public Table {
  public:
-  explicit GhcnStationList(std::string file);
+  explicit GhcnStationList(const std::string& file);
 
   const std::string& file() const override { return file_; }
   const std::vector<std::string>& header() const override { return header_; }
@@ -31,7 +31,7 @@ class GhcnStationList : public Table {
 
   std::string file_;
   std::vector<std::string> header_;
-  SeekableLines lines_;
+  TextLines lines_;
   std::string line_;
   Complaints complaints_;
 };

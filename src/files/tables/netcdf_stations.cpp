@@ -1,10 +1,7 @@
 #include "files/tables/netcdf_stations.h"
 
-#include <netcdf.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,8 +9,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/interrupt.h"
-#include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "text/field_names.h"
@@ -22,19 +17,6 @@
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day_seconds = 86'400;
-constexpr std::size_t block_size = std::size_t{1} << 18U;  ///< values that are read at once
-
-constexpr std::array<std::string_view, 9> rain_names = {"precipitation_amount",
-                                                        "rainfall_amount",
-                                                        "thickness_of_rainfall_amount",
-                                                        "thickness_of_precipitation_amount",
-                                                        "lwe_thickness_of_precipitation_amount",
-                                                        "lwe_precipitation_rate",
-                                                        "rainfall_rate",
-                                                        "precipitation_flux",
-                                                        "rainfall_flux"};
-
 bool has_signature(const std::string& file) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(file, none)) return false;
@@ -42,231 +24,6 @@ bool has_signature(const std::string& file) {
   std::ifstream(file, std::ios::binary).read(bytes.data(), std::ssize(bytes));
   const std::string_view begin(bytes.data(), bytes.size());
   return begin.starts_with("CDF") || begin.starts_with("\x89HDF\r\n\x1a\n");
-}
-
-template <typename Names>
-bool is_among(std::string_view name, const Names& names) {
-  return std::ranges::any_of(names, [&](std::string_view one) { return same_name(name, one); });
-}
-
-}  // namespace
-
-/// One variable: its number, name, dimensions, and attributes that are texts.
-class NetcdfStations {
- public:
-  struct Variable {
-    int number = -1;
-    std::string name;
-    nc_type type = NC_NAT;
-    std::vector<int> dimensions;
-  };
-
-  explicit NetcdfStations(const std::string& file) : name_(file) {
-    check(nc_open(file.c_str(), NC_NOWRITE, &file_));
-    int count = 0;
-    check(nc_inq_nvars(file_, &count));
-    for (int i = 0; i < count; ++i) variables_.push_back(variable(i));
-  }
-  ~NetcdfStations() {
-    if (file_ >= 0) nc_close(file_);
-  }
-  NetcdfStations(const NetcdfStations&) = delete;
-  NetcdfStations& operator=(const NetcdfStations&) = delete;
-
-  /// Finds what the file has of stations.
-  void find() {
-    longitude_ = called("longitude", known::eastings);
-    latitude_ = called("latitude", known::northings);
-    if (longitude_ == nullptr || latitude_ == nullptr)
-      fail("its stations have no longitude or no latitude");
-    if (longitude_->dimensions.size() > 1 || longitude_->dimensions != latitude_->dimensions)
-      fail("longitude and latitude are not those of stations");
-    station_count_ = longitude_->dimensions.empty() ? 1 : length_of(longitude_->dimensions.front());
-    for (const Variable& one : variables_) {
-      if (attribute(one.number, "cf_role") == "timeseries_id") id_ = &one;
-      const bool is_time = attribute(one.number, "standard_name") == "time" || one.name == "time";
-      if (is_time && attribute(one.number, "units").find(" since ") != std::string::npos)
-        time_ = &one;
-    }
-    read_ids();
-  }
-
-  void check(int status) const {
-    if (status != NC_NOERR) fail(std::string("cannot be read: ") + nc_strerror(status));
-  }
-  [[noreturn]] void fail(std::string text, Wording hint = {}) const {
-    throw Error(Message{name_, 0, std::move(text), std::move(hint)});
-  }
-
-  std::string attribute(int variable, const char* name) const {
-    nc_type type = NC_NAT;
-    std::size_t length = 0;
-    if (nc_inq_att(file_, variable, name, &type, &length) != NC_NOERR) return {};
-    if (type == NC_STRING && length == 1) {
-      char* text = nullptr;
-      check(nc_get_att_string(file_, variable, name, &text));
-      std::string copy = text == nullptr ? "" : text;
-      nc_free_string(1, &text);
-      return copy;
-    }
-    if (type != NC_CHAR) return {};
-    std::string text(length, '\0');
-    check(nc_get_att_text(file_, variable, name, text.data()));
-    return text.substr(0, text.find('\0'));
-  }
-
-  std::optional<double> number(int variable, const char* name) const {
-    nc_type type = NC_NAT;
-    std::size_t length = 0;
-    if (nc_inq_att(file_, variable, name, &type, &length) != NC_NOERR || length != 1) return {};
-    double value = 0;
-    if (nc_get_att_double(file_, variable, name, &value) != NC_NOERR) return {};
-    return value;
-  }
-
-  std::size_t length_of(int dimension) const {
-    std::size_t length = 0;
-    check(nc_inq_dimlen(file_, dimension, &length));
-    return length;
-  }
-
-  std::string name_of_dimension(int dimension) const {
-    std::array<char, NC_MAX_NAME + 1> name = {};
-    check(nc_inq_dimname(file_, dimension, name.data()));
-    return name.data();
-  }
-
-  std::vector<double> all_of(const Variable& variable) const {
-    std::size_t count = 1;
-    for (const int dimension : variable.dimensions) count *= length_of(dimension);
-    std::vector<double> values(count);
-    check(nc_get_var_double(file_, variable.number, values.data()));
-    return values;
-  }
-
-  int file() const { return file_; }
-  const std::vector<Variable>& variables() const { return variables_; }
-  const Variable* longitude() const { return longitude_; }
-  const Variable* latitude() const { return latitude_; }
-  const Variable* time() const { return time_; }
-  std::size_t count() const { return station_count_; }
-  const std::vector<std::string>& ids() const { return ids_; }
-  /// The dimension of the stations; -1 where there is one station without any.
-  int dimension() const {
-    return longitude_->dimensions.empty() ? -1 : longitude_->dimensions.front();
-  }
-
- private:
-  Variable variable(int number) const {
-    std::array<char, NC_MAX_NAME + 1> name = {};
-    std::array<int, NC_MAX_VAR_DIMS> dimensions = {};
-    Variable made;
-    int count = 0;
-    check(nc_inq_var(file_, number, name.data(), &made.type, &count, dimensions.data(), nullptr));
-    made.number = number;
-    made.name = name.data();
-    made.dimensions.assign(dimensions.begin(), dimensions.begin() + count);
-    return made;
-  }
-
-  template <typename Names>
-  const Variable* called(const char* standard_name, const Names& names) const {
-    for (const Variable& one : variables_) {
-      if (attribute(one.number, "standard_name") == standard_name) return &one;
-    }
-    for (const Variable& one : variables_) {
-      if (is_among(one.name, names)) return &one;
-    }
-    return nullptr;
-  }
-
-  void read_ids() {
-    if (id_ == nullptr) {
-      for (std::size_t i = 0; i < station_count_; ++i) ids_.push_back(std::to_string(i + 1));
-    } else if (id_->type == NC_STRING) {
-      std::vector<char*> texts(station_count_, nullptr);
-      require_one_a_station(id_->dimensions.size());
-      check(nc_get_var_string(file_, id_->number, texts.data()));
-      for (const char* text : texts) ids_.emplace_back(text == nullptr ? "" : text);
-      nc_free_string(texts.size(), texts.data());
-    } else if (id_->type == NC_CHAR) {
-      read_ids_of_letters();
-    } else {
-      require_one_a_station(id_->dimensions.size());
-      for (const double one : all_of(*id_)) ids_.push_back(shortest_text(one));
-    }
-  }
-
-  void require_one_a_station(std::size_t dimensions) const {
-    const bool fits = dimension() < 0 ? dimensions == 0
-                                      : dimensions == 1 && id_->dimensions.front() == dimension();
-    if (!fits) fail("the variable " + quoted(id_->name, 60) + " does not name the stations");
-  }
-
-  void read_ids_of_letters() {
-    const std::size_t wanted = dimension() < 0 ? 1 : 2;
-    const bool fits =
-        id_->dimensions.size() == wanted && (wanted == 1 || id_->dimensions.front() == dimension());
-    if (!fits) fail("the variable " + quoted(id_->name, 60) + " does not name the stations");
-    const std::size_t width = length_of(id_->dimensions.back());
-    std::string letters(station_count_ * width, '\0');
-    check(nc_get_var_text(file_, id_->number, letters.data()));
-    for (std::size_t i = 0; i < station_count_; ++i) {
-      const std::string_view text = std::string_view(letters).substr(i * width, width);
-      ids_.emplace_back(trimmed(text.substr(0, text.find('\0'))));
-    }
-  }
-
-  std::string name_;
-  int file_ = -1;
-  std::vector<Variable> variables_;
-  const Variable* longitude_ = nullptr;
-  const Variable* latitude_ = nullptr;
-  const Variable* time_ = nullptr;
-  const Variable* id_ = nullptr;
-  std::size_t station_count_ = 0;
-  std::vector<std::string> ids_;
-};
-
-namespace {
-
-/// What times are counted in, and from when.
-struct TimeUnit {
-  double seconds = 1;
-  std::int64_t origin = 0;
-};
-
-TimeUnit time_unit(const NetcdfStations& stations) {
-  const std::string text = stations.attribute(stations.time()->number, "units");
-  const std::size_t since = text.find(" since ");
-  const std::string unit = lower_case(trimmed(std::string_view(text).substr(0, since)));
-  TimeUnit found;
-  if (unit.starts_with('d')) {
-    found.seconds = day_seconds;
-  } else if (unit.starts_with('h')) {
-    found.seconds = 3600;
-  } else if (unit.starts_with("min")) {
-    found.seconds = 60;
-  } else if (!unit.starts_with('s')) {
-    stations.fail("times are counted in " + quoted(unit, 40) + ", which is not known");
-  }
-  std::string_view origin = trimmed(std::string_view(text).substr(since + 7));
-  for (const std::string_view zone : {"UTC", "Z", "+00:00", "+0:00", "GMT"}) {
-    if (origin.ends_with(zone)) origin = trimmed(origin.substr(0, origin.size() - zone.size()));
-  }
-  if (origin.ends_with(".0")) origin.remove_suffix(2);
-  const ParsedTime read = parse_iso_time(origin);
-  if (!read) stations.fail("times are counted from " + quoted(origin, 40) + ", which is no time");
-  found.origin = clock_seconds(read.time);
-  return found;
-}
-
-void require_calendar(const NetcdfStations& stations) {
-  const std::string calendar = lower_case(stations.attribute(stations.time()->number, "calendar"));
-  for (const std::string_view known : {"", "standard", "gregorian", "proleptic_gregorian"}) {
-    if (calendar == known) return;
-  }
-  stations.fail("its calendar is " + quoted(calendar, 40) + ", whose days are not ours");
 }
 
 }  // namespace
@@ -281,219 +38,148 @@ bool is_netcdf_of_stations(const std::string& file) {
   }
 }
 
-NetcdfStationList::NetcdfStationList(std::string file)
-    : file_(std::move(file)), stations_(std::make_unique<NetcdfStations>(file_)) {
-  stations_->find();
-  for (const double one : stations_->all_of(*stations_->longitude()))
-    longitudes_.push_back(shortest_text(one));
-  for (const double one : stations_->all_of(*stations_->latitude()))
-    latitudes_.push_back(shortest_text(one));
+NetcdfStations::NetcdfStations(const std::string& file) : name_(file) {
+  check(nc_open(file.c_str(), NC_NOWRITE, &file_));
+  int count = 0;
+  check(nc_inq_nvars(file_, &count));
+  for (int i = 0; i < count; ++i) variables_.push_back(variable(i));
 }
 
-NetcdfStationList::~NetcdfStationList() = default;
-
-bool NetcdfStationList::next(Row& row) {
-  if (next_ == stations_->count()) return false;
-  row.line = next_ + 1;
-  row.padded = false;
-  row.fields = {stations_->ids()[next_], longitudes_[next_], latitudes_[next_]};
-  ++next_;
-  return true;
+NetcdfStations::~NetcdfStations() {
+  if (file_ >= 0) nc_close(file_);
 }
 
-NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable)
-    : file_(std::move(file)),
-      variable_(std::move(variable)),
-      stations_(std::make_unique<NetcdfStations>(file_)) {
-  stations_->find();
-  if (stations_->time() == nullptr) stations_->fail("it has no variable of times");
-  require_calendar(*stations_);
-  find_layout();
-  const TimeUnit unit = time_unit(*stations_);
-  seconds_ = unit.seconds;
-  origin_ = unit.origin;
-  dates_ = seconds_ == day_seconds && origin_ % day_seconds == 0;
-}
-
-NetcdfRainfall::~NetcdfRainfall() = default;
-
-std::unique_ptr<Table> NetcdfRainfall::again() const {
-  return std::make_unique<NetcdfRainfall>(file_, variable_);
-}
-
-void NetcdfRainfall::find_layout() {
-  const NetcdfStations::Variable& time = *stations_->time();
-  const int station = stations_->dimension();
-  std::vector<int> wanted = time.dimensions;
-  if (wanted.empty() || wanted.size() > 2) stations_->fail("its times have no dimension");
-  if (wanted.size() == 2) {
-    layout_ = Layout::time_of_station;
-    if (wanted[0] != station) stations_->fail("the first dimension of its times is no station");
+void NetcdfStations::find() {
+  longitude_ = called("longitude", known::eastings);
+  latitude_ = called("latitude", known::northings);
+  if (longitude_ == nullptr || latitude_ == nullptr)
+    fail("its stations have no longitude or no latitude");
+  if (longitude_->dimensions.size() > 1 || longitude_->dimensions != latitude_->dimensions)
+    fail("longitude and latitude are not those of stations");
+  station_count_ = longitude_->dimensions.empty() ? 1 : length_of(longitude_->dimensions.front());
+  for (const Variable& one : variables_) {
+    if (attribute(one.number, "cf_role") == "timeseries_id") id_ = &one;
+    const bool is_time = attribute(one.number, "standard_name") == "time" || one.name == "time";
+    if (is_time && attribute(one.number, "units").find(" since ") != std::string::npos)
+      time_ = &one;
   }
-  const std::string observations = stations_->name_of_dimension(wanted.back());
-  for (const NetcdfStations::Variable& one : stations_->variables()) {
-    if (!stations_->attribute(one.number, "instance_dimension").empty()) {
-      layout_ = Layout::indexed;
-      index_ = one.number;
-    } else if (stations_->attribute(one.number, "sample_dimension") == observations) {
-      layout_ = Layout::contiguous;
-      for (const double size : stations_->all_of(one))
-        row_sizes_.push_back(size > 0 ? static_cast<std::size_t>(size) : 0);
-    }
-  }
-  if (layout_ == Layout::one_time && station >= 0) wanted = {station, wanted[0]};
-  if (layout_ == Layout::contiguous && row_sizes_.size() != stations_->count())
-    stations_->fail("it does not say of each station how many observations it has");
-  time_count_ = stations_->length_of(time.dimensions.back());
-  const NetcdfStations::Variable* found = nullptr;
-  int rank = 0;
-  std::size_t equal = 0;
-  for (const NetcdfStations::Variable& one : stations_->variables()) {
-    if (one.type == NC_CHAR || one.type == NC_STRING || one.number == time.number ||
-        one.number == index_)
-      continue;
-    std::vector<int> turned = one.dimensions;
-    std::ranges::reverse(turned);
-    const bool may_turn = layout_ == Layout::one_time && turned == wanted;
-    if (one.dimensions != wanted && !may_turn) continue;
-    const int its_rank = !variable_.empty() ? (one.name == variable_ ? 3 : 0)
-                         : is_among(stations_->attribute(one.number, "standard_name"), rain_names)
-                             ? 3
-                         : is_among(one.name, known::values) ? 2
-                                                             : 1;
-    if (its_rank < std::max(rank, 1)) continue;
-    equal = its_rank == rank ? equal + 1 : 1;
-    rank = its_rank;
-    if (equal == 1) found = &one;
-  }
-  if (found == nullptr || equal > 1) {
-    stations_->fail(found == nullptr ? "it has no such variable of all stations and times"
-                                     : "more than one of its variables may be rain",
-                    setting("value_field") + " names it");
-  }
-  rain_ = found->number;
-  time_first_ = found->dimensions.size() == 2 && found->dimensions != wanted;
-  header_ = {"station", "time", found->name};
-  units_ = stations_->attribute(rain_, "units");
-  fill_ = stations_->number(rain_, "_FillValue");
-  missing_ = stations_->number(rain_, "missing_value");
-  scale_ = stations_->number(rain_, "scale_factor").value_or(1);
-  offset_ = stations_->number(rain_, "add_offset").value_or(0);
+  read_ids();
 }
 
-bool NetcdfRainfall::next(Row& row) {
-  while (next_ == block_.size()) {
-    throw_if_interrupted();
-    block_.clear();
-    next_ = 0;
-    if (!load_block()) return false;
-  }
-  const Entry& entry = block_[next_++];
-  time_ = time_of(entry.time);
-  value_ = text_of(entry.value);
-  row.line = ++row_;
-  row.padded = false;
-  row.fields = {stations_->ids()[entry.station], time_, value_};
-  return true;
+void NetcdfStations::check(int status) const {
+  if (status != NC_NOERR) fail(std::string("cannot be read: ") + nc_strerror(status));
 }
 
-bool NetcdfRainfall::load_block() {
-  switch (layout_) {
-    case Layout::one_time:
-      return load_times();
-    case Layout::time_of_station:
-    case Layout::contiguous:
-      return load_station();
-    case Layout::indexed:
-      break;
-  }
-  return load_observations();
+void NetcdfStations::fail(std::string text, Wording hint) const {
+  throw Error(Message{name_, 0, std::move(text), std::move(hint)});
 }
 
-/// Reads some times of all stations.
-bool NetcdfRainfall::load_times() {
-  const std::size_t stations = stations_->count();
-  if (done_ == time_count_ || stations == 0) return false;
-  const std::size_t count =
-      std::min(time_count_ - done_, std::max<std::size_t>(1, block_size / stations));
-  const std::vector<double> times = part_of(stations_->time()->number, done_, count);
-  std::vector<double> values(count * stations);
-  const bool one = stations_->dimension() < 0;
-  std::array<std::size_t, 2> begin = {time_first_ || one ? done_ : 0, time_first_ ? 0 : done_};
-  std::array<std::size_t, 2> size = {time_first_ || one ? count : stations,
-                                     time_first_ ? stations : count};
-  stations_->check(
-      nc_get_vara_double(stations_->file(), rain_, begin.data(), size.data(), values.data()));
-  for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t station = 0; station < stations; ++station) {
-      const std::size_t at = time_first_ ? i * stations + station : station * count + i;
-      block_.push_back({station, times[i], values[at]});
-    }
+std::string NetcdfStations::attribute(int variable, const char* name) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  if (nc_inq_att(file_, variable, name, &type, &length) != NC_NOERR) return {};
+  if (type == NC_STRING && length == 1) {
+    char* text = nullptr;
+    check(nc_get_att_string(file_, variable, name, &text));
+    std::string copy = text == nullptr ? "" : text;
+    nc_free_string(1, &text);
+    return copy;
   }
-  done_ += count;
-  return true;
+  if (type != NC_CHAR) return {};
+  std::string text(length, '\0');
+  check(nc_get_att_text(file_, variable, name, text.data()));
+  return text.substr(0, text.find('\0'));
 }
 
-/// Reads all of one station.
-bool NetcdfRainfall::load_station() {
-  if (done_ == stations_->count()) return false;
-  const bool is_ragged = layout_ == Layout::contiguous;
-  const std::size_t count = is_ragged ? row_sizes_[done_] : time_count_;
-  if (is_ragged && (count > time_count_ || passed_ > time_count_ - count))
-    stations_->fail("its stations have more observations than there are");
-  std::vector<double> times(count);
+std::optional<double> NetcdfStations::number(int variable, const char* name) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  if (nc_inq_att(file_, variable, name, &type, &length) != NC_NOERR || length != 1) return {};
+  double value = 0;
+  if (nc_get_att_double(file_, variable, name, &value) != NC_NOERR) return {};
+  return value;
+}
+
+std::size_t NetcdfStations::length_of(int dimension) const {
+  std::size_t length = 0;
+  check(nc_inq_dimlen(file_, dimension, &length));
+  return length;
+}
+
+std::string NetcdfStations::name_of_dimension(int dimension) const {
+  std::array<char, NC_MAX_NAME + 1> name = {};
+  check(nc_inq_dimname(file_, dimension, name.data()));
+  return name.data();
+}
+
+std::vector<double> NetcdfStations::all_of(const Variable& variable) const {
+  std::size_t count = 1;
+  for (const int dimension : variable.dimensions) count *= length_of(dimension);
   std::vector<double> values(count);
-  const std::array<std::size_t, 2> begin = {is_ragged ? passed_ : done_, 0};
-  const std::array<std::size_t, 2> size = {is_ragged ? count : 1, count};
-  if (count > 0) {
-    stations_->check(nc_get_vara_double(stations_->file(), stations_->time()->number, begin.data(),
-                                        size.data(), times.data()));
-    stations_->check(
-        nc_get_vara_double(stations_->file(), rain_, begin.data(), size.data(), values.data()));
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(std::abs(times[i]) < 1e15)) continue;  // a place that this station does not fill
-    block_.push_back({done_, times[i], values[i]});
-  }
-  passed_ += count;
-  ++done_;
-  return true;
-}
-
-/// Reads some observations, each of a station that the index names.
-bool NetcdfRainfall::load_observations() {
-  if (done_ == time_count_) return false;
-  const std::size_t count = std::min(time_count_ - done_, block_size);
-  const std::vector<double> times = part_of(stations_->time()->number, done_, count);
-  const std::vector<double> values = part_of(rain_, done_, count);
-  const std::vector<double> index = part_of(index_, done_, count);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!(index[i] >= 0 && index[i] < static_cast<double>(stations_->count())))
-      stations_->fail("an observation is of no station: " + shortest_text(index[i]));
-    block_.push_back({static_cast<std::size_t>(index[i]), times[i], values[i]});
-  }
-  done_ += count;
-  return true;
-}
-
-std::vector<double> NetcdfRainfall::part_of(int variable, std::size_t begin,
-                                            std::size_t count) const {
-  std::vector<double> values(count);
-  stations_->check(nc_get_vara_double(stations_->file(), variable, &begin, &count, values.data()));
+  check(nc_get_var_double(file_, variable.number, values.data()));
   return values;
 }
 
-std::string NetcdfRainfall::time_of(double time) const {
-  const double seconds = time * seconds_;
-  if (!(std::abs(seconds) < 1e12)) stations_->fail("no time: " + shortest_text(time));
-  const std::int64_t moment = origin_ + std::llround(seconds);
-  const bool is_date = dates_ && moment % day_seconds == 0;
-  return time_text(moment, is_date ? TimePrecision::day : TimePrecision::instant);
+NetcdfStations::Variable NetcdfStations::variable(int number) const {
+  std::array<char, NC_MAX_NAME + 1> name = {};
+  std::array<int, NC_MAX_VAR_DIMS> dimensions = {};
+  Variable made;
+  int count = 0;
+  check(nc_inq_var(file_, number, name.data(), &made.type, &count, dimensions.data(), nullptr));
+  made.number = number;
+  made.name = name.data();
+  made.dimensions.assign(dimensions.begin(), dimensions.begin() + count);
+  return made;
 }
 
-std::string NetcdfRainfall::text_of(double value) const {
-  if (std::isnan(value) || value == fill_ || value == missing_) return {};
-  return shortest_text(value * scale_ + offset_);
+const NetcdfStations::Variable* NetcdfStations::called(
+    const char* standard_name, std::span<const std::string_view> names) const {
+  for (const Variable& one : variables_) {
+    if (attribute(one.number, "standard_name") == standard_name) return &one;
+  }
+  for (const Variable& one : variables_) {
+    if (std::ranges::any_of(names,
+                            [&](std::string_view name) { return same_name(one.name, name); }))
+      return &one;
+  }
+  return nullptr;
+}
+
+void NetcdfStations::read_ids() {
+  if (id_ == nullptr) {
+    for (std::size_t i = 0; i < station_count_; ++i) ids_.push_back(std::to_string(i + 1));
+  } else if (id_->type == NC_STRING) {
+    std::vector<char*> texts(station_count_, nullptr);
+    require_one_a_station(id_->dimensions.size());
+    check(nc_get_var_string(file_, id_->number, texts.data()));
+    for (const char* text : texts) ids_.emplace_back(text == nullptr ? "" : text);
+    nc_free_string(texts.size(), texts.data());
+  } else if (id_->type == NC_CHAR) {
+    read_ids_of_letters();
+  } else {
+    require_one_a_station(id_->dimensions.size());
+    for (const double one : all_of(*id_)) ids_.push_back(shortest_text(one));
+  }
+}
+
+void NetcdfStations::require_one_a_station(std::size_t dimensions) const {
+  const bool fits =
+      dimension() < 0 ? dimensions == 0 : dimensions == 1 && id_->dimensions.front() == dimension();
+  if (!fits) fail("the variable " + quoted(id_->name, 60) + " does not name the stations");
+}
+
+void NetcdfStations::read_ids_of_letters() {
+  const std::size_t wanted = dimension() < 0 ? 1 : 2;
+  const bool fits =
+      id_->dimensions.size() == wanted && (wanted == 1 || id_->dimensions.front() == dimension());
+  if (!fits) fail("the variable " + quoted(id_->name, 60) + " does not name the stations");
+  const std::size_t width = length_of(id_->dimensions.back());
+  std::string letters(station_count_ * width, '\0');
+  check(nc_get_var_text(file_, id_->number, letters.data()));
+  for (std::size_t i = 0; i < station_count_; ++i) {
+    const std::string_view text = std::string_view(letters).substr(i * width, width);
+    ids_.emplace_back(trimmed(text.substr(0, text.find('\0'))));
+  }
 }
 
 }  // namespace thiessen

@@ -1,108 +1,82 @@
 #pragma once
 
+#include <netcdf.h>
+
 #include <cstddef>
-#include <cstdint>
-#include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "text/table.h"
+#include "base/wording.h"
 
 namespace thiessen {
 
-/// Whether a file is a NetCDF whose featureType is timeSeries: stations by the
+/// Whether a file is a NetCDF of stations, whose featureType is timeSeries: the
 /// discrete sampling geometries of CF (chapter 9 of its conventions).
 bool is_netcdf_of_stations(const std::string& file);
 
-/// A NetCDF of stations that is open: its variables by what they are in CF.
-class NetcdfStations;
-
-/// The stations of such a file as a table: id, longitude, latitude. The id is
-/// the variable whose cf_role is timeseries_id; without one, stations are
-/// numbered from 1.
-class NetcdfStationList : public Table {
+/// A NetCDF of stations that is open: its variables by what they are in CF. All
+/// throw Error where the file is damaged.
+class NetcdfStations {
  public:
-  /// Throws Error where the file is damaged, or says neither longitude nor
-  /// latitude.
-  explicit NetcdfStationList(std::string file);
-  ~NetcdfStationList() override;
-
-  const std::string& file() const override { return file_; }
-  const std::vector<std::string>& header() const override { return header_; }
-  std::size_t header_line() const override { return 1; }
-  bool next(Row& row) override;
-
- private:
-  std::string file_;
-  std::vector<std::string> header_ = {"id", "longitude", "latitude"};
-  std::unique_ptr<NetcdfStations> stations_;
-  std::vector<std::string> longitudes_, latitudes_;
-  std::size_t next_ = 0;
-};
-
-/// The rain of such a file as a table: station, time, and the variable's name.
-/// The variable is the one that is named, else one whose standard name or name
-/// is rain's, else the only one of all stations and times. Series may stand in
-/// one or two dimensions of time, or as ragged arrays, contiguous or indexed.
-/// Memory: a block of times.
-class NetcdfRainfall : public Table {
- public:
-  /// Throws Error where the file is damaged, there is no such variable, or
-  /// times are of a calendar that has other days than ours.
-  NetcdfRainfall(std::string file, std::string variable);
-  ~NetcdfRainfall() override;
-
-  const std::string& file() const override { return file_; }
-  const std::vector<std::string>& header() const override { return header_; }
-  bool next(Row& row) override;
-  std::unique_ptr<Table> again() const override;
-
-  /// The variable's unit, as it is written; empty where none is.
-  const std::string& units() const { return units_; }
-
- private:
-  /// How the series stand in the variable.
-  enum class Layout { one_time, time_of_station, contiguous, indexed };
-  struct Entry {
-    std::size_t station;
-    double time;
-    double value;
+  struct Variable {
+    int number = -1;
+    std::string name;
+    nc_type type = NC_NAT;
+    std::vector<int> dimensions;
   };
 
-  void find_layout();
-  bool load_block();
-  bool load_times();
-  bool load_station();
-  bool load_observations();
-  std::vector<double> part_of(int variable, std::size_t begin, std::size_t count) const;
-  std::string time_of(double time) const;
-  std::string text_of(double value) const;
+  explicit NetcdfStations(const std::string& file);
+  ~NetcdfStations();
+  NetcdfStations(const NetcdfStations&) = delete;
+  NetcdfStations& operator=(const NetcdfStations&) = delete;
 
-  std::string file_;
-  std::string variable_;
-  std::unique_ptr<NetcdfStations> stations_;
-  std::vector<std::string> header_;
-  std::string units_;
-  int rain_ = -1;
-  Layout layout_ = Layout::one_time;
-  std::size_t time_count_ = 0;
-  std::vector<std::size_t> row_sizes_;
-  int index_ = -1;  ///< the variable of the station of each observation
-  bool time_first_ = false;
-  std::optional<double> fill_, missing_;
-  double scale_ = 1;
-  double offset_ = 0;
-  double seconds_ = 1;       ///< of the unit in which times are counted
-  std::int64_t origin_ = 0;  ///< from which they are, in seconds from the beginning of 1970
-  bool dates_ = true;        ///< midnights are dates
+  /// Finds what the file has of stations: where they are, what they are called,
+  /// and the times. Throws Error where it says neither longitude nor latitude.
+  void find();
 
-  std::size_t done_ = 0;    ///< times, stations or observations
-  std::size_t passed_ = 0;  ///< observations of the stations before
-  std::vector<Entry> block_;
-  std::size_t next_ = 0;
-  std::size_t row_ = 0;
-  std::string time_, value_;
+  int file() const { return file_; }
+  const std::vector<Variable>& variables() const { return variables_; }
+  const Variable* longitude() const { return longitude_; }
+  const Variable* latitude() const { return latitude_; }
+  /// Null where the file has no times.
+  const Variable* time() const { return time_; }
+  std::size_t count() const { return station_count_; }
+  const std::vector<std::string>& ids() const { return ids_; }
+  /// The dimension of the stations; -1 where there is one station without any.
+  int dimension() const {
+    return longitude_->dimensions.empty() ? -1 : longitude_->dimensions.front();
+  }
+
+  /// An attribute of a variable that is a text; empty where it has none.
+  std::string attribute(int variable, const char* name) const;
+  std::optional<double> number(int variable, const char* name) const;
+  std::size_t length_of(int dimension) const;
+  std::string name_of_dimension(int dimension) const;
+  std::vector<double> all_of(const Variable& variable) const;
+
+  /// Throws Error where a function of the library has failed.
+  void check(int status) const;
+  [[noreturn]] void fail(std::string text, Wording hint = {}) const;
+
+ private:
+  Variable variable(int number) const;
+  const Variable* called(const char* standard_name, std::span<const std::string_view> names) const;
+  void read_ids();
+  void read_ids_of_letters();
+  void require_one_a_station(std::size_t dimensions) const;
+
+  std::string name_;
+  int file_ = -1;
+  std::vector<Variable> variables_;
+  const Variable* longitude_ = nullptr;
+  const Variable* latitude_ = nullptr;
+  const Variable* time_ = nullptr;
+  const Variable* id_ = nullptr;
+  std::size_t station_count_ = 0;
+  std::vector<std::string> ids_;
 };
 
 }  // namespace thiessen

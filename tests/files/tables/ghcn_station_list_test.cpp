@@ -1,6 +1,7 @@
 #include "files/tables/ghcn_station_list.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <string>
 #include <vector>
@@ -43,6 +44,17 @@ TEST(GhcnStationList, is_a_table_of_columns) {
                 {"XX000000001", "40.0339", "-105.2811", "1641.0", "CO", "BOULDER SPRINGS", "",
                  "HCN", "72469"},
                 {"XXE00147708", "-36.7200", "4.0500", "", "", "TIZI", "GSN", "", "60395"}}));
+}
+
+TEST(GhcnStationList, may_be_packed) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path() + "/a.txt.gz";
+  const gzFile packed = gzopen(file.c_str(), "wb");
+  gzputs(packed, lines);
+  gzclose(packed);
+  EXPECT_TRUE(is_ghcn_station_list(file));
+  GhcnStationList list(file);
+  EXPECT_EQ(rows_of(list).size(), 2U);
 }
 
 TEST(GhcnStationList, names_every_line_that_is_none) {

@@ -1,0 +1,292 @@
+#include "files/tables/netcdf_rainfall.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "base/interrupt.h"
+#include "base/iso_time.h"
+#include "base/number.h"
+#include "base/utf8.h"
+#include "text/field_names.h"
+#include "text/known_names.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::int64_t day_seconds = 86'400;
+constexpr std::size_t block_size = std::size_t{1} << 18U;  ///< values that are read at once
+
+constexpr std::array<std::string_view, 9> rain_names = {"precipitation_amount",
+                                                        "rainfall_amount",
+                                                        "thickness_of_rainfall_amount",
+                                                        "thickness_of_precipitation_amount",
+                                                        "lwe_thickness_of_precipitation_amount",
+                                                        "lwe_precipitation_rate",
+                                                        "rainfall_rate",
+                                                        "precipitation_flux",
+                                                        "rainfall_flux"};
+
+template <typename Names>
+bool is_among(std::string_view name, const Names& names) {
+  return std::ranges::any_of(names, [&](std::string_view one) { return same_name(name, one); });
+}
+
+/// What times are counted in, and from when.
+struct TimeUnit {
+  double seconds = 1;
+  std::int64_t origin = 0;
+};
+
+TimeUnit time_unit(const NetcdfStations& stations) {
+  const std::string text = stations.attribute(stations.time()->number, "units");
+  const std::size_t since = text.find(" since ");
+  const std::string unit = lower_case(trimmed(std::string_view(text).substr(0, since)));
+  TimeUnit found;
+  if (unit.starts_with('d')) {
+    found.seconds = day_seconds;
+  } else if (unit.starts_with('h')) {
+    found.seconds = 3600;
+  } else if (unit.starts_with("min")) {
+    found.seconds = 60;
+  } else if (!unit.starts_with('s')) {
+    stations.fail("times are counted in " + quoted(unit, 40) + ", which is not known");
+  }
+  std::string_view origin = trimmed(std::string_view(text).substr(since + 7));
+  for (const std::string_view zone : {"UTC", "Z", "+00:00", "+0:00", "GMT"}) {
+    if (origin.ends_with(zone)) origin = trimmed(origin.substr(0, origin.size() - zone.size()));
+  }
+  if (origin.ends_with(".0")) origin.remove_suffix(2);
+  const ParsedTime read = parse_iso_time(origin);
+  if (!read) stations.fail("times are counted from " + quoted(origin, 40) + ", which is no time");
+  found.origin = clock_seconds(read.time);
+  return found;
+}
+
+void require_calendar(const NetcdfStations& stations) {
+  const std::string calendar = lower_case(stations.attribute(stations.time()->number, "calendar"));
+  for (const std::string_view known : {"", "standard", "gregorian", "proleptic_gregorian"}) {
+    if (calendar == known) return;
+  }
+  stations.fail("its calendar is " + quoted(calendar, 40) + ", whose days are not ours");
+}
+
+}  // namespace
+
+NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable)
+    : file_(std::move(file)), variable_(std::move(variable)), stations_(file_) {
+  stations_.find();
+  if (stations_.time() == nullptr) stations_.fail("it has no variable of times");
+  require_calendar(stations_);
+  find_layout();
+  const TimeUnit unit = time_unit(stations_);
+  seconds_ = unit.seconds;
+  origin_ = unit.origin;
+  dates_ = seconds_ == day_seconds && origin_ % day_seconds == 0;
+}
+
+std::unique_ptr<Table> NetcdfRainfall::again() const {
+  return std::make_unique<NetcdfRainfall>(file_, variable_);
+}
+
+void NetcdfRainfall::find_layout() {
+  const NetcdfStations::Variable& time = *stations_.time();
+  const int station = stations_.dimension();
+  std::vector<int> wanted = time.dimensions;
+  if (wanted.empty() || wanted.size() > 2) stations_.fail("its times have no dimension");
+  if (wanted.size() == 2) {
+    layout_ = Layout::time_of_station;
+    if (wanted[0] != station) stations_.fail("the first dimension of its times is no station");
+  }
+  const std::string observations = stations_.name_of_dimension(wanted.back());
+  for (const NetcdfStations::Variable& one : stations_.variables()) {
+    if (!stations_.attribute(one.number, "instance_dimension").empty()) {
+      layout_ = Layout::indexed;
+      index_ = one.number;
+    } else if (stations_.attribute(one.number, "sample_dimension") == observations) {
+      layout_ = Layout::contiguous;
+      for (const double size : stations_.all_of(one))
+        row_sizes_.push_back(size > 0 ? static_cast<std::size_t>(size) : 0);
+    }
+  }
+  if (layout_ == Layout::one_time && station >= 0) wanted = {station, wanted[0]};
+  if (layout_ == Layout::contiguous && row_sizes_.size() != stations_.count())
+    stations_.fail("it does not say of each station how many observations it has");
+  time_count_ = stations_.length_of(time.dimensions.back());
+  const NetcdfStations::Variable* found = nullptr;
+  int rank = 0;
+  std::size_t equal = 0;
+  for (const NetcdfStations::Variable& one : stations_.variables()) {
+    if (one.type == NC_CHAR || one.type == NC_STRING || one.number == time.number ||
+        one.number == index_)
+      continue;
+    std::vector<int> turned = one.dimensions;
+    std::ranges::reverse(turned);
+    const bool may_turn = layout_ == Layout::one_time && turned == wanted;
+    if (one.dimensions != wanted && !may_turn) continue;
+    const int its_rank = !variable_.empty() ? (one.name == variable_ ? 3 : 0)
+                         : is_among(stations_.attribute(one.number, "standard_name"), rain_names)
+                             ? 3
+                         : is_among(one.name, known::values) ? 2
+                                                             : 1;
+    if (its_rank < std::max(rank, 1)) continue;
+    equal = its_rank == rank ? equal + 1 : 1;
+    rank = its_rank;
+    if (equal == 1) found = &one;
+  }
+  if (found == nullptr || equal > 1) {
+    stations_.fail(found == nullptr ? "it has no such variable of all stations and times"
+                                    : "more than one of its variables may be rain",
+                   setting("value_field") + " names it");
+  }
+  rain_ = found->number;
+  time_first_ = found->dimensions.size() == 2 && found->dimensions != wanted;
+  header_ = {"station", "time", found->name};
+  units_ = stations_.attribute(rain_, "units");
+  fill_ = stations_.number(rain_, "_FillValue");
+  missing_ = stations_.number(rain_, "missing_value");
+  scale_ = stations_.number(rain_, "scale_factor").value_or(1);
+  offset_ = stations_.number(rain_, "add_offset").value_or(0);
+}
+
+bool NetcdfRainfall::next(Row& row) {
+  while (next_ == block_.size()) {
+    throw_if_interrupted();
+    block_.clear();
+    next_ = 0;
+    if (!load_block()) return false;
+  }
+  const Entry& entry = block_[next_++];
+  time_ = time_of(entry.time);
+  value_ = text_of(entry.value);
+  row.line = entry.number;
+  row.padded = false;
+  row.fields = {stations_.ids()[entry.station], time_, value_};
+  return true;
+}
+
+RowPlace NetcdfRainfall::place(std::size_t number) const {
+  const std::string& variable = header_.back();
+  const std::size_t at = number - 1;
+  std::string words = quoted(variable, 60) + ", ";
+  const auto of_station = [&](std::size_t step, std::size_t station) {
+    words +=
+        "step " + std::to_string(step + 1) + " of station " + quoted(stations_.ids()[station], 60);
+  };
+  switch (layout_) {
+    case Layout::one_time:
+      of_station(at / stations_.count(), at % stations_.count());
+      break;
+    case Layout::time_of_station:
+      of_station(at % time_count_, at / time_count_);
+      break;
+    case Layout::contiguous:
+    case Layout::indexed:
+      words += "observation " + std::to_string(number);
+      break;
+  }
+  return {file_, 0, std::move(words)};
+}
+
+bool NetcdfRainfall::load_block() {
+  switch (layout_) {
+    case Layout::one_time:
+      return load_times();
+    case Layout::time_of_station:
+    case Layout::contiguous:
+      return load_station();
+    case Layout::indexed:
+      break;
+  }
+  return load_observations();
+}
+
+/// Reads some times of all stations.
+bool NetcdfRainfall::load_times() {
+  const std::size_t stations = stations_.count();
+  if (done_ == time_count_ || stations == 0) return false;
+  const std::size_t count =
+      std::min(time_count_ - done_, std::max<std::size_t>(1, block_size / stations));
+  const std::vector<double> times = part_of(stations_.time()->number, done_, count);
+  std::vector<double> values(count * stations);
+  const bool one = stations_.dimension() < 0;
+  std::array<std::size_t, 2> begin = {time_first_ || one ? done_ : 0, time_first_ ? 0 : done_};
+  std::array<std::size_t, 2> size = {time_first_ || one ? count : stations,
+                                     time_first_ ? stations : count};
+  stations_.check(
+      nc_get_vara_double(stations_.file(), rain_, begin.data(), size.data(), values.data()));
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t station = 0; station < stations; ++station) {
+      const std::size_t at = time_first_ ? i * stations + station : station * count + i;
+      block_.push_back({station, times[i], values[at], (done_ + i) * stations + station + 1});
+    }
+  }
+  done_ += count;
+  return true;
+}
+
+/// Reads all of one station.
+bool NetcdfRainfall::load_station() {
+  if (done_ == stations_.count()) return false;
+  const bool is_ragged = layout_ == Layout::contiguous;
+  const std::size_t count = is_ragged ? row_sizes_[done_] : time_count_;
+  if (is_ragged && (count > time_count_ || passed_ > time_count_ - count))
+    stations_.fail("its stations have more observations than there are");
+  std::vector<double> times(count);
+  std::vector<double> values(count);
+  const std::array<std::size_t, 2> begin = {is_ragged ? passed_ : done_, 0};
+  const std::array<std::size_t, 2> size = {is_ragged ? count : 1, count};
+  if (count > 0) {
+    stations_.check(nc_get_vara_double(stations_.file(), stations_.time()->number, begin.data(),
+                                       size.data(), times.data()));
+    stations_.check(
+        nc_get_vara_double(stations_.file(), rain_, begin.data(), size.data(), values.data()));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(std::abs(times[i]) < 1e15)) continue;  // a place that this station does not fill
+    block_.push_back({done_, times[i], values[i], (is_ragged ? passed_ : done_ * count) + i + 1});
+  }
+  passed_ += count;
+  ++done_;
+  return true;
+}
+
+/// Reads some observations, each of a station that the index names.
+bool NetcdfRainfall::load_observations() {
+  if (done_ == time_count_) return false;
+  const std::size_t count = std::min(time_count_ - done_, block_size);
+  const std::vector<double> times = part_of(stations_.time()->number, done_, count);
+  const std::vector<double> values = part_of(rain_, done_, count);
+  const std::vector<double> index = part_of(index_, done_, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(index[i] >= 0 && index[i] < static_cast<double>(stations_.count())))
+      stations_.fail("an observation is of no station: " + shortest_text(index[i]));
+    block_.push_back({static_cast<std::size_t>(index[i]), times[i], values[i], done_ + i + 1});
+  }
+  done_ += count;
+  return true;
+}
+
+std::vector<double> NetcdfRainfall::part_of(int variable, std::size_t begin,
+                                            std::size_t count) const {
+  std::vector<double> values(count);
+  stations_.check(nc_get_vara_double(stations_.file(), variable, &begin, &count, values.data()));
+  return values;
+}
+
+std::string NetcdfRainfall::time_of(double time) const {
+  const double seconds = time * seconds_;
+  if (!(std::abs(seconds) < 1e12)) stations_.fail("no time: " + shortest_text(time));
+  const std::int64_t moment = origin_ + std::llround(seconds);
+  const bool is_date = dates_ && moment % day_seconds == 0;
+  return time_text(moment, is_date ? TimePrecision::day : TimePrecision::instant);
+}
+
+std::string NetcdfRainfall::text_of(double value) const {
+  if (std::isnan(value) || value == fill_ || value == missing_) return {};
+  return shortest_text(value * scale_ + offset_);
+}
+
+}  // namespace thiessen

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "files/tables/netcdf_stations.h"
+#include "text/table.h"
+
+namespace thiessen {
+
+/// The rain of a NetCDF of stations as a table: station, time, and the variable's name.
+/// The variable is the one that is named, else one whose standard name or name
+/// is rain's, else the only one of all stations and times. Series may stand in
+/// one or two dimensions of time, or as ragged arrays, contiguous or indexed.
+/// Memory: a block of times.
+class NetcdfRainfall : public Table {
+ public:
+  /// Throws Error where the file is damaged, there is no such variable, or
+  /// times are of a calendar that has other days than ours.
+  NetcdfRainfall(std::string file, std::string variable);
+
+  const std::string& file() const override { return file_; }
+  const std::vector<std::string>& header() const override { return header_; }
+  bool numbers_rows() const override { return true; }
+  /// Words name the variable, and the step and the station or the observation, from 1.
+  RowPlace place(std::size_t number) const override;
+  bool next(Row& row) override;
+  std::unique_ptr<Table> again() const override;
+
+  /// The variable's unit, as it is written; empty where none is.
+  const std::string& units() const { return units_; }
+
+ private:
+  /// How the series stand in the variable.
+  enum class Layout { one_time, time_of_station, contiguous, indexed };
+  struct Entry {
+    std::size_t station;
+    double time;
+    double value;
+    std::size_t number;  ///< of the value in its variable, from 1
+  };
+
+  void find_layout();
+  bool load_block();
+  bool load_times();
+  bool load_station();
+  bool load_observations();
+  std::vector<double> part_of(int variable, std::size_t begin, std::size_t count) const;
+  std::string time_of(double time) const;
+  std::string text_of(double value) const;
+
+  std::string file_;
+  std::string variable_;
+  NetcdfStations stations_;
+  std::vector<std::string> header_;
+  std::string units_;
+  int rain_ = -1;
+  Layout layout_ = Layout::one_time;
+  std::size_t time_count_ = 0;
+  std::vector<std::size_t> row_sizes_;
+  int index_ = -1;  ///< the variable of the station of each observation
+  bool time_first_ = false;
+  std::optional<double> fill_, missing_;
+  double scale_ = 1;
+  double offset_ = 0;
+  double seconds_ = 1;       ///< of the unit in which times are counted
+  std::int64_t origin_ = 0;  ///< from which they are, in seconds from the beginning of 1970
+  bool dates_ = true;        ///< midnights are dates
+
+  std::size_t done_ = 0;    ///< times, stations or observations
+  std::size_t passed_ = 0;  ///< observations of the stations before
+  std::vector<Entry> block_;
+  std::size_t next_ = 0;
+  std::string time_, value_;
+};
+
+}  // namespace thiessen
