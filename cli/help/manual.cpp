@@ -215,9 +215,10 @@ std::string times_section() {
          ".PP\n" +
          roff_paragraph(
              "A time may stand in several columns: year, month and day, with hour and minute or "
-             "without, are found by these names, and --time-field, repeated, names any, whose "
-             "texts "
-             "are put together with blanks between.") +
+             "without, are found by these names, and so are a date and, in a column called time, "
+             "hour or the like, its clock, where the first row has these; that is said. "
+             "--time-field, repeated, names any, whose texts are put together with blanks "
+             "between.") +
          ".PP\n" +
          roff_paragraph(
              "A time with a clock begins its step, or with --stamp end ends it: then midnight "
@@ -231,11 +232,16 @@ std::string format_entry(const PublishedFormat& format) {
   std::string text = "rain is " + std::string(format.kept.empty() ? format.value : format.kept);
   if (format.unit_is_ordered) text += ", whose unit --from-unit has to say";
   if (!format.unit.empty()) text += ", in " + std::string(format.unit);
-  text += "; stations are in " + std::string(format.station);
+  text += format.station.empty() ? std::string("; a file is of one station, which ") +
+                                       (format.label.empty() ? "" : "it or ") + "its name tells"
+                                 : "; stations are in " + std::string(format.station);
   if (format.ids_as_numbers) text += ", compared as numbers";
   if (!format.missing.empty()) text += "; missing: " + std::string(format.missing);
   if (!format.trace.empty()) text += "; " + std::string(format.trace) + " is a trace";
   if (!format.flags.empty()) text += "; a flag in " + std::string(format.flags) + " means missing";
+  if (!format.encoding.empty()) text += "; in " + std::string(format.encoding) + " or UTF-8";
+  if (format.is_of_basins) text += "; means over the basins of river gauges, with a warning";
+  if (!format.models.empty()) text += "; values of weather models are counted, with a warning";
   if (!format.period.empty()) text += "; amounts of several days are missing";
   return ".TP\n" + roff_bold(std::string(format.name)) + "\n" + roff_paragraph(sentence(text));
 }
@@ -247,7 +253,8 @@ std::string formats_section() {
           "These are known by their content and read without an option, unless --value-field "
           "names the column of values; a notice says what a file was taken for. As STATIONS "
           "GHCN-Daily's and DWD's lists of stations and SWAT's files are known, and USGS's sites "
-          "by the names of their columns.");
+          "by the names of their columns. Where a file is of one station that no column tells, the "
+          "lines above its header or its name do, of a single file too.");
   for (const PublishedFormat& format : known_formats()) text += format_entry(format);
   return text + ".TP\n" + roff_bold("NetCDF of stations") + "\n" +
          roff_paragraph(

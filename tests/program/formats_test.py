@@ -38,6 +38,7 @@ class Formats(ProgramTest):
                 ran = self.ran(case)
                 self.assertEqual(ran.returncode, 0, ran.stderr)
                 self.assertIn(case.get("told", ""), ran.stderr)
+                self.assertIn(case.get("also", ""), ran.stderr)
                 rows = sorted(table(ran.stdout), key=lambda row: row["time"])
                 self.assertEqual([row["time"] for row in rows], [row[0] for row in case["rows"]])
                 for found, (time, west, east) in zip(rows, case["rows"]):

@@ -6,16 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "base/utf8.h"
 #include "files/tables/csv_file.h"
 #include "files/tables/netcdf_rainfall.h"
 #include "files/tables/netcdf_stations.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/table_file.h"
+#include "readings/published/arcswat_files.h"
+#include "readings/published/headerless_formats.h"
 #include "readings/published/month_rows.h"
 #include "readings/published/published_format.h"
+#include "readings/published/published_formats.h"
 #include "readings/published/published_table.h"
 #include "readings/published/swat_files.h"
+#include "readings/published/text_beginning.h"
 #include "readings/published/usgs_rdb.h"
 #include "readings/rain_unit.h"
 #include "text/csv_form.h"
@@ -27,6 +30,8 @@ namespace {
 struct Recognised {
   std::unique_ptr<Table> table;
   const PublishedFormat* format = nullptr;
+  bool tells_encoding = false;
+  std::vector<std::string> stations_told = {};
 };
 
 Recognised open_usgs(const std::string& file) {
@@ -34,45 +39,55 @@ Recognised open_usgs(const std::string& file) {
   return {std::move(table), &usgs_rdb_format()};
 }
 
-/// Whether a text begins with a row of GHCN-Daily in place of a header.
-bool begins_as_ghcn(std::string_view beginning) {
-  std::string_view line = beginning.substr(0, beginning.find('\n'));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  const auto fields = parted(line, ',');
-  return is_ghcn_row({fields.begin(), fields.end()});
+Recognised open_arcswat(const std::string& file, ArcSwatFile kind) {
+  const bool is_list = kind == ArcSwatFile::list;
+  return {std::make_unique<ArcSwatRainfall>(file, kind, open_text),
+          is_list ? &arcswat_list_format() : &arcswat_gauge_format()};
 }
 
-Recognised open_ghcn_without_header(const std::string& file, CsvDialect said, Warnings& warnings) {
-  const PublishedFormat& format = ghcn_without_header();
+Recognised open_without_header(const std::string& file, const PublishedFormat& format,
+                               CsvDialect said, Warnings& warnings) {
   said.separator = ',';
-  for (const std::string_view number : parted(format.columns, ','))
-    said.numbers.emplace_back(number);
+  for (const std::string_view name : parted(format.columns, ',')) said.names.emplace_back(name);
   return {open_csv(file, said, {}, warnings), &format};
 }
 
-/// A text of a published format; no table where it is none.
-Recognised open_text_format(const std::string& rainfall, const CsvDialect& said,
+/// A text of a published format that is no table with a header; no table where it is none.
+Recognised open_text_format(const Source& rainfall, const std::string& beginning,
                             Warnings& warnings) {
-  const std::string beginning = beginning_of_text(rainfall, csv_beginning_bytes);
-  if (is_usgs_rdb(beginning)) return open_usgs(rainfall);
+  if (!rainfall.layer.empty() || !rainfall.where.empty()) return {};
+  const std::string& file = rainfall.file;
+  if (is_usgs_rdb(beginning)) return open_usgs(file);
   if (const SwatFile kind = swat_file(beginning); kind != SwatFile::none)
-    return {std::make_unique<SwatRainfall>(rainfall, kind, open_text), &swat_format()};
-  if (begins_as_ghcn(beginning)) return open_ghcn_without_header(rainfall, said, warnings);
+    return {std::make_unique<SwatRainfall>(file, kind, open_text), &swat_format()};
+  if (const ArcSwatFile kind = arcswat_file(beginning); kind != ArcSwatFile::none)
+    return open_arcswat(file, kind);
+  if (const PublishedFormat* format = format_of_rows(beginning))
+    return open_without_header(file, *format, rainfall.csv, warnings);
   return {};
+}
+
+/// The same of a table with a header.
+Recognised open_table_format(const Source& rainfall, const std::string& beginning,
+                             Warnings& warnings) {
+  const TextBeginning told = look_at_beginning(beginning, rainfall.csv);
+  Source source = rainfall;
+  source.csv = told.dialect;
+  auto table = open_table(source, warnings);
+  if (is_ana_header(table->header()))
+    return {std::make_unique<MonthRows>(std::move(table)), &ana_format()};
+  const PublishedFormat* format = format_of_header(table->header(), told.text);
+  if (format == nullptr) return {std::move(table)};
+  return {std::move(table), format, told.tells_encoding,
+          stations_told(*format, told.text, rainfall.file)};
 }
 
 Recognised open_by_content(const Source& rainfall, const ReadingsOptions& options,
                            Warnings& warnings) {
   if (!options.value_field.empty()) return {open_table(rainfall, warnings)};
-  if (rainfall.layer.empty() && rainfall.where.empty()) {
-    Recognised found = open_text_format(rainfall.file, rainfall.csv, warnings);
-    if (found.table) return found;
-  }
-  auto table = open_table(rainfall, warnings);
-  if (is_ana_header(table->header()))
-    return {std::make_unique<MonthRows>(std::move(table)), &ana_format()};
-  const PublishedFormat* format = format_of_header(table->header());
-  return {std::move(table), format};
+  const std::string beginning = beginning_of_text(rainfall.file, csv_beginning_bytes);
+  Recognised found = open_text_format(rainfall, beginning, warnings);
+  return found.table ? std::move(found) : open_table_format(rainfall, beginning, warnings);
 }
 
 /// Opens a NetCDF of stations, whose variable says its unit.
@@ -112,11 +127,12 @@ RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions&
                  ""});
   }
   if (found.format == nullptr) return {std::move(found.table), options};
-  tell_format(*found.format, *found.table, options, warnings);
+  tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
   ReadingsOptions all = options_of(*found.format, *found.table, options);
   auto table =
       std::make_unique<PublishedTable>(std::move(found.table), *found.format, options, warnings);
-  return {std::move(table), std::move(all)};
+  const bool is_of_one = found.format->station.empty() && all.station_field.empty();
+  return {std::move(table), std::move(all), is_of_one, std::move(found.stations_told)};
 }
 
 }  // namespace thiessen

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "files/tables/source.h"
@@ -13,6 +15,8 @@ namespace thiessen {
 struct RainfallTable {
   std::unique_ptr<Table> table;
   ReadingsOptions options;
+  bool is_of_one_station = false;         ///< and no column of it tells which
+  std::vector<std::string> stations_told = {};  ///< what the file calls this, the first first
 };
 
 /// Opens RAINFALL as a table (see open_table). A published format (see PublishedFormat) is known by

@@ -15,6 +15,7 @@
 #include "readings/readings_dly.h"
 #include "readings/station_in_name.h"
 #include "readings/steps/counter_readings.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -35,55 +36,93 @@ Source source_of(const RainfallRequest& rainfall, const std::string& file) {
   return source;
 }
 
-/// A table of one file of several, and the id of the station that the file's name tells where the
-/// table names none. The table is null where the name tells none either, and may be passed over.
-struct OneOfSeveral {
+/// A table, and the id of the station that it is of where none of its columns tells one. The table
+/// is null where nothing tells that either, and it may be passed over.
+struct Placed {
   std::unique_ptr<Table> table;
   std::string id;
   ReadingsOptions options;  ///< with what is known of a published format
 };
 
-OneOfSeveral open_one_of_several(const Source& source, const ReadingsStations& known,
-                                 const ReadingsOptions& options, Warnings& warnings) {
-  auto [table, all] = open_rainfall_table(source, options, warnings);
-  if (!all.station_field.empty() || !names_no_station(*table, known))
-    return {std::move(table), "", std::move(all)};
-  std::string id = station_in_name(source.file, known);
+/// The station of a file of one: as the file calls it, or as its name does. Empty where neither is
+/// known.
+std::string station_of_file(const RainfallTable& opened, const ReadingsStations& known,
+                            Warnings& warnings) {
+  const std::string& file = opened.table->file();
+  for (const std::string& told : opened.stations_told) {
+    if (known.find(told).standing == ReadingsStations::Standing::unknown) continue;
+    warnings.add_notice({file, 0, "its station is " + quoted(told, 80), ""});
+    return told;
+  }
+  std::string id = station_in_name(file, known);
+  if (!id.empty()) warnings.add_notice({file, 0, "its station stands in the file's name", ""});
+  return id;
+}
+
+[[noreturn]] void fail_without_station(const RainfallTable& opened) {
+  const std::string& file = opened.table->file();
+  if (!opened.stations_told.empty()) {
+    throw Error({file, 0,
+                 "its station is called " + listed(opened.stations_told) + ", and so is none of " +
+                     input("stations"),
+                 setting("id") + " names the column of " + input("stations") +
+                     " that has it; of several files " + setting("ignore_unknown") +
+                     " passes over those of other stations"});
+  }
+  if (opened.is_of_one_station) {
+    throw Error({file, 0, "it is of one station, and its name tells none of " + input("stations"),
+                 "the station's id stands in the file's name, parted from the rest by _, -, . or a "
+                 "blank"});
+  }
+  throw Error({file, opened.table->header_line(),
+               "no column is one of stations or called as a station of " + input("stations") +
+                   ", nor does the file's name tell one",
+               setting("station_field") + " names a column, and " + setting("ignore_unknown") +
+                   " passes over such files"});
+}
+
+Placed open_placed(const Source& source, const ReadingsStations& known,
+                   const ReadingsOptions& options, Warnings& warnings) {
+  RainfallTable opened = open_rainfall_table(source, options, warnings);
+  const bool tells_stations =
+      !opened.is_of_one_station &&
+      (!options.is_one_of_several || !opened.options.station_field.empty() ||
+       !names_no_station(*opened.table, known));
+  if (tells_stations) return {std::move(opened.table), "", std::move(opened.options)};
+  std::string id = station_of_file(opened, known, warnings);
   if (!id.empty()) {
-    warnings.add_notice({source.file, 0, "its station stands in the file's name", ""});
-    all.station_field = station_of_name;
-    auto of_one = of_station(std::move(table), id);
-    return {std::move(of_one), std::move(id), std::move(all)};
+    opened.options.station_field = station_of_name;
+    auto of_one = of_station(std::move(opened.table), id);
+    return {std::move(of_one), std::move(id), std::move(opened.options)};
   }
-  if (!options.ignore_unknown) {
-    throw Error({source.file, table->header_line(),
-                 "no column is one of stations or called as a station of " + input("stations") +
-                     ", nor does the file's name tell one",
-                 setting("station_field") + " names a column, and " + setting("ignore_unknown") +
-                     " passes over such files"});
-  }
+  if (!options.ignore_unknown || !options.is_one_of_several) fail_without_station(opened);
   warnings.add({source.file, 0, "it tells no station that is known, and is passed over", ""});
   return {};
+}
+
+std::unique_ptr<Readings> open_dly(const Source& rainfall, std::span<const Station> stations,
+                                   std::span<const std::string> passed_over,
+                                   const ReadingsOptions& options, Warnings& warnings) {
+  require_no_table_wanted(rainfall);
+  return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
 }
 
 std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Station> stations,
                                    std::span<const std::string> passed_over,
                                    const ReadingsOptions& options, Warnings& warnings) {
-  if (is_dly(rainfall.file)) {
-    require_no_table_wanted(rainfall);
-    return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
-  }
-  RainfallTable opened = open_rainfall_table(rainfall, options, warnings);
-  return open_readings(std::move(opened.table), stations, passed_over, opened.options, warnings);
+  if (is_dly(rainfall.file)) return open_dly(rainfall, stations, passed_over, options, warnings);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  Placed one = open_placed(rainfall, known, options, warnings);
+  return open_readings(std::move(one.table), stations, passed_over, one.options, warnings);
 }
 
 /// The same of one file of several. Where it is of one station, its readings are of that alone.
 JoinedReadings::Opened open_among_several(const Source& rainfall, std::span<const Station> stations,
                                           std::span<const std::string> passed_over,
                                           const ReadingsOptions& options, Warnings& warnings) {
-  if (is_dly(rainfall.file)) return open_one(rainfall, stations, passed_over, options, warnings);
+  if (is_dly(rainfall.file)) return open_dly(rainfall, stations, passed_over, options, warnings);
   const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
-  OneOfSeveral one = open_one_of_several(rainfall, known, options, warnings);
+  Placed one = open_placed(rainfall, known, options, warnings);
   if (!one.table) return {};
   if (one.id.empty())
     return open_readings(std::move(one.table), stations, passed_over, one.options, warnings);
@@ -100,20 +139,13 @@ ReportingStations heard_in(const Source& rainfall, std::span<const Station> stat
                            std::span<const std::string> passed_over,
                            const ReadingsOptions& options) {
   Warnings told_later;
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   if (is_dly(rainfall.file)) {
-    const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
     HeardStations heard(known);
     heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
     return heard.heard();
   }
-  OneOfSeveral one;
-  if (options.is_one_of_several) {
-    const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
-    one = open_one_of_several(rainfall, known, options, told_later);
-  } else {
-    RainfallTable opened = open_rainfall_table(rainfall, options, told_later);
-    one = {std::move(opened.table), "", std::move(opened.options)};
-  }
+  const Placed one = open_placed(rainfall, known, options, told_later);
   if (!one.table) return ReportingStations(stations.size(), false);
   const ReadingsStations joined(stations, passed_over, {one.options.ids_as_numbers, {}});
   HeardStations heard(joined);

@@ -1,5 +1,6 @@
 #include "readings/published/published_table.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/utf8.h"
@@ -39,6 +40,7 @@ PublishedTable::PublishedTable(std::unique_ptr<Table> table, const PublishedForm
   if (!format.flags.empty() && !options.keep_flagged)
     flags_ = published_column(header(), format.flags);
   if (!format.period.empty()) period_ = published_column(header(), format.period);
+  if (!format.source.empty()) source_ = published_column(header(), format.source);
 }
 
 PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table)
@@ -49,6 +51,7 @@ PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Tabl
       kept_(other.kept_),
       flags_(other.flags_),
       period_(other.period_),
+      source_(other.source_),
       kept_text_(other.kept_text_),
       requires_whole_(other.requires_whole_),
       told_(other.told_) {}
@@ -64,6 +67,7 @@ bool PublishedTable::next(Row& row) {
     const bool has_value = !trimmed(row.fields[value_]).empty();
     const bool flagged = has_value && flags_ && has_flag(row);
     const bool of_days = has_value && period_ && is_of_days(row);
+    if (has_value && source_ && is_of_model(row)) ++of_models_;
     if (flagged || of_days) {
       ++(flagged ? flagged_ : of_days_);
       row.fields[value_] = {};
@@ -85,6 +89,13 @@ bool PublishedTable::has_flag(const Row& row) const {
 bool PublishedTable::is_of_days(const Row& row) const {
   const std::string_view days = trimmed(row.fields[*period_]);
   return !days.empty() && days != "1";
+}
+
+bool PublishedTable::is_of_model(const Row& row) const {
+  const auto models = parted(format_.models, ' ');
+  return std::ranges::any_of(models, [&](std::string_view model) {
+    return row.fields[*source_].find(model) != std::string_view::npos;
+  });
 }
 
 /// An order of the same columns may be in millimetres or inches, and these have fractions.
@@ -114,6 +125,13 @@ void PublishedTable::tell() {
              " taken as missing, for nothing tells how much fell on which day",
          ""});
   }
+  if (of_models_ > 0) {
+    warnings_.add({file(), 0,
+                   counted(of_models_, "a value is", " values are") +
+                       " a weather model's, and no gauge's, as " + std::string(format_.source) +
+                       " tells",
+                   ""});
+  }
 }
 
 ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
@@ -122,7 +140,8 @@ ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
   const auto name_of = [&](std::string_view column) {
     return header[published_column(header, column).value()];
   };
-  if (options.station_field.empty()) options.station_field = name_of(format.station);
+  if (options.station_field.empty() && !format.station.empty())
+    options.station_field = name_of(format.station);
   if (options.time_fields.empty()) {
     for (const std::string_view column : parted(format.time, ','))
       options.time_fields.push_back(name_of(column));
@@ -132,6 +151,7 @@ ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
     if (!text.empty()) options.missing.emplace_back(text);
   if (!format.trace.empty()) options.trace.emplace_back(format.trace);
   options.ids_as_numbers = options.ids_as_numbers || format.ids_as_numbers;
+  options.day_first = options.day_first || format.day_first;
   if (unit_is_said(options)) return options;
   if (format.unit_is_ordered) {
     throw Error({table.file(), table.header_line(),
@@ -144,14 +164,22 @@ ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
 }
 
 void tell_format(const PublishedFormat& format, const Table& table, const ReadingsOptions& said,
-                 Warnings& warnings) {
+                 bool tells_encoding, Warnings& warnings) {
   const auto column = published_column(table.header(), format.value);
   std::string text = "read as " + std::string(format.name) + ": rain is ";
   text += format.kept.empty() ? table.header()[column.value()]
                               : std::string(parted(format.kept, '=')[1]);
   if (!format.unit.empty() && !unit_is_said(said)) text += ", in " + in_words(format.unit);
   if (format.ids_as_numbers && !said.ids_as_numbers) text += "; ids of stations compare as numbers";
+  if (tells_encoding) text += "; it is written in " + std::string(format.encoding);
   warnings.add_notice({table.file(), 0, std::move(text), ""});
+  if (format.is_of_basins) {
+    warnings.add(
+        {table.file(), 0,
+         "its rain is the mean over the basin of a river gauge, and stands for a rain gauge "
+         "there",
+         ""});
+  }
   const auto unit = rain_unit(format.unit);
   if (!unit || !said.from_unit || said.from_unit->depth == unit->depth) return;
   warnings.add({table.file(), 0,

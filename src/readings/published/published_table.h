@@ -16,7 +16,8 @@ namespace thiessen {
 
 /// The rows of a table of a known format that are readings of rain. Values with a flag of quality,
 /// unless they are kept, and amounts of several days are empty; how many there are is told once the
-/// last row has been read. Throws Error where a value shows that it is in another unit.
+/// last row has been read, and of how many it is told that they are a model's. Throws Error where a
+/// value shows that it is in another unit.
 class PublishedTable : public Table {
  public:
   /// Requires a table of this format. `warnings` must outlive the table.
@@ -44,6 +45,7 @@ class PublishedTable : public Table {
   std::unique_ptr<Table> of(std::unique_ptr<Table> table) const;
   bool has_flag(const Row& row) const;
   bool is_of_days(const Row& row) const;
+  bool is_of_model(const Row& row) const;
   void require_whole(const Row& row) const;
   void tell();
 
@@ -54,10 +56,12 @@ class PublishedTable : public Table {
   std::optional<std::size_t> kept_;
   std::optional<std::size_t> flags_;
   std::optional<std::size_t> period_;
+  std::optional<std::size_t> source_;
   std::string_view kept_text_;
   bool requires_whole_;
   std::size_t flagged_ = 0;
   std::size_t of_days_ = 0;
+  std::size_t of_models_ = 0;
   std::shared_ptr<Told> told_ = std::make_shared<Told>();
 };
 
@@ -66,8 +70,8 @@ class PublishedTable : public Table {
 ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
                            ReadingsOptions options);
 
-/// Tells what a file was taken for.
+/// Tells what a file was taken for, and its encoding where the format and not the user tells that.
 void tell_format(const PublishedFormat& format, const Table& table, const ReadingsOptions& said,
-                 Warnings& warnings);
+                 bool tells_encoding, Warnings& warnings);
 
 }  // namespace thiessen

@@ -2,65 +2,28 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
+#include <string_view>
 #include <vector>
-
-#include "readings/rain_unit.h"
 
 namespace thiessen {
 namespace {
 
-using Header = std::vector<std::string>;
-
-std::string format_of(const Header& header) {
-  const PublishedFormat* format = format_of_header(header);
-  return format == nullptr ? "none" : std::string(format->name);
+TEST(PublishedFormat, a_column_may_have_several_names) {
+  EXPECT_EQ(published_column({"STN", "VALUE"}, "DATA_VALUE|VALUE"), 1U);
+  EXPECT_EQ(published_column({"STN", "data value"}, "DATA_VALUE|VALUE"), 1U);
+  EXPECT_FALSE(published_column({"STN", "VAL"}, "DATA_VALUE|VALUE"));
 }
 
-TEST(PublishedFormat, is_known_by_columns_in_their_order) {
-  EXPECT_EQ(format_of({"STATION", "DATE", "LATITUDE", "LONGITUDE", "ELEVATION", "NAME", "PRCP",
-                       "PRCP_ATTRIBUTES"}),
-            "NOAA's GHCN-Daily, a column an element");
-  EXPECT_EQ(format_of({"STATION", "NAME", "LATITUDE", "LONGITUDE", "ELEVATION", "DATE", "PRCP",
-                       "PRCP_ATTRIBUTES"}),
-            "an order of NOAA's Climate Data Online, with flags");
-  EXPECT_EQ(format_of({"ID", "DATE", "ELEMENT", "VALUE", "M", "Q", "S", "OBS"}),
-            "NOAA's GHCN-Daily by year or by station");
-  EXPECT_EQ(format_of({"STATIONS_ID", "MESS_DATUM", "QN_8", "  R1", "RS_IND", "WRTR"}),
-            "DWD's hourly precipitation");
-  EXPECT_EQ(format_of({"station", "date", "rain"}), "none");
-  EXPECT_EQ(format_of({}), "none");
+TEST(PublishedFormat, a_star_is_the_end_of_how_a_name_begins) {
+  EXPECT_TRUE(has_published_name("PRECIPITA\u00c7\u00c3O TOTAL, HOR\u00c1RIO (mm)",
+                                 "PRECIPITA\u00c7\u00c3O TOTAL*"));
+  EXPECT_TRUE(has_published_name("precipita\u00e7\u00e3o total", "PRECIPITA\u00c7\u00c3O TOTAL*"));
+  EXPECT_FALSE(has_published_name("PRECIPITA\u00c7\u00c3O", "PRECIPITA\u00c7\u00c3O TOTAL*"));
+  EXPECT_FALSE(has_published_name("TOTAL RAIN", "TOTAL"));
 }
 
-TEST(PublishedFormat, common_names_in_small_letters_are_no_order) {
-  EXPECT_EQ(format_of({"STATION", "NAME", "DATE", "PRCP"}),
-            "an order of NOAA's Climate Data Online");
-  EXPECT_EQ(format_of({"station", "name", "date", "prcp"}), "none");
-}
-
-TEST(PublishedFormat, every_row_names_columns_of_its_own_and_a_unit) {
-  for (const PublishedFormat& format : published_formats()) {
-    Header header;
-    for (const std::string_view names : parted(format.columns, ','))
-      header.emplace_back(parted(names, '|').back());
-    EXPECT_NE(format_of_header(header), nullptr) << format.name;
-    EXPECT_TRUE(published_column(header, format.station)) << format.name;
-    EXPECT_TRUE(published_column(header, format.value)) << format.name;
-    for (const std::string_view time : parted(format.time, ','))
-      EXPECT_TRUE(published_column(header, time)) << format.name;
-    if (!format.flags.empty()) {
-      EXPECT_TRUE(published_column(header, format.flags)) << format.name;
-    }
-    EXPECT_EQ(rain_unit(format.unit).has_value(), !format.unit_is_ordered) << format.name;
-  }
-}
-
-TEST(PublishedFormat, rows_of_GHCN_Daily_need_no_header) {
-  EXPECT_TRUE(is_ghcn_row({"USC00050848", "20130911", "PRCP", "254", "", "", "7", "1700"}));
-  EXPECT_TRUE(is_ghcn_row({"XXE00147708", "20130911", "TMIN", "-12", "", "", "E", ""}));
-  EXPECT_FALSE(is_ghcn_row({"ID", "DATE", "ELEMENT", "VALUE", "M", "Q", "S", "OBS"}));
-  EXPECT_FALSE(is_ghcn_row({"USC00050848", "20130911", "PRCP", "25.4", "", "", "7", "1700"}));
-  EXPECT_FALSE(is_ghcn_row({"USC00050848", "20130911", "PRCP", "254", "", "", "7"}));
+TEST(PublishedFormat, parted_texts_lose_their_blanks) {
+  EXPECT_EQ(parted(" a , b,", ','), (std::vector<std::string_view>{"a", "b", ""}));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
-#include "readings/published/published_format.h"
+#include "readings/published/published_formats.h"
 #include "text/csv_reader.h"
 
 namespace thiessen {
