@@ -10,6 +10,7 @@
 #include "files/tables/ghcn_station_list.h"
 #include "files/tables/netcdf_station_list.h"
 #include "files/tables/netcdf_stations.h"
+#include "files/tables/sheet_file.h"
 #include "files/tables/swat_station_list.h"
 #include "gdal/layers/geometry_text.h"
 #include "gdal/layers/opening.h"
@@ -41,6 +42,9 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
   if (is_netcdf_of_stations(source.file)) {
     table_ = std::make_unique<NetcdfStationList>(source.file);
     warnings.add_notice({source.file, 0, "read as a NetCDF of stations", {}});
+  } else if (auto sheet = open_sheet(source, warnings)) {
+    table_ = std::move(sheet);
+    wkt_ = find_field(header(), known::geometries);
   } else if (read_by_gdal(source.file)) {
     auto layer =
         std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);

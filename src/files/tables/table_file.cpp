@@ -1,15 +1,14 @@
 #include "files/tables/table_file.h"
 
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "files/tables/csv_file.h"
 #include "files/tables/filtered_table.h"
+#include "files/tables/sheet_file.h"
 #include "gdal/layers/layer.h"
 #include "gdal/layers/opening.h"
-#include "gdal/layers/xlsx_table.h"
 #include "text/attributes.h"
 
 namespace thiessen {
@@ -22,18 +21,9 @@ struct TypedTable {
   std::vector<FieldType> types;
 };
 
-std::unique_ptr<Table> open_sheet(const Source& source, const Opening& opening,
-                                  Warnings& warnings) {
-  return std::make_unique<XlsxTable>(XlsxTable::Request{source.file, opening.name, source.layer,
-                                                        source.layer_setting, source.csv.skip},
-                                     &warnings);
-}
-
 TypedTable open_rows(const Source& source, Warnings& warnings) {
   if (source.file != "-" && read_by_gdal(source.file)) {
-    const Opening opening = find_opening(source.file);
-    if (opening.drivers.front() == std::string_view("XLSX"))
-      return {open_sheet(source, opening, warnings), {}};
+    if (auto sheet = open_sheet(source, warnings)) return {std::move(sheet), {}};
     auto layer =
         std::make_unique<Layer>(source.file, source.layer, source.layer_setting, &warnings);
     std::vector<FieldType> types = layer->types();

@@ -127,6 +127,19 @@ OGRLayer* choose(GDALDataset& dataset, const std::string& file, const std::strin
   return layers[0];
 }
 
+bool has_dates(const OGRFeatureDefn& fields) {
+  for (int i = 0; i < fields.GetFieldCount(); ++i) {
+    if (fields.GetFieldDefn(i)->GetType() == OFTDate) return true;
+  }
+  return false;
+}
+
+/// The reader of .xls gives a cell that shows a date alone without the hours that it holds.
+Message hidden_hours(const std::string& file) {
+  return {file, 0, "hours of its cells that show a date alone cannot be known",
+          "save it as .xlsx if there may be some: of that they are read"};
+}
+
 /// The CRS that a layer names. One that GDAL does not understand is none, and noted among the
 /// oddities, for the user may know it.
 std::unique_ptr<OGRSpatialReference> system_of(OGRLayer& layer,
@@ -207,6 +220,9 @@ Layer::Layer(std::string file, const std::string& layer, const std::string& laye
     it.header.emplace_back(fields.GetFieldDefn(i)->GetNameRef());
     it.types.push_back(type_of(fields.GetFieldDefn(i)->GetType()));
   }
+  if (it.opening.drivers.front() == std::string_view("XLS") && it.told != nullptr &&
+      has_dates(fields))
+    it.told->add(hidden_hours(it.file));
   it.has_geometry = fields.GetGeomFieldCount() > 0;
   it.system = system_of(*it.layer, it.oddities);
   it.layer->ResetReading();
