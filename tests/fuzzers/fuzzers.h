@@ -23,6 +23,11 @@ void fuzz_texts(std::span<const std::uint8_t> bytes);
 void fuzz_readings(std::span<const std::uint8_t> bytes);
 /// Bytes as a `.dly` file of GHCN-Daily; or as its records, written in any order, and read again.
 void fuzz_dly(std::span<const std::uint8_t> bytes);
+/// Bytes as several files of readings that are joined, as readings parted over files, or as the
+/// name of a file that tells a station.
+void fuzz_joined(std::span<const std::uint8_t> bytes);
+/// Bytes as a sheet of a .xlsx, or as the form of its cells.
+void fuzz_xlsx(std::span<const std::uint8_t> bytes);
 /// Bytes as a file of readings in a published format.
 void fuzz_published(std::span<const std::uint8_t> bytes);
 /// Bytes as the script of a session and a CSV of points that it loads. Nothing is written anywhere.
