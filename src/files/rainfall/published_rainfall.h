@@ -15,7 +15,7 @@ namespace thiessen {
 struct RainfallTable {
   std::unique_ptr<Table> table;
   ReadingsOptions options;
-  bool is_of_one_station = false;         ///< and no column of it tells which
+  bool is_of_one_station = false;               ///< and no column of it tells which
   std::vector<std::string> stations_told = {};  ///< what the file calls this, the first first
 };
 
