@@ -14,7 +14,7 @@ namespace thiessen::known {
 
 /// The id of a station; the first of these names that a table has is taken. Words for it come
 /// before words that may mean something else.
-inline constexpr std::array<std::string_view, 61> station_ids = {"id",
+inline constexpr std::array<std::string_view, 62> station_ids = {"id",
                                                                  "station",
                                                                  "station_id",
                                                                  "stnid",
@@ -58,6 +58,7 @@ inline constexpr std::array<std::string_view, 61> station_ids = {"id",
                                                                  "estacao",
                                                                  "estação",
                                                                  "cod_estacao",
+                                                                 "cd_estacao",
                                                                  "codigo_estacao",
                                                                  "stationsnummer",
                                                                  "stationsnr",
