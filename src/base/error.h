@@ -4,6 +4,7 @@
 #include <exception>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/wording.h"
@@ -45,6 +46,12 @@ class Error : public std::exception {
   std::string what_;
 };
 
+/// The exception where whoever reads what is written has gone. There is nobody to tell of it.
+class ReaderGone : public Error {
+ public:
+  explicit ReaderGone(Error error) : Error(std::move(error)) {}
+};
+
 /// Gathers the faults in the rows of a file, so that all are reported, not only the first.
 class Complaints {
  public:
@@ -83,6 +90,11 @@ class Warnings {
   void add_notice(Message message) { notices_.push_back(std::move(message)); }
   const std::vector<Message>& messages() const { return messages_; }
   const std::vector<Message>& notices() const { return notices_; }
+  /// Drops the messages, for they have been told.
+  void have_been_told() {
+    messages_.clear();
+    notices_.clear();
+  }
 
  private:
   std::vector<Message> messages_;

@@ -17,6 +17,8 @@ namespace {
 
 constexpr std::size_t buffer_bytes = std::size_t{256} << 10;
 constexpr int writer_patience_ms = 3000;
+/// A signal that comes between two calls is heard after the second, so that no call waits longer.
+constexpr std::chrono::milliseconds longest_call(200);
 constexpr std::size_t most_bytes_a_call = std::size_t{1} << 30;
 
 /// Waits until a descriptor that someone made non-blocking is ready.
@@ -43,6 +45,7 @@ void write_whole(int descriptor, std::string_view text, const std::string& name)
     if (written > 0) {
       text.remove_prefix(static_cast<std::size_t>(written));
     } else if (const int why = written == 0 ? EIO : errno; !may_go_on(why, descriptor, POLLOUT)) {
+      if (why == EPIPE) throw ReaderGone(system_error(name, "cannot write", why));
       throw system_error(name, "cannot write", why);
     }
   }
@@ -105,6 +108,8 @@ std::size_t InputFile::read(std::span<char> into) {
     first_.reset();
     return 1;
   }
+  while (may_wait() && !has_bytes(longest_call)) {
+  }
   const std::size_t wanted = std::min(into.size(), most_bytes_a_call);
   for (;;) {
     const ssize_t count = ::read(file_.number(), into.data(), wanted);
@@ -112,6 +117,21 @@ std::size_t InputFile::read(std::span<char> into) {
     if (const int why = errno; !may_go_on(why, file_.number(), POLLIN)) {
       throw system_error(name_, "cannot read", why);
     }
+  }
+}
+
+bool InputFile::has_bytes(std::chrono::milliseconds patience) {
+  using Clock = std::chrono::steady_clock;
+  if (!may_wait() || first_) return true;
+  const auto until = Clock::now() + patience;
+  for (;;) {
+    throw_if_interrupted();
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now());
+    const auto wait = std::clamp(left, std::chrono::milliseconds(0), longest_call);
+    pollfd pipe = {file_.number(), POLLIN, 0};
+    const int ready = ::poll(&pipe, 1, static_cast<int>(wait.count()));
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return true;  // reading says what is wrong
+    if (left <= longest_call && Clock::now() >= until) return false;
   }
 }
 
@@ -154,6 +174,12 @@ void OutputFile::finish() {
 
 void OutputFile::discard() {
   buffer_.clear();
+}
+
+bool OutputFile::is_reader_gone() const {
+  if (!file_.is_open()) return false;
+  pollfd pipe = {file_.number(), 0, 0};
+  return ::poll(&pipe, 1, 0) > 0 && (pipe.revents & POLLERR) != 0;
 }
 
 OutputFile OutputFile::held() const {

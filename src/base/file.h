@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -34,6 +35,9 @@ class InputFile {
   /// Reads the next bytes into the beginning of `into`, and returns how many they are; 0 at the
   /// end. Throws Error where reading fails, and Interrupted where a signal came.
   std::size_t read(std::span<char> into);
+  /// Whether bytes are there, or come within `patience`; so is the end. Only of a pipe or a device
+  /// is it ever false. Throws Interrupted where a signal came.
+  bool has_bytes(std::chrono::milliseconds patience);
 
  private:
   void open(const std::string& path);
@@ -64,13 +68,16 @@ class OutputFile {
   const std::string& name() const { return name_; }
   /// Appends the text. Throws Error where the system refuses it: a full disk, a closed pipe.
   void append(std::string_view text);
-  /// Hands over what the buffer holds, so that the reader of a pipe sees it. Held bytes stay where
+  /// Hands over what the buffer holds, so that the reader of a pipe sees it. Throws ReaderGone
+  /// where there is none left. Held bytes stay where
   /// no reader sees them yet.
   void flush();
   /// Writes the rest, syncs and closes the file. The bytes are safe only when this does not throw.
   void finish();
   /// Drops what is not handed over yet.
   void discard();
+  /// Whether it is a pipe from which nobody will read any more.
+  bool is_reader_gone() const;
   /// Another output to the same place, none of whose bytes go there until it is finished. What this
   /// one holds has to be flushed first. Throws Error where the system has no more descriptors.
   OutputFile held() const;

@@ -52,18 +52,88 @@ CsvReader::CsvReader(InputFile input, CsvOptions options, bool is_on_disk)
 bool CsvReader::next(Row& row) {
   static_assert(csv_block >= number_padding);
   if (has_first_row_) return next_of_first(row);
-  row.padded = true;
-  row.fields.resize(header_.size());
-  for (;;) {
-    const RowKind kind = read_row(row.fields);
-    if (kind == RowKind::none) {
-      complaints_.throw_if_any();
-      return false;
-    }
-    if (kind == RowKind::bad || !is_row(row)) continue;
-    row.line = row_line_;
+  if (std::exchange(has_ahead_, false)) {
+    std::swap(row, ahead_);
     return true;
   }
+  for (;;) {
+    if (!complaints_.empty() && waits(patience_.left())) complaints_.throw_if_any();
+    const Reached reached = read_next(row);
+    if (reached != Reached::no_row) return reached == Reached::row;
+  }
+}
+
+/// Reads what comes next, which may be no row of the table.
+CsvReader::Reached CsvReader::read_next(Row& row) {
+  row.padded = true;
+  row.fields.resize(header_.size());
+  const RowKind kind = read_row(row.fields);
+  if (kind == RowKind::none) {
+    complaints_.throw_if_any();
+    return Reached::end;
+  }
+  if (kind == RowKind::bad || !is_row(row)) return Reached::no_row;
+  if (!complaints_.empty() && text_.may_wait()) return Reached::no_row;
+  row.line = row_line_;
+  return Reached::row;
+}
+
+/// Where a row has a fault, `next` knows how long to wait for others.
+bool CsvReader::is_waiting(std::chrono::milliseconds patience) {
+  return waits(patience) && complaints_.empty();
+}
+
+bool CsvReader::waits(std::chrono::milliseconds patience) {
+  using Clock = std::chrono::steady_clock;
+  if (!text_.may_wait() || has_first_row_ || has_ahead_) return false;
+  std::optional<Clock::time_point> until;
+  for (;;) {
+    while (!has_line()) {
+      if (!until) until = Clock::now() + patience;
+      const auto left = std::chrono::ceil<std::chrono::milliseconds>(*until - Clock::now());
+      if (!text_.has_bytes(std::max(left, std::chrono::milliseconds(0)))) return true;
+      if (text_.is_at_end()) return false;
+      look_for_more();
+    }
+    const Reached reached = read_next(ahead_);
+    has_ahead_ = reached == Reached::row;
+    if (reached != Reached::no_row) return false;
+  }
+}
+
+/// Whether a line that is not blank lies in the window, from the next row on, with its end. One
+/// that is longer than a field may be counts, for reading it says what is wrong.
+bool CsvReader::has_line() {
+  blank_to_ = std::max(blank_to_, next_row_);
+  for (;;) {
+    searched_to_ = std::max(searched_to_, blank_to_);
+    const std::string_view rest = text_.between(searched_to_, text_.end());
+    std::size_t length = rest.find('\n');
+    if (length == std::string_view::npos) length = rest.find('\r');
+    searched_to_ += std::min(length, rest.size());
+    if (length == std::string_view::npos)
+      return text_.end() - blank_to_ > options_.limits.field_bytes;
+    if (text_.between(blank_to_, searched_to_).find_first_not_of(" \t\r") != std::string_view::npos)
+      return true;
+    blank_to_ = searched_to_ + 1;
+  }
+}
+
+/// Reads more of the file behind what has come of the next row.
+void CsvReader::look_for_more() {
+  begin_row(next_row_);
+  const CsvText::Arrival arrival = text_.read_more(row_);
+  text_.seek(row_);
+  if (arrival != CsvText::Arrival::more && arrival != CsvText::Arrival::end) refuse_bytes(arrival);
+}
+
+/// Passes over the LF of a CRLF whose CR ended the row before.
+void CsvReader::pass_line_feed() {
+  after_return_ = false;
+  begin_row(next_row_);
+  const bool more = next_row_ < text_.end() || read_more();
+  if (more && text_.at(next_row_) == '\n') ++next_row_;
+  text_.seek(next_row_);
 }
 
 /// Whether what was read is a row of the table: not where it has other fields than the header,
@@ -111,6 +181,7 @@ void CsvReader::begin_row(std::size_t at) {
 
 CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
   fields_ = &fields;
+  if (after_return_) pass_line_feed();
   begin_row(next_row_);
   for (;;) {
     const std::size_t at = text_.next_mark();
@@ -164,7 +235,10 @@ bool CsvReader::is_after_blank(std::size_t end) const {
 
 CsvReader::RowKind CsvReader::end_row(std::size_t at) {
   next_row_ = at + 1;
-  if (text_.at(at) == '\r') {
+  if (text_.at(at) == '\r' && next_row_ == text_.end() && text_.may_wait()) {
+    after_return_ = true;  // whether a LF follows is not waited for
+    text_.seek(next_row_);
+  } else if (text_.at(at) == '\r') {
     const bool more = next_row_ < text_.end() || read_more();
     if (more && text_.at(next_row_) == '\n') ++next_row_;
     text_.seek(next_row_);

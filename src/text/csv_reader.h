@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/patience.h"
 #include "base/utf8.h"
 #include "text/csv_form.h"
 #include "text/csv_text.h"
@@ -50,6 +51,9 @@ struct CsvOptions {
 /// lose the blanks at their ends. Names must all be different; a column without a name is legal.
 /// Lines are numbered from 1, as an editor numbers them.
 ///
+/// A pipe may go on for ever: see is_waiting. Where a row of it has a fault, none of those that
+/// follow is a row; the error is thrown once nothing more comes for a while (see Patience).
+///
 /// Errors that are gathered and thrown at the end: rows with too few or too many fields, a quote
 /// inside a field, text after a closing quote, a value in a column that was passed over. Errors
 /// that are thrown at once: a NUL byte, bytes that are not of the encoding (with their offset from
@@ -73,9 +77,14 @@ class CsvReader : public Table {
     return field < form_.column_units.size() ? form_.column_units[field] : std::string();
   }
   bool next(Row& row) override;
+  /// A line that has come in part is waited for, but not what follows a line end in quotes, nor
+  /// rows of more than 1 MiB.
+  bool is_waiting(std::chrono::milliseconds patience) override;
   double share_read() const override;
   std::unique_ptr<Table> again() const override;
   std::unique_ptr<Table> first_rows() const override;
+  /// Where in the file the row that was read last begins, in bytes. Not of a pipe.
+  std::size_t row_offset() const { return row_; }
   /// What parts the fields, be it given or found out.
   char separator() const { return options_.separator; }
   /// What the beginning told; what was asked for says CsvOptions.
@@ -88,6 +97,7 @@ class CsvReader : public Table {
 
  private:
   enum class RowKind : std::uint8_t { whole, bad, none };
+  enum class Reached : std::uint8_t { row, no_row, end };
   enum class Follows : std::uint8_t { separator, line_end, nothing, text };
 
   CsvReader(InputFile input, CsvOptions options, bool is_on_disk);
@@ -101,6 +111,11 @@ class CsvReader : public Table {
   bool next_of_first(Row& row);
   void pass_rows_below_header();
   bool is_row(const Row& row);
+  Reached read_next(Row& row);
+  bool waits(std::chrono::milliseconds patience);
+  bool has_line();
+  void look_for_more();
+  void pass_line_feed();
 
   RowKind read_row(std::vector<std::string_view>& fields);
   void store(std::string_view field, bool in_quotes) {
@@ -155,6 +170,14 @@ class CsvReader : public Table {
   std::size_t field_count_ = 0;
   std::vector<std::string_view>* fields_ = nullptr;
   std::size_t beyond_ = 0;  ///< the first field beyond the header's that has a value; 0: none
+
+  // Of a pipe.
+  Row ahead_;  ///< the next row, where it was read to see whether it has come
+  bool has_ahead_ = false;
+  bool after_return_ = false;    ///< the last row ended in CR, and its LF may be still to come
+  std::size_t blank_to_ = 0;     ///< the lines from the next row to here are blank
+  std::size_t searched_to_ = 0;  ///< the line from there has no end before this
+  Patience patience_;            ///< with what may follow a row that has a fault
 };
 
 }  // namespace thiessen

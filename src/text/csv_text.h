@@ -1,6 +1,7 @@
 #pragma once
 
 #include <bit>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,11 @@ class CsvText {
   /// The size of the file in bytes; 0 where it is not known.
   std::size_t size() const { return input_.size(); }
   bool may_wait() const { return input_.may_wait(); }
+  /// Whether more of the file is there, or comes within `patience`: see InputFile.
+  bool has_bytes(std::chrono::milliseconds patience) {
+    return at_end_ || (decoder_ && decoder_->holds_more()) || input_.has_bytes(patience);
+  }
+  bool is_at_end() const { return at_end_; }
   /// In what the file is written; empty for UTF-8.
   std::string encoding() const { return decoder_ ? decoder_->encoding() : std::string(); }
   /// The place at which the window ends. The file may go on: see read_more.

@@ -113,6 +113,7 @@ std::size_t Decoder::convert(std::span<char> into) {
   const std::size_t result = ::iconv(conversion_.get(), &in, &in_left, &out, &out_left);
   const int why = errno;
   begin_ = end_ - in_left;
+  holds_more_ = result == static_cast<std::size_t>(-1) && why == E2BIG;
   if (result == static_cast<std::size_t>(-1) && why == EILSEQ) fault_ = origin_ + begin_;
   return into.size() - out_left;
 }

@@ -31,6 +31,8 @@ class Decoder {
   /// is; 0 at the end, and before the first byte that is not of the encoding: see fault. Requires
   /// room for one character, of four bytes.
   std::size_t read(InputFile& from, std::span<char> into);
+  /// Whether it holds bytes of the file that have only to be converted.
+  bool holds_more() const { return holds_more_; }
   /// The place of the first byte that is not of the encoding, from 0 in the file; nothing where
   /// none was met.
   std::optional<std::size_t> fault() const { return fault_; }
@@ -51,6 +53,7 @@ class Decoder {
   std::size_t origin_ = 0;  ///< where in the file raw_ begins
   bool at_end_ = false;
   bool flushed_ = false;
+  bool holds_more_ = false;
   std::optional<std::size_t> fault_;
 };
 

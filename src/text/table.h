@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -50,6 +51,10 @@ class Table {
   /// fields or cannot be read is gathered as a fault; all faults are thrown as one Error at the
   /// end.
   virtual bool next(Row& row) = 0;
+  /// Whether the next row, or the end, has not come yet, nor comes within `patience`: then `next`
+  /// would wait for it. Only of what is read from a pipe is it ever true. The fields of the row
+  /// before are no longer valid.
+  virtual bool is_waiting(std::chrono::milliseconds /*patience*/) { return false; }
   /// The share of the table that is read so far, from 0 to 1; NaN where the length is not known.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }
   /// Opens the same table once more at its beginning. Returns null where it can be read only once

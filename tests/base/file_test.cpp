@@ -10,6 +10,7 @@
 #include <csignal>
 #include <thread>
 
+#include "base/fed_pipe.h"
 #include "base/interrupt.h"
 #include "base/temporary_folder.h"
 
@@ -235,6 +236,30 @@ TEST(OutputFile, hands_held_text_over_when_it_is_finished_and_drops_what_is_disc
   output.append("third");
   output.finish();
   EXPECT_EQ(folder.read("out"), "first second third");
+}
+
+TEST(InputFile, knows_whether_a_pipe_has_bytes) {
+  FedPipe pipe;
+  InputFile file(pipe.path());
+  EXPECT_TRUE(file.may_wait());
+  EXPECT_FALSE(file.has_bytes(std::chrono::milliseconds(1)));
+  pipe.feed("x");
+  EXPECT_TRUE(file.has_bytes(std::chrono::milliseconds(0)));
+  std::array<char, 4> bytes{};
+  EXPECT_EQ(file.read(bytes), 1U);
+  EXPECT_FALSE(file.has_bytes(std::chrono::milliseconds(0)));
+  pipe.end();
+  EXPECT_TRUE(file.has_bytes(std::chrono::milliseconds(0)));
+  EXPECT_EQ(file.read(bytes), 0U);
+}
+
+TEST(OutputFile, knows_whether_a_pipe_has_a_reader) {
+  int ends[2] = {};
+  ASSERT_EQ(::pipe(ends), 0);
+  const OutputFile file("standard output", Descriptor(ends[1]), OutputFile::Care::closed);
+  EXPECT_FALSE(file.is_reader_gone());
+  ::close(ends[0]);
+  EXPECT_TRUE(file.is_reader_gone());
 }
 
 }  // namespace

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "base/complaints.h"
+#include "base/fed_pipe.h"
 #include "base/temporary_folder.h"
 
 namespace thiessen {
@@ -382,6 +385,39 @@ TEST(CsvReader, finds_its_form_again) {
   EXPECT_EQ(reader.header_line(), 2U);
   EXPECT_EQ(reader.again()->header(), reader.header());
   EXPECT_EQ(reader.again()->decimal_mark(), DecimalMark::comma);
+}
+
+// A pipe brings half a row, the rest, lines that are no rows, and one with a fault.
+TEST(CsvReader, knows_whether_a_row_of_a_pipe_has_come) {
+  using std::chrono::milliseconds;
+  FedPipe pipe;
+  pipe.feed("a,b\n1,2\n3");
+  CsvReader reader(pipe.path());
+  Row row;
+  EXPECT_FALSE(reader.is_waiting(milliseconds(0)));
+  EXPECT_FALSE(reader.is_waiting(milliseconds(0)));
+  ASSERT_TRUE(reader.next(row));
+  EXPECT_EQ(row.fields[1], "2");
+  EXPECT_TRUE(reader.is_waiting(milliseconds(1)));
+  pipe.feed(",4\r\n\n \n\"5\n\",6\n");
+  EXPECT_FALSE(reader.is_waiting(milliseconds(0)));
+  ASSERT_TRUE(reader.next(row));
+  EXPECT_EQ(row.fields[0], "3");
+  EXPECT_EQ(row.line, 3U);
+  EXPECT_FALSE(reader.is_waiting(milliseconds(0)));
+  ASSERT_TRUE(reader.next(row));
+  EXPECT_EQ(row.fields[0], "5\n");
+  EXPECT_EQ(row.line, 6U);
+  pipe.feed("7\n8,9\n");
+  EXPECT_FALSE(reader.is_waiting(milliseconds(0)));
+  EXPECT_EQ(complaint_of([&] { reader.next(row); }),
+            pipe.path() + ":8: row has 1 field, the header has 2");
+}
+
+TEST(CsvReader, never_waits_for_a_file) {
+  const TemporaryFolder folder;
+  CsvReader reader(folder.write("x.csv", "a,b\n1,2"));
+  EXPECT_FALSE(reader.is_waiting(std::chrono::milliseconds(0)));
 }
 
 }  // namespace
