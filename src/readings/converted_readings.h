@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -43,6 +44,9 @@ class ConvertedReadings : public Readings {
       : all_(std::move(all)), conversion_(std::move(conversion)) {}
 
   bool next(TimeStep& step) override;
+  bool is_waiting(std::chrono::milliseconds patience) override {
+    return all_->is_waiting(patience);
+  }
   std::string unit() const override { return conversion_.unit; }
   double share_read() const override { return all_->share_read(); }
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "readings/readings_fed.h"
 #include "readings/readings_in_order.h"
 #include "readings/readings_scattered.h"
 
@@ -24,7 +25,7 @@ bool LongReadings::next(TimeStep& step) {
   if (done_) return false;
   if (!pieces_) begin();
   ReadingsFindings& findings = rows_.source().findings;
-  while (has_piece_) {
+  while (has_piece()) {
     readings_.assign(readings_.size(), silent);
     lines_.assign(lines_.size(), no_line);
     step.time = piece_.time;
@@ -32,21 +33,41 @@ bool LongReadings::next(TimeStep& step) {
     const std::uint64_t first_line = piece_.first_line;
     do {
       take(piece_);
-      has_piece_ = pieces_->next(piece_);
-    } while (has_piece_ && piece_.first_line == first_line);
+      wants_piece_ = true;
+      // Of a pipe the next step may be long in coming.
+      if (piece_.ends_step) break;
+    } while (has_piece() && piece_.first_line == first_line);
     ++steps_;
     step.readings = readings_;
     step.written = rows_.source().times.read(step.time, step.line);
     findings.note_format(step);
     findings.note_step(step);
     step.line = findings.line_of(step.line);
-    if (findings.complaints().empty() && twice_.empty()) return true;
+    if (!is_faulty()) return true;
+    if (rows_.source().steps_as_they_come) break;
   }
   done_ = true;
   findings.complaints().add(twice_);
   findings.conclude(steps_);
   if (steps_ == 0) findings.warn("there is no time step");
   return false;
+}
+
+bool LongReadings::is_waiting(std::chrono::milliseconds patience) {
+  if (done_ || !rows_.source().steps_as_they_come) return false;
+  if (!pieces_) begin();
+  return wants_piece_ && !is_faulty() && pieces_->is_waiting(patience);
+}
+
+bool LongReadings::is_faulty() const {
+  return !rows_.source().findings.complaints().empty() || !twice_.empty();
+}
+
+/// Whether there is a piece, which is read where that has not been done.
+bool LongReadings::has_piece() {
+  if (wants_piece_) has_piece_ = pieces_->next(piece_);
+  wants_piece_ = false;
+  return has_piece_;
 }
 
 double LongReadings::share_read() const {
@@ -58,10 +79,11 @@ void LongReadings::begin() {
   const std::unique_ptr<Table> again = rows_.again();
   if (again && is_in_time_order(*again, rows_.time())) {
     pieces_ = std::make_unique<OrderedPieces>(rows_);
+  } else if (rows_.source().steps_as_they_come) {
+    pieces_ = std::make_unique<FedPieces>(rows_);
   } else {
     pieces_ = std::make_unique<ScatteredPieces>(rows_);
   }
-  has_piece_ = pieces_->next(piece_);
   done_ = false;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -16,10 +17,14 @@ class LongReadings : public Readings {
   LongReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
+  bool is_waiting(std::chrono::milliseconds patience) override;
   double share_read() const override;
 
  private:
   void begin();
+  bool has_piece();
+  void look_for_piece();
+  bool is_faulty() const;
   void take(const ReadingsPiece& piece);
   void complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading, std::size_t line);
 
@@ -27,6 +32,7 @@ class LongReadings : public Readings {
   std::unique_ptr<ReadingsPieces> pieces_;
   ReadingsPiece piece_;  ///< the first piece of the next step
   bool has_piece_ = false;
+  bool wants_piece_ = true;  ///< whether there is one has not been asked yet
   std::vector<double> readings_;
   std::vector<std::size_t>
       lines_;  ///< by station: the line of its last reading at this time; 0: none

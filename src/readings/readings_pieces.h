@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -23,6 +24,7 @@ struct ReadingsPiece {
   std::uint64_t line = 0;        ///< the line from which those of the readings count
   std::string_view time;
   std::span<const PieceReading> readings;
+  bool ends_step = false;  ///< no other piece of this time follows
 };
 
 /// The readings of a table, piece by piece. The pieces of one time follow each other and have the
@@ -33,6 +35,8 @@ class ReadingsPieces {
   /// Reads the next piece into `piece`, whose views are valid until the next call; returns false at
   /// the end. Throws Error.
   virtual bool next(ReadingsPiece& piece) = 0;
+  /// Whether the next piece has not come yet: see Readings::is_waiting.
+  virtual bool is_waiting(std::chrono::milliseconds /*patience*/) { return false; }
   /// The share of all readings that has been given, from 0 to 1; NaN where that is not known.
   virtual double share_given() const { return std::numeric_limits<double>::quiet_NaN(); }
 };

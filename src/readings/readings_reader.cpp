@@ -99,6 +99,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
     warnings.add_notice({file, 0, columns_told(*table, layout), {}});
   ReadingsSource source{std::move(table), std::move(known), grammar, std::move(findings),
                         std::move(times)};
+  source.steps_as_they_come = options.steps_as_they_come;
   std::unique_ptr<Readings> readings;
   if (layout.is_long) {
     readings = std::make_unique<LongReadings>(std::move(source), layout);

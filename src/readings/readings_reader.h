@@ -36,7 +36,10 @@ struct ReadingsOptions {
   bool ignore_unknown = false;        ///< unknown stations are passed over, with a warning
   bool is_one_of_several = false;     ///< further files tell of stations that are silent in this
                                       ///< one, and counters go on from file to file
-  bool ids_as_numbers = false;        ///< ids of digits that differ by leading zeros are one
+  /// RAINFALL is a pipe whose steps are wanted as they come: see FedPieces. Else a long table that
+  /// cannot be read again is read to its end, and sorted.
+  bool steps_as_they_come = false;
+  bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;
 };

@@ -12,7 +12,7 @@ LongRows::LongRows(ReadingsSource source, const ReadingsLayout& layout)
     : source_(std::move(source)), layout_(layout) {}
 
 bool LongRows::next(LongRow& row) {
-  while (source_.next(row_)) {
+  while (!source_.gives_up() && source_.next(row_)) {
     row.line = row_.line;
     row.time = layout_.time.text(row_);
     const bool has_time = !trimmed(row.time).empty();

@@ -28,6 +28,7 @@ class LongRows {
 
   bool next(LongRow& row);
   ReadingsSource& source() { return source_; }
+  const ReadingsSource& source() const { return source_; }
   /// The table once more, or null where it cannot be read twice: see Table::again.
   std::unique_ptr<Table> again() const { return source_.table->again(); }
   const TimeColumns& time() const { return layout_.time; }

@@ -38,15 +38,22 @@ ReadingsPiece ReadingsPart::piece(std::size_t step) {
   return {times_.line(step), line_, times_.text(step), gathered_};
 }
 
-ScatteredPieces::ScatteredPieces(LongRows& rows, std::size_t memory)
+ScatteredPieces::ScatteredPieces(std::size_t memory)
     : memory_(memory),
       by_time_(PieceSorter::Order::by_time, memory),
-      by_first_line_(PieceSorter::Order::by_first_line, memory) {
-  LongRow row;
-  while (rows.next(row)) {
-    if (part_.bytes() > memory_ || !part_.can_take(row)) flush();
-    part_.add(row);
-  }
+      by_first_line_(PieceSorter::Order::by_first_line, memory) {}
+
+ScatteredPieces::ScatteredPieces(LongRows& rows, std::size_t memory) : ScatteredPieces(memory) {
+  for (LongRow row; rows.next(row);) add(row);
+  end_rows();
+}
+
+void ScatteredPieces::add(const LongRow& row) {
+  if (part_.bytes() > memory_ || !part_.can_take(row)) flush();
+  part_.add(row);
+}
+
+void ScatteredPieces::end_rows() {
   times_ = part_.times();
   if (by_time_.empty()) return;
   flush();

@@ -40,7 +40,7 @@ class ReadingsPart {
 };
 
 /// The pieces of a long table whose rows come in any order; they are given in the order in which
-/// the times first came. All rows are read first.
+/// the times first came. All rows are added, or read, first.
 ///
 /// What does not fit in `memory` bytes waits in temporary files (see spool.h), some 20 bytes a
 /// reading. It is sorted part by part by time and merged; then it is sorted in the same way by the
@@ -49,8 +49,13 @@ class ScatteredPieces : public ReadingsPieces {
  public:
   static constexpr std::size_t usual_memory = std::size_t{32} << 20;
 
+  explicit ScatteredPieces(std::size_t memory = usual_memory);
+  /// Adds all rows that there are.
   explicit ScatteredPieces(LongRows& rows, std::size_t memory = usual_memory);
 
+  void add(const LongRow& row);
+  /// Has to be called behind the last row, and before `next`.
+  void end_rows();
   bool next(ReadingsPiece& piece) override;
   double share_given() const override;
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 
+#include "base/patience.h"
 #include "readings/readings_findings.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_stations.h"
@@ -22,6 +24,14 @@ struct ReadingsSource {
   /// Reads the next row; returns false at the end. There the complaints of the table join those
   /// found here.
   bool next(Row& row);
+  /// Whether the next row is waited for: see Table::is_waiting.
+  bool is_waiting(std::chrono::milliseconds patience);
+  /// Whether what is wrong in a pipe is to be told before its end, as nothing comes for a while.
+  bool gives_up();
+
+  bool steps_as_they_come = false;  ///< see ReadingsOptions
+  bool has_failed = false;          ///< a row cannot be read, and none follows it
+  Patience patience = {};           ///< with what may follow a row with a fault
 };
 
 }  // namespace thiessen

@@ -89,8 +89,7 @@ void WideReadings::note_unknown_column(std::size_t field) {
 
 bool WideReadings::next(TimeStep& step) {
   if (done_) return false;
-  while (source_.next(row_)) {
-    read_row();
+  while (read_row()) {
     ++steps_;
     step.time = time_.text(row_);
     step.line = row_.line;
@@ -106,6 +105,11 @@ bool WideReadings::next(TimeStep& step) {
   return false;
 }
 
+bool WideReadings::is_waiting(std::chrono::milliseconds patience) {
+  const bool reports_faults = !source_.findings.complaints().empty();
+  return !done_ && !last_came_again_ && !reports_faults && source_.is_waiting(patience);
+}
+
 void WideReadings::conclude() {
   Complaints twice;
   for (RepeatedTimes::Repeat repeat; repeated_.next(repeat);) {
@@ -116,13 +120,11 @@ void WideReadings::conclude() {
   if (steps_ == 0) source_.findings.warn("there is no time step");
 }
 
-void WideReadings::read_row() {
-  const std::string_view time = time_.text(row_);
-  if (trimmed(time).empty()) {
-    source_.findings.note_empty_time(row_.line);
-  } else {
-    repeated_.note(time, row_.line);
-  }
+/// Reads the next row. Returns false at the end, and where a pipe with a fault is read no further.
+bool WideReadings::read_row() {
+  if (last_came_again_ || source_.gives_up() || !source_.next(row_)) return false;
+  note_time(time_.text(row_));
+  if (last_came_again_) return false;
   for (const Column& column : columns_) {
     const std::string_view field = row_.fields[column.field];
     const Reading reading = source_.grammar.read(field, row_.padded);
@@ -130,6 +132,20 @@ void WideReadings::read_row() {
     if (source_.findings.note(reading, column.station)) continue;
     source_.findings.note_oddity(reading, {row_.line, column.station}, field, source_.grammar);
   }
+  return true;
+}
+
+/// Takes note of the time of a row. A step that a pipe brings again is told at once, for its end
+/// may never come; times that lie farther apart are compared at the end.
+void WideReadings::note_time(std::string_view time) {
+  if (trimmed(time).empty()) {
+    source_.findings.note_empty_time(row_.line);
+    return;
+  }
+  repeated_.note(time, row_.line);
+  if (!source_.steps_as_they_come) return;
+  last_came_again_ = time == last_time_;
+  last_time_ = time;
 }
 
 }  // namespace thiessen

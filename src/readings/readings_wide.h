@@ -1,6 +1,9 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "rainfall/series/readings.h"
@@ -19,6 +22,7 @@ class WideReadings : public Readings {
   WideReadings(ReadingsSource source, const ReadingsLayout& layout);
 
   bool next(TimeStep& step) override;
+  bool is_waiting(std::chrono::milliseconds patience) override;
   double share_read() const override { return source_.table->share_read(); }
 
  private:
@@ -31,7 +35,8 @@ class WideReadings : public Readings {
   void match_columns();
   void require_a_station() const;
   void note_unknown_column(std::size_t field);
-  void read_row();
+  bool read_row();
+  void note_time(std::string_view time);
   void conclude();
 
   ReadingsSource source_;
@@ -40,6 +45,9 @@ class WideReadings : public Readings {
   std::vector<Column> columns_;  ///< the columns of known stations
   std::vector<double> readings_;
   RepeatedTimes repeated_;
+  // Of a pipe whose steps are wanted as they come.
+  std::string last_time_;
+  bool last_came_again_ = false;
   std::size_t steps_ = 0;
   Row row_;
   bool done_ = false;

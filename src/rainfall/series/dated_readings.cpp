@@ -44,16 +44,38 @@ DatedReadings::DatedReadings(std::unique_ptr<Readings> all, std::string file, St
     : all_(std::move(all)), file_(std::move(file)), wanted_(wanted), warnings_(warnings) {}
 
 bool DatedReadings::next(TimeStep& step) {
-  while (read(step)) {
-    throw_if_interrupted();
-    const bool is_wanted = counts(step);
-    if (is_wanted && complaints_.empty()) return any_ = true;
-    if (any_) continue;
-    if (first_.empty()) first_ = step.time;
-    last_ = step.time;
+  if (std::exchange(has_ahead_, false)) {
+    step = std::move(ahead_);
+    return true;
+  }
+  while (!gives_up() && read(step)) {
+    if (takes(step)) return true;
   }
   complaints_.throw_if_any();
   if (!any_ && !first_.empty()) warn_of_none();
+  return false;
+}
+
+bool DatedReadings::is_waiting(std::chrono::milliseconds patience) {
+  while (!has_ahead_ && complaints_.empty()) {
+    if (all_->is_waiting(patience)) return true;
+    if (!read(ahead_)) return false;  // the end, which comes again
+    has_ahead_ = takes(ahead_);
+  }
+  return false;
+}
+
+/// Whether what is wrong in a pipe is to be told before its end, as nothing comes for a while.
+bool DatedReadings::gives_up() {
+  return !complaints_.empty() && all_->is_waiting(patience_.left());
+}
+
+bool DatedReadings::takes(const TimeStep& step) {
+  throw_if_interrupted();
+  if (counts(step) && complaints_.empty()) return any_ = true;
+  if (any_) return false;
+  if (first_.empty()) first_ = step.time;
+  last_ = step.time;
   return false;
 }
 

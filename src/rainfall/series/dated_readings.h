@@ -1,11 +1,13 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/error.h"
+#include "base/patience.h"
 #include "rainfall/series/readings.h"
 #include "rainfall/series/time_range.h"
 
@@ -35,10 +37,13 @@ class DatedReadings : public Readings {
                 Warnings& warnings);
 
   bool next(TimeStep& step) override;
+  bool is_waiting(std::chrono::milliseconds patience) override;
   std::string unit() const override { return all_->unit(); }
   double share_read() const override { return all_->share_read(); }
 
  private:
+  bool takes(const TimeStep& step);
+  bool gives_up();
   bool read(TimeStep& step);
   bool counts(const TimeStep& step);
   void warn_of_none();
@@ -48,6 +53,9 @@ class DatedReadings : public Readings {
   StepTimes wanted_;
   Warnings& warnings_;
   Complaints complaints_;
+  Patience patience_;  ///< with what may follow a step with a fault, in a pipe
+  TimeStep ahead_;     ///< the next step, where it was read to see whether it has come
+  bool has_ahead_ = false;
   bool told_form_ = false;  ///< whether it was said that times are written in no known way
   bool any_ = false;        ///< whether any step is in the range
   std::string first_;       ///< first time of all

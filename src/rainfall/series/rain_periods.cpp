@@ -61,8 +61,10 @@ void RainPeriods::add(const RainStep& step) {
   intervals_.note({time, IsoTimeFault::none});
   const IsoTime within = within_step(time);
   if (!open_ || number_of(within) != held_.back().number) {
-    if (open_) end();
+    const bool ends = open_;
+    if (ends) end();
     begin(within, step);
+    if (ends && totalling_.as_they_end) hand_on_ended();
   }
   ++held_.back().steps;
   held_.back().last_ahead = time.ahead_of_utc.value_or(0);
@@ -95,8 +97,22 @@ void RainPeriods::end() {
   taken_.clear();
   for (const Sum& sum : sums_)
     taken_.push_back({sum.values > 0 ? sum.rainfall.value() : no_value, sum.missing});
-  totals_.add(taken_);
+  if (!totalling_.as_they_end) totals_.add(taken_);
   open_ = false;
+}
+
+/// Hands on the period before the one that has begun.
+void RainPeriods::hand_on_ended() {
+  const Held ended = held_.front();
+  const Held& begun = held_.back();
+  const std::optional<StepLength> step = intervals_.step();
+  ascends_ = ascends_ && ended.number < begun.number;
+  descends_ = descends_ && ended.number > begun.number;
+  if (step) lacking_step_ = step;
+  const Extent extent = extent_of(ended, step, ascends_);
+  hand_on(ended.number, extent.lacking, extent.all);
+  if (step && (ascends_ || descends_)) hand_on_absent(ended, begun, *step);
+  held_.erase(held_.begin());
 }
 
 /// A moment of the step: its time, or where that ends the step the second before it.
@@ -208,31 +224,52 @@ void RainPeriods::hand_on_absent(const Held& before, const Held& after, const St
   }
 }
 
+RainPeriods::Extent RainPeriods::extent_of(const Held& held, const std::optional<StepLength>& step,
+                                           bool ascends) const {
+  if (!step) return {};
+  const int growth = ascends ? held.last_ahead - held.first.ahead_of_utc.value_or(0) : 0;
+  const std::int64_t all = expected(held.number, *step, held.first, growth);
+  const auto lacking = std::max<std::int64_t>(0, all - static_cast<std::int64_t>(held.steps));
+  return {static_cast<std::size_t>(all), static_cast<std::size_t>(lacking)};
+}
+
+/// Whether the last period is not handed on, for its end may be still to come, and says so.
+bool RainPeriods::is_left_out(const Held& last, const std::optional<StepLength>& step,
+                              const Extent& extent, Warnings& warnings) const {
+  if (!totalling_.whole_alone || (step && extent.lacking == 0)) return false;
+  const std::string lacks = step ? ": it lacks " + std::to_string(extent.lacking) + " of " +
+                                       std::to_string(extent.all) + " steps"
+                                 : ", for the times have no regular step";
+  warnings.add_notice(
+      {file_, 0,
+       "the last period, " + text_of(last.number) + ", is left out, as it may not be over" + lacks,
+       ""});
+  return true;
+}
+
 void RainPeriods::finish(Warnings& warnings) {
   if (open_) end();
   const std::optional<StepLength> step = intervals_.step();
+  if (step) lacking_step_ = step;
   const auto number = [](const Held& held) { return held.number; };
-  const bool ascends = std::ranges::is_sorted(held_, {}, number);
-  const bool descends = std::ranges::is_sorted(held_, std::ranges::greater(), number);
+  const bool ascends = ascends_ && std::ranges::is_sorted(held_, {}, number);
+  const bool descends = descends_ && std::ranges::is_sorted(held_, std::ranges::greater(), number);
   taken_.resize(sums_.size());
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Held& held = held_[i];
-    totals_.take(taken_);
-    std::int64_t all = 0;
-    if (step) {
-      const int ahead = held.first.ahead_of_utc.value_or(0);
-      all = expected(held.number, *step, held.first, ascends ? held.last_ahead - ahead : 0);
-    }
-    const auto lacking = std::max<std::int64_t>(0, all - static_cast<std::int64_t>(held.steps));
-    hand_on(held.number, static_cast<std::size_t>(lacking), static_cast<std::size_t>(all));
+    if (!totalling_.as_they_end) totals_.take(taken_);
+    const Extent extent = extent_of(held, step, ascends);
+    const bool is_last = ascends && i + 1 == held_.size();
+    if (is_last && is_left_out(held, step, extent, warnings)) break;
+    hand_on(held.number, extent.lacking, extent.all);
     if (step && (ascends || descends) && i + 1 < held_.size())
       hand_on_absent(held, held_[i + 1], *step);
   }
-  warn(step, warnings);
+  warn(warnings);
 }
 
-void RainPeriods::warn(const std::optional<StepLength>& step, Warnings& warnings) const {
-  if (intervals_.times() > 0 && !step) {
+void RainPeriods::warn(Warnings& warnings) const {
+  if (intervals_.times() > 0 && !lacking_step_) {
     const char* why =
         intervals_.times() == 1 ? "there is one time step" : "the times have no regular step";
     warnings.add({file_, 0,
@@ -245,8 +282,8 @@ void RainPeriods::warn(const std::optional<StepLength>& step, Warnings& warnings
   warnings.add({file_, 0,
                 (one ? "a period lacks steps of "
                      : std::to_string(lacking_periods_) + " periods lack steps of ") +
-                    thiessen::text_of(*step) + (one ? ": " : ", the first is ") + first_lacking_ +
-                    "; they count as missing",
+                    thiessen::text_of(*lacking_step_) + (one ? ": " : ", the first is ") +
+                    first_lacking_ + "; they count as missing",
                 setting("allow_missing") + " says how many a total may lack"});
 }
 

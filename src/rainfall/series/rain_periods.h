@@ -31,6 +31,12 @@ struct Totalling {
   std::size_t allowed_missing = 0;  ///< steps that may lack a value in a period with a total
   TimeRange range = {};             ///< the steps that count; what lies beyond does not lack
   Stamp stamp = Stamp::begin;       ///< what the times of the steps are
+  /// Whether a period is handed on as soon as a step of another comes. What it lacks is then told
+  /// by the file's step as far as that is known by then.
+  bool as_they_end = false;
+  /// Whether the last period is left out where its end is not known: it lacks steps, or the file
+  /// has no step.
+  bool whole_alone = false;
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
@@ -48,8 +54,8 @@ class RainPeriods {
  public:
   using Take = std::function<void(const RainPeriod&)>;
 
-  /// `take` gets the periods in `finish`, for the file's step is known only then. `file` is for
-  /// messages.
+  /// `take` gets the periods in `finish`, for the file's step is known only then, or as they end.
+  /// `file` is for messages.
   RainPeriods(Totalling totalling, std::string file, Take take);
 
   /// Adds a step. Throws Error if its time is not ISO 8601 or does not say its period, if its time
@@ -82,9 +88,18 @@ class RainPeriods {
                              const IsoTime& in_line_with) const;
   std::int64_t expected(std::int64_t number, const StepLength& step, const IsoTime& in_line_with,
                         int growth) const;
+  void hand_on_ended();
+  /// How many steps a period has where none lacks, and how many lack.
+  struct Extent {
+    std::size_t all = 0;
+    std::size_t lacking = 0;
+  };
+  Extent extent_of(const Held& held, const std::optional<StepLength>& step, bool ascends) const;
+  bool is_left_out(const Held& last, const std::optional<StepLength>& step, const Extent& extent,
+                   Warnings& warnings) const;
   void hand_on(std::int64_t number, std::size_t lacking, std::size_t expected);
   void hand_on_absent(const Held& before, const Held& after, const StepLength& step);
-  void warn(const std::optional<StepLength>& step, Warnings& warnings) const;
+  void warn(Warnings& warnings) const;
 
   Totalling totalling_;
   std::string file_;
@@ -97,7 +112,10 @@ class RainPeriods {
   HeldTotals totals_;
   StepIntervals intervals_;
   std::vector<BasinTotal> taken_;
+  bool ascends_ = true;  ///< of the periods so far, where they are handed on as they end
+  bool descends_ = true;
   std::size_t lacking_periods_ = 0;
+  std::optional<StepLength> lacking_step_;  ///< the step that the last of them lacks
   std::string first_lacking_;
   bool open_ = false;
 };

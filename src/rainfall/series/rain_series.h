@@ -25,12 +25,17 @@ struct RainStep {
 struct SeriesWork {
   unsigned threads = 1;
   std::size_t steps_in_a_block = 2048;  ///< at most, and at most 16 MB; two blocks are in memory
+  /// Called whenever all steps that have come by a pipe are handed on, and every fifth of a second
+  /// or so, whether others come or not. Where it is empty steps are handed on in whole blocks,
+  /// however long these are in coming.
+  std::function<void()> when_handed_on = {};
 };
 
 /// Reads the steps of a series, computes each and calls `prepare` for it on several threads, then
 /// hands them on to `take` in their order. Returns the number of steps. With more than one thread
 /// it reads ahead. Memory: two blocks, however many steps there are. Throws what reading, `prepare`
-/// or `take` throws.
+/// or `take` throws; where there is a `when_handed_on`, what reading throws comes once all steps
+/// before it have been handed on.
 std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, const SeriesWork& work,
                           const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take);

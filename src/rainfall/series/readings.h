@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -41,6 +42,10 @@ class Readings {
   /// Reads the next step into `step`; returns false at the end. Throws Error where the input is
   /// bad.
   virtual bool next(TimeStep& step) = 0;
+  /// Whether the next step, or the end, has not come yet, nor comes within `patience`: then `next`
+  /// would wait for it. Only of what is read from a pipe is it ever true. The step before is no
+  /// longer valid.
+  virtual bool is_waiting(std::chrono::milliseconds /*patience*/) { return false; }
   /// What the readings are in, such as mm; empty where that is not known.
   virtual std::string unit() const { return {}; }
   /// The share of the input that has been read, from 0 to 1; NaN where its length is not known.

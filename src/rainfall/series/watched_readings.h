@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -23,6 +24,9 @@ class WatchedReadings : public Readings {
     if (more) steps_.fetch_add(1, std::memory_order_relaxed);
     share_.store(all_->share_read(), std::memory_order_relaxed);
     return more;
+  }
+  bool is_waiting(std::chrono::milliseconds patience) override {
+    return all_->is_waiting(patience);
   }
   std::string unit() const override { return all_->unit(); }
   double share_read() const override { return share_.load(std::memory_order_relaxed); }

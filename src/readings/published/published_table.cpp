@@ -62,23 +62,41 @@ std::unique_ptr<Table> PublishedTable::of(std::unique_ptr<Table> table) const {
 }
 
 bool PublishedTable::next(Row& row) {
-  while (table_->next(row)) {
-    if (kept_ && trimmed(row.fields[*kept_]) != kept_text_) continue;
-    const bool has_value = !trimmed(row.fields[value_]).empty();
-    const bool flagged = has_value && flags_ && has_flag(row);
-    const bool of_days = has_value && period_ && is_of_days(row);
-    if (has_value && source_ && is_of_model(row)) ++of_models_;
-    if (flagged || of_days) {
-      ++(flagged ? flagged_ : of_days_);
-      row.fields[value_] = {};
-      row.padded = false;
-    } else if (requires_whole_) {
-      require_whole(row);
-    }
+  if (std::exchange(has_ahead_, false)) {
+    std::swap(row, ahead_);
     return true;
+  }
+  while (table_->next(row)) {
+    if (takes(row)) return true;
   }
   tell();
   return false;
+}
+
+bool PublishedTable::is_waiting(std::chrono::milliseconds patience) {
+  while (!has_ahead_) {
+    if (table_->is_waiting(patience)) return true;
+    if (!table_->next(ahead_)) return false;  // the end, which comes again
+    has_ahead_ = takes(ahead_);
+  }
+  return false;
+}
+
+/// Whether a row is one of rain. Empties a value that does not count.
+bool PublishedTable::takes(Row& row) {
+  if (kept_ && trimmed(row.fields[*kept_]) != kept_text_) return false;
+  const bool has_value = !trimmed(row.fields[value_]).empty();
+  const bool flagged = has_value && flags_ && has_flag(row);
+  const bool of_days = has_value && period_ && is_of_days(row);
+  if (has_value && source_ && is_of_model(row)) ++of_models_;
+  if (flagged || of_days) {
+    ++(flagged ? flagged_ : of_days_);
+    row.fields[value_] = {};
+    row.padded = false;
+  } else if (requires_whole_) {
+    require_whole(row);
+  }
+  return true;
 }
 
 bool PublishedTable::has_flag(const Row& row) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -31,6 +32,7 @@ class PublishedTable : public Table {
   bool numbers_rows() const override { return table_->numbers_rows(); }
   RowPlace place(std::size_t number) const override { return table_->place(number); }
   bool next(Row& row) override;
+  bool is_waiting(std::chrono::milliseconds patience) override;
   double share_read() const override { return table_->share_read(); }
   std::unique_ptr<Table> again() const override { return of(table_->again()); }
   std::unique_ptr<Table> first_rows() const override { return of(table_->first_rows()); }
@@ -43,6 +45,7 @@ class PublishedTable : public Table {
 
   PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table);
   std::unique_ptr<Table> of(std::unique_ptr<Table> table) const;
+  bool takes(Row& row);
   bool has_flag(const Row& row) const;
   bool is_of_days(const Row& row) const;
   bool is_of_model(const Row& row) const;
@@ -62,6 +65,8 @@ class PublishedTable : public Table {
   std::size_t flagged_ = 0;
   std::size_t of_days_ = 0;
   std::size_t of_models_ = 0;
+  Row ahead_;  ///< the next row, where it was read to see whether it has come
+  bool has_ahead_ = false;
   std::shared_ptr<Told> told_ = std::make_shared<Told>();
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -30,6 +31,9 @@ class CounterReadings : public Readings {
   /// Throws Error where a step's time is before that of the step before, as differences would be
   /// taken backwards.
   bool next(TimeStep& step) override;
+  bool is_waiting(std::chrono::milliseconds patience) override {
+    return all_->is_waiting(patience);
+  }
   double share_read() const override { return all_->share_read(); }
 
  private:

@@ -112,5 +112,33 @@ TEST(DatedReadings, warn_where_none_is_in_the_range) {
   EXPECT_EQ(read(Texts{}, within("2013", "2013")).warnings, Texts{});
 }
 
+/// A pipe that brings one step and then waits.
+class OneStep : public ReadingsOf {
+ public:
+  explicit OneStep(const std::string& time) : ReadingsOf({time}) {}
+  bool next(TimeStep& step) override {
+    EXPECT_FALSE(given_) << "this would wait";
+    given_ = true;
+    return ReadingsOf::next(step);
+  }
+  bool is_waiting(std::chrono::milliseconds) override { return given_; }
+
+ private:
+  bool given_ = false;
+};
+
+TEST(DatedReadings, of_a_pipe_wait_for_a_step_in_the_range) {
+  Warnings warnings;
+  DatedReadings before(std::make_unique<OneStep>("2012"), "r.csv", within("2013", "2013"),
+                       warnings);
+  EXPECT_TRUE(before.is_waiting(std::chrono::milliseconds(0)));
+  DatedReadings in_it(std::make_unique<OneStep>("2013"), "r.csv", within("2013", "2013"), warnings);
+  EXPECT_FALSE(in_it.is_waiting(std::chrono::milliseconds(0)));
+  TimeStep step;
+  ASSERT_TRUE(in_it.next(step));
+  EXPECT_EQ(step.time, "2013");
+  EXPECT_TRUE(in_it.is_waiting(std::chrono::milliseconds(0)));
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -250,5 +250,57 @@ TEST(RainPeriods, what_lies_beyond_a_range_does_not_lack_where_times_end_steps) 
       (Steps{{"2013-08-31", {3}}, {"2013-09-01", {4}}}));
 }
 
+/// The periods that are handed on by each step, parted by bars, and in the end.
+std::string as_they_end(const Steps& steps, Totalling totalling) {
+  std::string text;
+  totalling.as_they_end = true;
+  RainPeriods periods(totalling, "r.csv", [&](const RainPeriod& one) {
+    text += ' ' + one.time + '-' + std::to_string(one.basins.at(0).missing);
+  });
+  for (const auto& [time, values] : steps) {
+    RainStep step{time, {}, {}, {}};
+    step.basins.push_back({values.at(0), 1, 1});
+    periods.add(step);
+    text += '|';
+  }
+  Warnings warnings;
+  periods.finish(warnings);
+  return text;
+}
+
+TEST(RainPeriods, are_handed_on_as_they_end_where_that_is_wanted) {
+  const Steps steps = {{"2013-08-30T00:00", {1}}, {"2013-08-30T12:00", {1}},
+                       {"2013-08-31T00:00", {1}}, {"2013-08-31T12:00", {1}},
+                       {"2013-09-02T12:00", {1}}, {"2013-09-03T00:00", {1}}};
+  EXPECT_EQ(as_they_end(steps, days),
+            "||"
+            " 2013-08-30-0||"
+            " 2013-08-31-0 2013-09-01-2|"
+            " 2013-09-02-1|"
+            " 2013-09-03-1");
+  EXPECT_EQ(as_they_end({{"2015", {1}}, {"2014", {1}}, {"2012", {1}}}, years),
+            "| 2015-0| 2014-0 2013-1| 2012-0");
+  EXPECT_EQ(as_they_end({}, days), "");
+}
+
+TEST(RainPeriods, may_leave_out_a_last_one_that_may_not_be_over) {
+  Totalling whole = days;
+  whole.whole_alone = true;
+  const Steps steps = {{"2013-08-30T00:00", {1}},
+                       {"2013-08-30T12:00", {2}},
+                       {"2013-08-31T00:00", {4}},
+                       {"2013-08-31T12:00", {8}}};
+  EXPECT_EQ(totals_of(steps, whole), (Steps{{"2013-08-30", {3}}, {"2013-08-31", {12}}}));
+  EXPECT_EQ(totals_of({steps.begin(), steps.end() - 1}, whole), (Steps{{"2013-08-30", {3}}}));
+  EXPECT_EQ(totals_of({steps.begin(), steps.begin() + 1}, whole), Steps{});
+  EXPECT_EQ(as_they_end({steps.begin(), steps.end() - 1}, whole), "|| 2013-08-30-0|");
+  // In a file that descends the last one is the first in time, and nothing comes behind it.
+  EXPECT_EQ(
+      totals_of({{"2013-08-31T12:00", {1}}, {"2013-08-31T00:00", {2}}, {"2013-08-30T12:00", {4}}},
+                whole)
+          .size(),
+      2U);
+}
+
 }  // namespace
 }  // namespace thiessen

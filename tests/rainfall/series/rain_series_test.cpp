@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rainfall/areal_rainfall.h"
@@ -53,7 +56,7 @@ TEST(RainSeries, comes_in_order_and_does_not_depend_on_the_number_of_threads) {
     for (double& reading : steps.back()) reading *= seeded.uniform(0, 1);
   }
   const ArealRainfall once(study.weighing, {}, 1);
-  for (const SeriesWork work : {SeriesWork{1, 256}, SeriesWork{2, 1}, SeriesWork{7, 100}}) {
+  for (const SeriesWork& work : {SeriesWork{1, 256}, SeriesWork{2, 1}, SeriesWork{7, 100}}) {
     const std::size_t cache = 100000 * work.threads - 100000;
     const ArealRainfall rainfall(study.weighing, {Gaps::retessellate, 1, true, cache}, 1);
     Table table(steps);
@@ -129,6 +132,70 @@ TEST(RainSeries, of_no_steps_hands_on_none) {
   EXPECT_EQ(
       for_each_step(empty, FirstGauge(), {2, 3}, ignore, [](const RainStep&) { ADD_FAILURE(); }),
       0u);
+}
+
+/// Readings that come in bursts: `next` would wait between them.
+class Bursts : public ReadingsOf {
+ public:
+  Bursts(std::vector<std::size_t> sizes, std::optional<Message> fault = std::nullopt)
+      : ReadingsOf(std::vector<std::string>(sum(sizes), "2013"), std::move(fault)),
+        sizes_(std::move(sizes)) {}
+
+  bool next(TimeStep& step) override {
+    EXPECT_FALSE(sizes_.size() > at_ && given_ == sizes_[at_]) << "this would wait";
+    ++given_;
+    return ReadingsOf::next(step);
+  }
+  bool is_waiting(std::chrono::milliseconds patience) override {
+    if (at_ + 1 >= sizes_.size() || given_ < sizes_[at_]) return false;
+    if (patience.count() == 0) return true;
+    ++at_;
+    given_ = 0;
+    return false;
+  }
+
+ private:
+  static std::size_t sum(const std::vector<std::size_t>& sizes) {
+    std::size_t all = 0;
+    for (const std::size_t size : sizes) all += size;
+    return all;
+  }
+
+  std::vector<std::size_t> sizes_;
+  std::size_t at_ = 0;
+  std::size_t given_ = 0;
+};
+
+// What has come is handed on before anything else is waited for, by any number of threads.
+TEST(RainSeries, of_a_pipe_is_handed_on_as_it_comes) {
+  for (const unsigned threads : {1U, 3U}) {
+    Bursts bursts({1, 5, 1, 40});
+    std::vector<std::size_t> handed_on;
+    std::size_t taken = 0;
+    SeriesWork work{threads};
+    work.when_handed_on = [&] {
+      if (handed_on.empty() || handed_on.back() != taken) handed_on.push_back(taken);
+    };
+    EXPECT_EQ(for_each_step(bursts, FirstGauge(), work, ignore, [&](const RainStep&) { ++taken; }),
+              47U);
+    ASSERT_GE(handed_on.size(), 3U);
+    EXPECT_EQ(std::vector(handed_on.begin(), handed_on.begin() + 3),
+              (std::vector<std::size_t>{1, 6, 7}));
+  }
+}
+
+TEST(RainSeries, of_a_pipe_has_all_steps_before_a_fault) {
+  for (const unsigned threads : {1U, 3U}) {
+    Bursts bursts({2, 5}, Message{"rain.csv", 9, "a bad row", ""});
+    std::size_t taken = 0;
+    std::size_t handed_on = 0;
+    SeriesWork work{threads};
+    work.when_handed_on = [&] { handed_on = taken; };
+    EXPECT_THROW(
+        for_each_step(bursts, FirstGauge(), work, ignore, [&](const RainStep&) { ++taken; }),
+        Error);
+    EXPECT_EQ(handed_on, 7U);
+  }
 }
 
 }  // namespace
