@@ -24,6 +24,27 @@ std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const Ra
   return columns;
 }
 
+std::string rain_header(const std::vector<Basin>& basins, const RainFormat& format) {
+  std::string row = "time";
+  if (format.rows_for_basins) {
+    row += format.methods.empty() ? ",basin" : ",basin,method";
+    row += ",rainfall,gauges,coverage";
+    if (format.errors) row += ",se";
+    if (format.patterns) row += ",pattern";
+    return row + '\n';
+  }
+  const std::vector<std::string> columns = rain_columns(basins, format);
+  for (const std::string& column : columns) {
+    row += ',';
+    append_csv_field(row, column);
+  }
+  for (std::size_t i = 0; format.errors && i < columns.size(); ++i) {
+    row += ',';
+    append_csv_field(row, columns[i] + error_suffix);
+  }
+  return row + '\n';
+}
+
 void append_rain_key(std::string& row, std::string_view time, std::size_t series,
                      const std::vector<Basin>& basins, const RainFormat& format) {
   const std::size_t methods = std::max<std::size_t>(1, format.methods.size());
@@ -35,33 +56,11 @@ void append_rain_key(std::string& row, std::string_view time, std::size_t series
 
 RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format)
     : file_(file), basins_(basins), format_(std::move(format)) {
-  if (format_.rows_for_basins) {
-    file_.append(format_.methods.empty() ? "time,basin," : "time,basin,method,");
-    std::string columns = "rainfall,gauges,coverage";
-    if (format_.errors) columns += ",se";
-    if (format_.patterns) columns += ",pattern";
-    file_.append(columns + '\n');
-    return;
-  }
   // With several methods the method's name stands between id and suffix, so that no column can be
   // mistaken for another.
-  if (format_.errors && format_.methods.empty()) check_column_names(basins_, error_suffix);
-  write_header();
-}
-
-void RainFile::write_header() {
-  std::string row = "time";
-  const std::vector<std::string> columns = rain_columns(basins_, format_);
-  for (const std::string& column : columns) {
-    row += ',';
-    append_csv_field(row, column);
-  }
-  for (std::size_t i = 0; format_.errors && i < columns.size(); ++i) {
-    row += ',';
-    append_csv_field(row, columns[i] + error_suffix);
-  }
-  row += '\n';
-  file_.append(row);
+  if (!format_.rows_for_basins && format_.errors && format_.methods.empty())
+    check_column_names(basins_, error_suffix);
+  if (!format_.continues) file_.append(rain_header(basins_, format_));
 }
 
 std::string RainFile::text_of(const RainStep& step, std::size_t pattern) const {

@@ -23,6 +23,7 @@ struct RainFormat {
   /// Whether standard errors are written too, in columns `<basin id>_se` or a column `se`.
   bool errors = false;
   bool iso_times = false;  ///< times are written as ISO 8601, and not as they came
+  bool continues = false;  ///< the rows go on in a file that has its header
 };
 
 /// Writes the series of areal rainfall, a step at a time: CSV `time,<basin id>,...[,<basin
@@ -30,15 +31,14 @@ struct RainFormat {
 /// missing value is empty.
 class RainFile {
  public:
-  /// Writes the header. The file and the basins must outlive it. Throws Error where two columns
-  /// would have one name.
+  /// Writes the header, where there is to be one. The file and the basins must outlive it. Throws
+  /// Error where two columns would have one name.
   RainFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format);
   /// The rows of one step as text, not yet written. Safe for several threads at once.
   std::string text_of(const RainStep& step, std::size_t pattern = 0) const;
   void append(std::string_view text) { file_.append(text); }
 
  private:
-  void write_header();
   void append_value(std::string& row, double value) const;
   std::string row_for_each_basin(const RainStep& step, std::size_t pattern) const;
 
@@ -47,6 +47,8 @@ class RainFile {
   RainFormat format_;
 };
 
+/// The header of the series, with its line end.
+std::string rain_header(const std::vector<Basin>& basins, const RainFormat& format);
 /// The names of the columns that hold values, in their order.
 std::vector<std::string> rain_columns(const std::vector<Basin>& basins, const RainFormat& format);
 /// Appends the beginning of a value's row where basins have rows: `time,basin[,method]`. `time` is

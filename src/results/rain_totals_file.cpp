@@ -17,44 +17,43 @@ constexpr const char* missing_suffix = "_missing";
 RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basins,
                                RainFormat format)
     : file_(file), basins_(basins), format_(std::move(format)) {
-  if (format_.rows_for_basins) {
-    file_.append(format_.methods.empty() ? "time,basin,rainfall,missing\n"
-                                         : "time,basin,method,rainfall,missing\n");
-  } else {
-    // With several methods the method's name stands between id and suffix, so that no column can be
-    // mistaken for another.
-    if (format_.methods.empty()) check_column_names(basins_, missing_suffix);
-    write_header();
-  }
+  // With several methods the method's name stands between id and suffix, so that no column can be
+  // mistaken for another.
+  if (!format_.rows_for_basins && format_.methods.empty())
+    check_column_names(basins_, missing_suffix);
+  if (!format_.continues) file_.append(totals_header(basins_, format_));
 }
 
-void RainTotalsFile::write_header() {
-  row_ = "time";
-  for (const std::string& column : rain_columns(basins_, format_)) {
+std::string totals_header(const std::vector<Basin>& basins, const RainFormat& format) {
+  if (format.rows_for_basins) {
+    return format.methods.empty() ? "time,basin,rainfall,missing\n"
+                                  : "time,basin,method,rainfall,missing\n";
+  }
+  std::string row = "time";
+  for (const std::string& column : rain_columns(basins, format)) {
     for (const std::string& name : {column, column + missing_suffix}) {
-      row_ += ',';
-      append_csv_field(row_, name);
+      row += ',';
+      append_csv_field(row, name);
     }
   }
-  row_ += '\n';
-  file_.append(row_);
+  return row + '\n';
 }
 
-void RainTotalsFile::add(const RainPeriod& period) {
-  row_ = format_.rows_for_basins ? "" : period.time;
+std::string RainTotalsFile::text_of(const RainPeriod& period) const {
+  std::string row = format_.rows_for_basins ? "" : period.time;
   for (std::size_t b = 0; b < period.basins.size(); ++b) {
-    if (format_.rows_for_basins) append_rain_key(row_, period.time, b, basins_, format_);
-    append_total(period.basins[b]);
-    if (format_.rows_for_basins) row_ += '\n';
+    if (format_.rows_for_basins) append_rain_key(row, period.time, b, basins_, format_);
+    append_total(row, period.basins[b]);
+    if (format_.rows_for_basins) row += '\n';
   }
-  if (!format_.rows_for_basins) row_ += '\n';
-  file_.append(row_);
+  if (!format_.rows_for_basins) row += '\n';
+  return row;
 }
 
-void RainTotalsFile::append_total(const BasinTotal& total) {
-  row_ += ',';
-  if (!std::isnan(total.rainfall)) append_fixed(row_, total.rainfall, format_.decimals);
-  row_ += ',' + std::to_string(total.missing);
+void RainTotalsFile::append_total(std::string& row, const BasinTotal& total) const {
+  row += ',';
+  if (!std::isnan(total.rainfall)) append_fixed(row, total.rainfall, format_.decimals);
+  row += ',' + std::to_string(total.missing);
 }
 
 }  // namespace thiessen

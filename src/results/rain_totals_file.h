@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/file.h"
@@ -15,19 +16,23 @@ namespace thiessen {
 /// empty.
 class RainTotalsFile {
  public:
-  /// Writes the header. The file and the basins must outlive it. Throws Error where two columns
-  /// would have one name.
+  /// Writes the header, where there is to be one. The file and the basins must outlive it. Throws
+  /// Error where two columns would have one name.
   RainTotalsFile(OutputFile& file, const std::vector<Basin>& basins, RainFormat format);
-  void add(const RainPeriod& period);
+  /// The rows of one period as text, not yet written.
+  std::string text_of(const RainPeriod& period) const;
+  void append(std::string_view text) { file_.append(text); }
+  void add(const RainPeriod& period) { append(text_of(period)); }
 
  private:
-  void write_header();
-  void append_total(const BasinTotal& total);
+  void append_total(std::string& row, const BasinTotal& total) const;
 
   OutputFile& file_;
   const std::vector<Basin>& basins_;
   RainFormat format_;
-  std::string row_;
 };
+
+/// The header of the totals, with its line end.
+std::string totals_header(const std::vector<Basin>& basins, const RainFormat& format);
 
 }  // namespace thiessen

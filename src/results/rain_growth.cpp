@@ -1,0 +1,132 @@
+#include "results/rain_growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/utf8.h"
+#include "results/rain_totals_file.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t longest_time = 80;
+
+std::vector<std::size_t> value_columns(std::size_t series, const RainFormat& format,
+                                       bool has_totals) {
+  std::vector<std::size_t> columns;
+  if (format.rows_for_basins) {
+    const std::size_t rainfall = format.methods.empty() ? 2 : 3;
+    columns.push_back(rainfall);
+    if (format.errors && !has_totals) columns.push_back(rainfall + 3);  // behind gauges, coverage
+    return columns;
+  }
+  const std::size_t apart = has_totals ? 2 : 1;  // each total is followed by what it misses
+  for (std::size_t i = 0; i < series; ++i) columns.push_back(1 + apart * i);
+  for (std::size_t i = 0; format.errors && !has_totals && i < series; ++i)
+    columns.push_back(1 + series + i);
+  return columns;
+}
+
+}  // namespace
+
+RainShape rain_shape(const std::vector<Basin>& basins, const RainFormat& format, bool has_totals) {
+  const std::size_t series = basins.size() * std::max<std::size_t>(1, format.methods.size());
+  return {has_totals ? totals_header(basins, format) : rain_header(basins, format),
+          format.rows_for_basins ? series : 1, value_columns(series, format, has_totals)};
+}
+
+RainGrowth::RainGrowth(std::string file, std::string noun, EarlierRain* earlier, int decimals)
+    : file_(std::move(file)),
+      noun_(std::move(noun)),
+      earlier_(earlier),
+      unit_(std::pow(10.0, -decimals)) {}
+
+bool RainGrowth::lacks(const std::string& time, std::span<const double> values) {
+  if (earlier_ != nullptr) {
+    const StepKey key = step_key(time);
+    if (earlier_->steps() > 0) require_alike(key, time);
+    if (const std::vector<double>* there = earlier_->find(key)) {
+      if (!are_same(*there, values)) others_.note(time);
+      return false;
+    }
+    if (earlier_->steps() > 0 && comes_before(key, earlier_->latest())) late_.note(time);
+    const auto& cut = earlier_->cut();
+    has_cut_come_ = has_cut_come_ || (cut && cut->key == key);
+  }
+  ++added_;
+  return true;
+}
+
+void RainGrowth::require_alike(const StepKey& key, const std::string& time) const {
+  if (are_alike(earlier_->first(), key)) return;
+  throw Error({file_, 0,
+               "its times are written as " + quoted(earlier_->first_time(), longest_time) +
+                   ", and those of this run as " + quoted(time, longest_time) +
+                   ": which steps it lacks cannot be told",
+               "times of one series are all moments of one precision, with a zone or without"});
+}
+
+bool RainGrowth::are_same(std::span<const double> there, std::span<const double> now) const {
+  constexpr double rounding = 1e-6;  // of numbers that have so many decimals
+  return std::ranges::equal(there, now, [&](double a, double b) {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) == std::isnan(b);
+    return std::fabs(a - b) <= unit_ * (1.5 + rounding);  // one is rounded, the other is not
+  });
+}
+
+bool RainGrowth::changes() const {
+  return earlier_ == nullptr || added_ > 0 || earlier_->cut();
+}
+
+std::string RainGrowth::counted(std::size_t count) const {
+  return (count == 0 ? "no" : std::to_string(count)) + " " + noun_ + (count == 1 ? "" : "s");
+}
+
+void RainGrowth::conclude(bool is_done, Warnings& warnings) const {
+  if (earlier_ != nullptr && earlier_->cut()) tell_cut(is_done, warnings);
+  const std::size_t before = earlier_ == nullptr ? 0 : earlier_->steps();
+  warnings.add_notice({file_, 0,
+                       counted(added_) + " added, " +
+                           (before == 0 ? "none" : std::to_string(before)) +
+                           (before == 1 ? " was there" : " were there"),
+                       ""});
+  if (others_.count > 0) {
+    const bool one = others_.count == 1;
+    warnings.add({file_, 0,
+                  counted(others_.count) + (one ? " that is there has" : " that are there have") +
+                      " other values in this run" + (one ? ", " : ", the first is ") +
+                      quoted(others_.first, longest_time) +
+                      (one ? ": it stays as it is" : ": they stay as they are"),
+                  setting("overwrite") + " without " + setting("append") + " writes all anew"});
+  }
+  if (late_.count > 0) {
+    const bool one = late_.count == 1;
+    warnings.add({file_, 0,
+                  counted(late_.count) + (one ? " added lies" : " added lie") +
+                      " before the last that was there" + (one ? ", " : ", the first is ") +
+                      quoted(late_.first, longest_time) + ": the table is not in the order of time",
+                  ""});
+  }
+}
+
+void RainGrowth::tell_cut(bool is_done, Warnings& warnings) const {
+  const EarlierRain::Cut& cut = *earlier_->cut();
+  const std::string what =
+      "its last " + std::string(cut.may_be_whole ? "line has no line end" : noun_ + " is cut off") +
+      ", " + quoted(cut.text, longest_time);
+  if (!has_cut_come_ && cut.may_be_whole && !is_done) {
+    throw Error(
+        {file_, 0,
+         what + ": it may be cut off, and " + input("rainfall") + " does not have its " + noun_,
+         "take that line off, or end it"});
+  }
+  warnings.add({file_, 0,
+                what + ": it is taken off" +
+                    (has_cut_come_ ? ", and written anew"
+                     : cut.key     ? ", and not added again, for it has not come"
+                                   : ", and added again if it has come"),
+                ""});
+}
+
+}  // namespace thiessen

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "basin/basin.h"
+#include "results/earlier_rain.h"
+#include "results/rain_file.h"
+
+namespace thiessen {
+
+/// The shape of the table that RainFile writes, or RainTotalsFile where it has totals.
+RainShape rain_shape(const std::vector<Basin>& basins, const RainFormat& format, bool has_totals);
+
+/// Decides which steps of a series a table lacks that an earlier run has written.
+///
+/// A step that is there stays as it is. Where its values are others than those of this run, by more
+/// than one of the last decimal, that is a warning; and so are steps that lie before the last one
+/// that was there, for they are added behind it.
+class RainGrowth {
+ public:
+  /// `file` is the table's name. `noun` is what it has, a step or a period. No `earlier`: there is
+  /// no table yet. It must outlive this object.
+  RainGrowth(std::string file, std::string noun, EarlierRain* earlier, int decimals);
+
+  bool has_crlf() const { return earlier_ != nullptr && earlier_->has_crlf(); }
+  /// Takes the next step, with its values row by row. Returns whether the table lacks it. Throws
+  /// Error where its time is not of the kind that is there.
+  bool lacks(const std::string& time, std::span<const double> values);
+  bool has_added() const { return added_ > 0; }
+  /// Whether the table is to be written: steps are added, or a cut one is taken off.
+  bool changes() const;
+  /// Says how many steps are added and how many were there, and what is odd. Throws Error where
+  /// the last line lacks its end alone, and its step has not come: it would be lost. Where rows
+  /// are added at once (`is_done`) it is lost already, and that is a warning.
+  void conclude(bool is_done, Warnings& warnings) const;
+
+ private:
+  /// Steps of which something is to be said.
+  struct Noted {
+    std::size_t count = 0;
+    std::string first;
+
+    void note(const std::string& time) {
+      if (count++ == 0) first = time;
+    }
+  };
+
+  void require_alike(const StepKey& key, const std::string& time) const;
+  bool are_same(std::span<const double> there, std::span<const double> now) const;
+  std::string counted(std::size_t count) const;
+  void tell_cut(bool is_done, Warnings& warnings) const;
+
+  std::string file_;
+  std::string noun_;
+  EarlierRain* earlier_;
+  double unit_;  ///< one of the last decimal
+  std::size_t added_ = 0;
+  Noted others_;  ///< steps that are there with other values
+  Noted late_;    ///< steps added that lie before the last that was there
+  bool has_cut_come_ = false;
+};
+
+}  // namespace thiessen
