@@ -58,6 +58,7 @@ class WeightsCommand : public Command {
     } else {
       refuse_options_of_readings();
     }
+    rainfall_.check_files();
     rainfall_.check_units();
     changes_.check();
     range_.check();

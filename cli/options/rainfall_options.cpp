@@ -43,9 +43,16 @@ void RainfallOptions::declare(OptionList& options, Need need, const std::string&
 
 void RainfallOptions::declare_as_option(OptionList& options, const std::string& group,
                                         const std::string& name, const std::string& help) {
-  OptionValue value = text(rainfall_, "RAINFALL");
+  OptionValue value = texts(repeated_, "RAINFALL");
   value.completion = Completion::file;
   options.group(group, *this).add(name, std::move(value), help);
+  OptionValue further = texts(repeated_, "FILE");
+  further.completion = Completion::file;
+  options.group(group, *this)
+      .add("--rainfall", std::move(further),
+           "one of several files, in place of " + name +
+               " or beside it; repeated: they are joined "
+               "in time and by station, as `rain` joins them");
   declare_meaning(options);
 }
 

@@ -32,6 +32,8 @@ class RainfallOptions : public OptionBlock {
   CsvDialect csv(const CsvDialect& all) const;
   /// Throws UsageError for options that are about readings where there are none.
   void check() const;
+  /// Throws UsageError for files that cannot be read together.
+  void check_files() const;
   /// Throws UsageError for a factor beside a unit.
   void check_units() const;
   bool given() const { return !files().empty() || is_event(); }
@@ -49,7 +51,6 @@ class RainfallOptions : public OptionBlock {
   void declare_meaning(OptionList& options);
   void declare_amounts(OptionGroup& readings);
 
-  void check_files() const;
   void check_event() const;
 
   ReadingsOptions readings_;
