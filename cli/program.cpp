@@ -16,18 +16,16 @@ namespace {
 enum Status { done = 0, failed = 1, wrong_usage = 2 };
 
 constexpr const char* before_error = "thiessen: error: ";
-constexpr const char* before_warning = "thiessen: warning: ";
-constexpr const char* before_notice = "thiessen: notice: ";
 
 int run_command(Command& command, Warnings& warnings) {
   const auto report = [&] {
-    if (command.quiet()) return;
-    for (const Message& message : warnings.notices()) print(before_notice, message);
-    for (const Message& message : warnings.messages()) print(before_warning, message);
+    if (!command.quiet()) print(warnings);
   };
   try {
     start_gdal();
     command.run(warnings);
+  } catch (const ReaderGone&) {
+    throw;
   } catch (...) {
     report();
     throw;
@@ -52,6 +50,8 @@ int run_program(int argc, char** argv) {
   } catch (const UsageError& error) {
     print(before_error, error.text, printable(error.hint));
     return wrong_usage;
+  } catch (const ReaderGone&) {
+    return failed;
   } catch (const Error& error) {
     print(before_error, error);
     return failed;

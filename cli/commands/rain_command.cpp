@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/destination.h"
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
@@ -18,8 +19,10 @@
 #include "cli/options/rain_format_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "cli/outputs/grown_table.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/rain_table.h"
+#include "cli/terminal/messages.h"
 #include "cli/terminal/progress.h"
 #include "files/rainfall/rainfall_file.h"
 #include "rainfall/errors/rainfall_error.h"
@@ -42,6 +45,7 @@ class RainCommand : public Command {
     output_.declare(options(), Need::optional, "rain.csv",
                     "where the series goes, PG:... is a database (as --long); default standard "
                     "output");
+    output_.declare_append(options());
     output_.declare_table(options(), "rain");
     declare_account();
     common_.declare(options());
@@ -66,53 +70,58 @@ class RainCommand : public Command {
     }
     method_.check(gaps_);
     check_errors_can_be_had();
+    check_append();
     study_.check();
     rainfall_.check();
-    output_.check();
+  }
+
+  const char* when_interrupted() const override {
+    return may_pass_on() ? "interrupted; what was written before stays"
+                         : "interrupted; nothing was written";
   }
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
-    const std::vector<RainMethod>& methods = method_.methods();
     if (errors_) require_two_readings();
+    if (!output_.is_database()) require_table_name(output_.output);
     require_table_name(weights_log_);
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    const bool is_fed = may_pass_on();
+    if (is_fed) rainfall_.want_steps_as_they_come();
+    const OutputRules rules =
+        output_.rules(rainfall_.files_beside({study_.stations, study_.basins}));
+    Outputs outputs(rules);
+    if (is_fed) outputs.pass_on_at_once();
     std::optional<DatabaseTable> table;
+    std::optional<GrownTable> grown;
+    OutputFile* file = nullptr;
     if (output_.is_database()) {
-      table.emplace(output_.table());
+      file = &table.emplace(output_.table()).rows();
+    } else if (output_.appends()) {
+      grown.emplace(output_.output, rules, is_fed);
     } else {
-      require_table_name(output_.output);
+      file = &outputs.add(output_.output);
     }
-    OutputFile& file = table ? table->rows() : outputs.add(output_.output);
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
-    const auto threads = static_cast<unsigned>(common_.threads);
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
-    RainFormat format = format_.format();
-    // A column a basin would be a table of other columns with each study.
-    format.rows_for_basins = format.rows_for_basins || table.has_value();
-    format.patterns = log_file != nullptr;
-    format.errors = errors_;
-    format.methods = names_of_methods(methods);
-    ArealRainfallSettings settings = gaps_.settings();
-    settings.accounts = format.rows_for_basins && !periods_.totalling();
+    RainFormat format = table_format();
     std::unique_ptr<const ArealRainfall> values;
-    std::unique_ptr<const StepRainfall> rainfall;
-    if (errors_) {
-      values = std::make_unique<const ArealRainfall>(inputs.weighing(), settings, threads);
-      rainfall = fit_errors(inputs, *values, warnings);
-    } else {
-      rainfall =
-          rainfall_by(methods, inputs.weighing(), method_.points(), settings, threads, warnings);
-    }
+    const auto rainfall = step_rainfall(inputs, format, values, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
-    RainTable series(file, inputs.basins(), format, periods_.totalling(), rainfall_.name());
+    const std::optional<Totalling> totalling = totals(is_fed);
+    if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
+    RainTable series(*file, inputs.basins(), format, totalling, rainfall_.name(),
+                     grown ? grown->growth() : nullptr);
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
     GaugePatterns patterns;
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
+    SeriesWork work{threads()};
+    if (is_fed) {
+      work.when_handed_on = [&] { grown ? pass_on(*grown, warnings) : pass_on(*file, warnings); };
+    }
     for_each_step(
-        *readings, *rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
+        *readings, *rainfall, work, [&](RainStep& step) { series.prepare(step); },
         [&](const RainStep& step) {
           GaugePatterns::Pattern pattern{0, false};
           if (log) pattern = patterns.of(step.readings);
@@ -122,6 +131,7 @@ class RainCommand : public Command {
           progress.advance();
         });
     series.finish(warnings);
+    if (grown) grown->finish(warnings);
     outputs.commit();
     if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
   }
@@ -147,6 +157,13 @@ class RainCommand : public Command {
         "reporting gauges; --long, without --every, then has a column pattern");
   }
 
+  void check_append() const {
+    output_.check();
+    if (!output_.appends() || weights_log_.empty()) return;
+    throw UsageError{"--weights-log is the account of a whole series, and --append adds to one",
+                     "leave one of them out"};
+  }
+
   void check_errors_can_be_had() const {
     if (!errors_) return;
     if (method_.methods() != std::vector{RainMethod::thiessen}) {
@@ -163,6 +180,63 @@ class RainCommand : public Command {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
                        "give a file"};
     }
+  }
+
+  unsigned threads() const { return static_cast<unsigned>(common_.threads); }
+
+  RainFormat table_format() const {
+    RainFormat format = format_.format();
+    // A column a basin would be a table of other columns with each study.
+    format.rows_for_basins = format.rows_for_basins || output_.is_database();
+    format.patterns = !weights_log_.empty();
+    format.errors = errors_;
+    format.methods = names_of_methods(method_.methods());
+    return format;
+  }
+
+  std::optional<Totalling> totals(bool is_fed) const {
+    std::optional<Totalling> totalling = periods_.totalling();
+    if (!totalling) return totalling;
+    totalling->as_they_end = is_fed;
+    totalling->whole_alone = output_.appends();
+    return totalling;
+  }
+
+  /// What computes each step. Standard errors are of `values`, which has to outlive them.
+  std::unique_ptr<const StepRainfall> step_rainfall(Inputs& inputs, const RainFormat& format,
+                                                    std::unique_ptr<const ArealRainfall>& values,
+                                                    Warnings& warnings) const {
+    ArealRainfallSettings settings = gaps_.settings();
+    settings.accounts = format.rows_for_basins && !periods_.totalling();
+    if (!errors_) {
+      return rainfall_by(method_.methods(), inputs.weighing(), method_.points(), settings,
+                         threads(), warnings);
+    }
+    values = std::make_unique<const ArealRainfall>(inputs.weighing(), settings, threads());
+    return fit_errors(inputs, *values, warnings);
+  }
+
+  /// Whether rows are handed over as they are computed, for RAINFALL is a pipe and they go where
+  /// somebody sees them.
+  bool may_pass_on() const {
+    return rainfall_.is_fed() && (output_.appends() || goes_to_stream(output_.output));
+  }
+
+  /// Tells what is odd about a series so far, which may have no end.
+  void tell(Warnings& warnings) const {
+    if (!common_.quiet) print(warnings);
+  }
+
+  /// Hands over what is known so far. Throws ReaderGone where nobody wants to know.
+  void pass_on(OutputFile& file, Warnings& warnings) const {
+    tell(warnings);
+    file.flush();
+    if (file.is_reader_gone()) throw ReaderGone(Error(Message{file.name(), 0, "nobody reads", ""}));
+  }
+
+  void pass_on(GrownTable& table, Warnings& warnings) const {
+    table.pass_on(warnings);
+    tell(warnings);
   }
 
   /// Refuses a pipe, as it can be read only once.

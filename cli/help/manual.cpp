@@ -196,7 +196,44 @@ std::string files_section() {
              "of the station that its name tells: the whole name without its extension, or a part "
              "of it between _, -, . and blanks. Readings that stand in several files alike count "
              "once, and a notice says how many; where they differ, the error names both places. "
-             "Steps come in the order of time, after all files have been read.");
+             "Steps come in the order of time, after all files have been read. What else lies in a "
+             "folder is passed over with a notice that names it: other kinds of files, and texts "
+             "without any row of as many fields as their first, such as a readme.txt.");
+}
+
+std::string feed_section() {
+  return ".SH READINGS FROM A PIPE\n" +
+         roff_paragraph(
+             "Where rain reads a pipe (- or a named pipe) and writes to standard output or a pipe, "
+             "each row is written as its step comes, within a second, and messages are told as "
+             "they arise. A wide step is there with its row; a long one once each station "
+             "has a row of it, or a row of another time has come, and the pipe has rested for a "
+             "quarter of a second (a twentieth, once it is held for half a second); so that a last "
+             "long step in which a station lacks is written when the pipe ends. A pipe without "
+             "such a rest, as from a file, is sorted at its end, in whatever "
+             "order its rows are; so is one whose times come back before anything was written, and "
+             "a warning says so. Once rows were written, a time that does not go on in their order "
+             "is an error; in a wide table one that comes twice in a row is one at once, others "
+             "are when the pipe ends. What is wrong ends the run as soon as nothing more comes "
+             "for a quarter of a second; the rows before it are written. With --every a period is "
+             "written when another begins; what it lacks is counted by the step that the times so "
+             "far tell. Outputs that are files appear in the end, whole.") +
+         ".SH ADDING TO A TABLE\n" +
+         roff_paragraph(
+             "rain --append adds to the table that -o names the steps that it lacks, behind those "
+             "that it has and in the order of RAINFALL, and a notice says how many were added and "
+             "how many were there. Steps are told by their moment where times are of ISO 8601, "
+             "else by their text; the columns have to be the same. A step that is there stays as "
+             "it is: a warning says where its values are others by more than one of the last "
+             "decimal, and another where a step is added that lies before the last one. A last "
+             "line that is cut off, as where a writer was ended, is taken off and written anew; "
+             "one that lacks nothing but its line end, and whose step RAINFALL does not have, is "
+             "an error. With --every the last period is added once it is whole: when it lacks no "
+             "step, or another has begun. The table is replaced whole or not at all, and locked "
+             "meanwhile: another run waits five seconds for it. From a pipe each row is added in "
+             "place as it comes, and what was added before a failure stays. The gauges that make "
+             "the network are those of RAINFALL: where that is of a day, renormalised and strict "
+             "values may differ from those of the whole series.");
 }
 
 std::string times_section() {
@@ -313,7 +350,7 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + study_file_section() + csv_section() + files_section() +
-         times_section() + names_section() + formats_section() + status_section() +
+         feed_section() + times_section() + names_section() + formats_section() + status_section() +
          examples_section(commands);
 }
 

@@ -36,12 +36,6 @@ void OutputOptions::declare_table(OptionList& options, const std::string& table)
                    table);
 }
 
-void OutputOptions::check() const {
-  if (table_option_ == nullptr || !table_option_->is_given() || is_database()) return;
-  throw UsageError{"--output-layer names a table, and the output is no database",
-                   "-o PG:... writes into one"};
-}
-
 void OutputOptions::declare_folder(OptionList& options, const std::string& help) {
   declare_value(options, Need::required, folder(output, "DIR"), help);
 }
@@ -52,6 +46,33 @@ void OutputOptions::declare_value(OptionList& options, Need need, OptionValue va
   group.add("-o,--output", std::move(value), help).need = need;
   group.add("--overwrite", flag(overwrite_),
             "replace an output that exists; else that is an error");
+}
+
+void OutputOptions::declare_append(OptionList& options) {
+  options.group("Output", *this)
+      .add("--append", flag(append_),
+           "add the steps that FILE lacks, and say how many; those that are there stay. FILE has "
+           "the same columns, or does not exist yet. From a pipe each step is added as it comes");
+}
+
+void OutputOptions::check() const {
+  if (table_option_ != nullptr && table_option_->is_given() && !is_database()) {
+    throw UsageError{"--output-layer names a table, and the output is no database",
+                     "-o PG:... writes into one"};
+  }
+  if (!append_) return;
+  if (is_database()) {
+    throw UsageError{"--append adds to a file, and the output is a database",
+                     "write into a table of another name, and INSERT what is new"};
+  }
+  if (overwrite_) {
+    throw UsageError{"--append adds to the output, and --overwrite replaces it",
+                     "leave one of them out"};
+  }
+  if (output == "-") {
+    throw UsageError{"--append adds to a file, and the output is the standard output",
+                     "-o FILE names one"};
+  }
 }
 
 OutputRules OutputOptions::rules(std::vector<std::string> inputs) const {

@@ -21,12 +21,16 @@ class OutputOptions : public OptionBlock {
   void declare_table(OptionList& options, const std::string& table);
   /// Declares the options of an output that is a folder.
   void declare_folder(OptionList& options, const std::string& help);
+  /// Declares the option that adds to a table that is there.
+  void declare_append(OptionList& options);
+  /// Throws UsageError where nothing can be added to the output, and where a table is named and the
+  /// output is none.
+  void check() const;
   bool overwrites() const { return overwrite_; }
   /// Whether the output is a table in a database.
   bool is_database() const { return table_option_ != nullptr && thiessen::is_database(output); }
   DatabaseTarget table() const { return {output, table_, overwrite_}; }
-  /// Throws UsageError where a table is named, and the output is none.
-  void check() const;
+  bool appends() const { return append_; }
   /// The rules by which the output is written. `inputs` are files that may not be overwritten.
   /// Throws Error where the output is a connection to a database, and may be none.
   OutputRules rules(std::vector<std::string> inputs) const;
@@ -37,6 +41,7 @@ class OutputOptions : public OptionBlock {
   bool overwrite_ = false;
   std::string table_;
   const Option* table_option_ = nullptr;
+  bool append_ = false;
 };
 
 /// Requires the name of a table: .csv, .txt or no extension, so that no table stands under the name

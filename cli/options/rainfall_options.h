@@ -37,6 +37,10 @@ class RainfallOptions : public OptionBlock {
   /// Throws UsageError for a factor beside a unit.
   void check_units() const;
   bool given() const { return !files().empty() || is_event(); }
+  /// Whether RAINFALL is a pipe, whose end may be far.
+  bool is_fed() const { return !files().empty() && thiessen::is_fed(request({})); }
+  /// Has steps of a pipe be read as they come.
+  void want_steps_as_they_come() { readings_.steps_as_they_come = true; }
   /// Whether the readings are those of one event, in a field of STATIONS.
   bool is_event() const {
     return files().empty() && stations_ != nullptr && !readings_.value_field.empty();

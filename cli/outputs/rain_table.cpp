@@ -6,12 +6,17 @@
 namespace thiessen::cli {
 
 RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
-                     const std::optional<Totalling>& totalling, const std::string& rainfall)
-    : has_patterns_(format.patterns), iso_times_(format.iso_times), rainfall_(rainfall) {
+                     const std::optional<Totalling>& totalling, const std::string& rainfall,
+                     RainGrowth* growth)
+    : has_patterns_(format.patterns),
+      has_rows_for_basins_(format.rows_for_basins),
+      has_errors_(format.errors),
+      iso_times_(format.iso_times),
+      rainfall_(rainfall),
+      growth_(growth) {
   if (totalling) {
     totals_.emplace(file, basins, format);
-    periods_.emplace(*totalling, rainfall,
-                     [this](const RainPeriod& period) { totals_->add(period); });
+    periods_.emplace(*totalling, rainfall, [this](const RainPeriod& period) { add(period); });
   } else {
     steps_.emplace(file, basins, format);
   }
@@ -27,11 +32,44 @@ void RainTable::prepare(RainStep& step) const {
 }
 
 void RainTable::add(const RainStep& step, std::size_t pattern) {
-  if (periods_) {
-    periods_->add(step);
-  } else {
-    steps_->append(has_patterns_ ? steps_->text_of(step, pattern) : step.text);
+  if (periods_) return periods_->add(step);
+  if (growth_ != nullptr && is_there(step)) return;
+  steps_->append(with_line_ends(has_patterns_ ? steps_->text_of(step, pattern) : step.text));
+}
+
+void RainTable::add(const RainPeriod& period) {
+  if (growth_ != nullptr && is_there(period)) return;
+  totals_->append(with_line_ends(totals_->text_of(period)));
+}
+
+/// Whether the table that grows has this step.
+bool RainTable::is_there(const RainStep& step) {
+  values_.clear();
+  for (const BasinRainfall& basin : step.basins) {
+    values_.push_back(basin.rainfall);
+    if (has_errors_ && has_rows_for_basins_) values_.push_back(basin.standard_error);
   }
+  if (has_errors_ && !has_rows_for_basins_) {
+    for (const BasinRainfall& basin : step.basins) values_.push_back(basin.standard_error);
+  }
+  return !growth_->lacks(step.time, values_);
+}
+
+bool RainTable::is_there(const RainPeriod& period) {
+  values_.clear();
+  for (const BasinTotal& total : period.basins) values_.push_back(total.rainfall);
+  return !growth_->lacks(period.time, values_);
+}
+
+/// The rows with the line ends that the table has already.
+std::string RainTable::with_line_ends(std::string text) const {
+  if (growth_ == nullptr || !growth_->has_crlf()) return text;
+  std::string with_returns;
+  for (const char c : text) {
+    if (c == '\n') with_returns += '\r';
+    with_returns += c;
+  }
+  return with_returns;
 }
 
 void RainTable::finish(Warnings& warnings) {

@@ -6,6 +6,7 @@
 
 #include "rainfall/series/rain_periods.h"
 #include "results/rain_file.h"
+#include "results/rain_growth.h"
 #include "results/rain_totals_file.h"
 
 namespace thiessen::cli {
@@ -13,10 +14,11 @@ namespace thiessen::cli {
 /// Writes rain.csv as the options want it: the steps, or their totals over periods.
 class RainTable {
  public:
-  /// `rainfall` is the file of the readings, for messages. The file and the basins must outlive the
-  /// table.
+  /// `rainfall` is the file of the readings, for messages. Where there is a `growth`, only steps
+  /// are written that a table lacks. The file, the basins and the growth must outlive the table.
   RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
-            const std::optional<Totalling>& totalling, const std::string& rainfall);
+            const std::optional<Totalling>& totalling, const std::string& rainfall,
+            RainGrowth* growth = nullptr);
   RainTable(const RainTable&) = delete;
   RainTable& operator=(const RainTable&) = delete;
 
@@ -30,12 +32,21 @@ class RainTable {
   void finish(Warnings& warnings);
 
  private:
+  void add(const RainPeriod& period);
+  bool is_there(const RainStep& step);
+  bool is_there(const RainPeriod& period);
+  std::string with_line_ends(std::string text) const;
+
   bool has_patterns_;
+  bool has_rows_for_basins_;
+  bool has_errors_;
   bool iso_times_;
   std::string rainfall_;
   std::optional<RainFile> steps_;
   std::optional<RainTotalsFile> totals_;
   std::optional<RainPeriods> periods_;
+  RainGrowth* growth_;
+  std::vector<double> values_;  ///< of the step that may be there
 };
 
 }  // namespace thiessen::cli

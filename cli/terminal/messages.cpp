@@ -45,4 +45,10 @@ void print(std::string_view before, const Error& error) {
   if (error.unlisted() > 0) print(before, "and " + std::to_string(error.unlisted()) + " more", "");
 }
 
+void print(Warnings& warnings) {
+  for (const Message& message : warnings.notices()) print("thiessen: notice: ", message);
+  for (const Message& message : warnings.messages()) print("thiessen: warning: ", message);
+  warnings.have_been_told();
+}
+
 }  // namespace thiessen::cli

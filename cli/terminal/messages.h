@@ -21,4 +21,7 @@ void print(std::string_view before, const std::string& text, const std::string& 
 /// Prints all messages of an error, and how many more there were.
 void print(std::string_view before, const Error& error);
 
+/// Prints notices and warnings, which are then forgotten.
+void print(Warnings& warnings);
+
 }  // namespace thiessen::cli

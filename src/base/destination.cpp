@@ -69,6 +69,13 @@ Destination examine_destination(const std::string& path, const OutputRules& rule
   return found;
 }
 
+bool goes_to_stream(const std::string& path) {
+  struct stat status = {};
+  if (path == "-" || standing_descriptor(path)) return true;
+  return ::stat(path.c_str(), &status) == 0 &&
+         (S_ISCHR(status.st_mode) || S_ISFIFO(status.st_mode));
+}
+
 std::optional<int> standing_descriptor(const std::string& path) {
   if (path == "/dev/stdin") return STDIN_FILENO;
   if (path == "/dev/stdout") return STDOUT_FILENO;

@@ -33,6 +33,10 @@ struct Destination {
 /// link that leads nowhere, an input of the run, or a file that may not be replaced.
 Destination examine_destination(const std::string& path, const OutputRules& rules);
 
+/// Whether what is written to this name goes to the standard output or another open file, a pipe or
+/// a device, and not into a file of its own.
+bool goes_to_stream(const std::string& path);
+
 /// The number of the open file that names such as /dev/stdout and /dev/fd/3 stand for, or nothing
 /// for other names.
 std::optional<int> standing_descriptor(const std::string& path);

@@ -82,13 +82,13 @@ OutputFile& Outputs::add(const std::string& path) {
     if (has_standard_output_)
       throw Error(Message{"", 0, "standard output would be written twice", ""});
     has_standard_output_ = true;
-    return streams_.emplace_back(standard_output(OutputFile::Care::held));
+    return streams_.emplace_back(standard_output(stream_care_));
   }
   const bool standing = standing_descriptor(path).has_value();
   const Destination destination =
       standing ? Destination{Kind::stream} : examine_destination(path, rules_);
   if (destination.kind == Kind::stream) {
-    return streams_.emplace_back(path, open_stream(path), OutputFile::Care::held);
+    return streams_.emplace_back(path, open_stream(path), stream_care_);
   }
   refuse_twice(path);
   Staged& staged = staged_.emplace_back();

@@ -32,6 +32,10 @@ class Outputs {
   Outputs& operator=(const Outputs&) = delete;
   ~Outputs();
 
+  /// Has what goes to a pipe, a device or the standard output go there as it is flushed, and not
+  /// wait: for a series that comes by a pipe and may have no end. Of outputs added from now on.
+  void pass_on_at_once() { stream_care_ = OutputFile::Care::closed; }
+
   /// Opens a file to append to; `-` is the standard output, as /dev/stdout is. The reference lasts
   /// as long as this object. Throws Error where the name cannot or may not be written; after that,
   /// this object can only be destroyed.
@@ -79,6 +83,7 @@ class Outputs {
   void discard() noexcept;
 
   OutputRules rules_;
+  OutputFile::Care stream_care_ = OutputFile::Care::held;
   std::deque<OutputFile> files_;
   std::deque<OutputFile> streams_;
   std::vector<Staged> staged_;

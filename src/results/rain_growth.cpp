@@ -83,46 +83,59 @@ std::string RainGrowth::counted(std::size_t count) const {
   return (count == 0 ? "no" : std::to_string(count)) + " " + noun_ + (count == 1 ? "" : "s");
 }
 
-void RainGrowth::conclude(bool is_done, Warnings& warnings) const {
-  if (earlier_ != nullptr && earlier_->cut()) tell_cut(is_done, warnings);
+void RainGrowth::tell_others(Warnings& warnings) {
+  if (others_.count == 0 || others_told_ > 0) return;
+  others_told_ = others_.count;
+  const bool one = others_.count == 1;
+  warnings.add({file_, 0,
+                counted(others_.count) + (one ? " that is there has" : " that are there have") +
+                    " other values in this run" + (one ? ", " : ", the first is ") +
+                    quoted(others_.first, longest_time) +
+                    (one ? ": it stays as it is" : ": they stay as they are"),
+                setting("overwrite") + " without " + setting("append") + " writes all anew"});
+}
+
+void RainGrowth::conclude(Warnings& warnings) {
+  if (earlier_ != nullptr && earlier_->cut() && !has_told_cut_) tell_cut(warnings);
   const std::size_t before = earlier_ == nullptr ? 0 : earlier_->steps();
   warnings.add_notice({file_, 0,
                        counted(added_) + " added, " +
                            (before == 0 ? "none" : std::to_string(before)) +
                            (before == 1 ? " was there" : " were there"),
                        ""});
-  if (others_.count > 0) {
-    const bool one = others_.count == 1;
-    warnings.add({file_, 0,
-                  counted(others_.count) + (one ? " that is there has" : " that are there have") +
-                      " other values in this run" + (one ? ", " : ", the first is ") +
-                      quoted(others_.first, longest_time) +
-                      (one ? ": it stays as it is" : ": they stay as they are"),
-                  setting("overwrite") + " without " + setting("append") + " writes all anew"});
-  }
-  if (late_.count > 0) {
-    const bool one = late_.count == 1;
-    warnings.add({file_, 0,
-                  counted(late_.count) + (one ? " added lies" : " added lie") +
-                      " before the last that was there" + (one ? ", " : ", the first is ") +
-                      quoted(late_.first, longest_time) + ": the table is not in the order of time",
-                  ""});
-  }
+  if (others_.count > others_told_) others_told_ = 0;
+  tell_others(warnings);
+  if (late_.count == 0) return;
+  const bool one = late_.count == 1;
+  warnings.add({file_, 0,
+                counted(late_.count) + (one ? " added lies" : " added lie") +
+                    " before the last that was there" + (one ? ", " : ", the first is ") +
+                    quoted(late_.first, longest_time) + ": the table is not in the order of time",
+                ""});
 }
 
-void RainGrowth::tell_cut(bool is_done, Warnings& warnings) const {
+std::string RainGrowth::cut_in_words() const {
   const EarlierRain::Cut& cut = *earlier_->cut();
-  const std::string what =
-      "its last " + std::string(cut.may_be_whole ? "line has no line end" : noun_ + " is cut off") +
-      ", " + quoted(cut.text, longest_time);
-  if (!has_cut_come_ && cut.may_be_whole && !is_done) {
-    throw Error(
-        {file_, 0,
-         what + ": it may be cut off, and " + input("rainfall") + " does not have its " + noun_,
-         "take that line off, or end it"});
+  return "its last " + (cut.may_be_whole ? "line has no line end" : noun_ + " is cut off") + ", " +
+         quoted(cut.text, longest_time);
+}
+
+void RainGrowth::tell_cut_taken_off(Warnings& warnings) {
+  if (earlier_ == nullptr || !earlier_->cut()) return;
+  has_told_cut_ = true;
+  warnings.add({file_, 0, cut_in_words() + ": it is taken off, and added again if it comes", ""});
+}
+
+void RainGrowth::tell_cut(Warnings& warnings) const {
+  const EarlierRain::Cut& cut = *earlier_->cut();
+  if (!has_cut_come_ && cut.may_be_whole) {
+    throw Error({file_, 0,
+                 cut_in_words() + ": it may be cut off, and " + input("rainfall") +
+                     " does not have its " + noun_,
+                 "take that line off, or end it"});
   }
   warnings.add({file_, 0,
-                what + ": it is taken off" +
+                cut_in_words() + ": it is taken off" +
                     (has_cut_come_ ? ", and written anew"
                      : cut.key     ? ", and not added again, for it has not come"
                                    : ", and added again if it has come"),

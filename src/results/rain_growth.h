@@ -35,10 +35,14 @@ class RainGrowth {
   bool has_added() const { return added_ > 0; }
   /// Whether the table is to be written: steps are added, or a cut one is taken off.
   bool changes() const;
+  /// Says that a cut step is taken off, before it is known whether it comes again. Then `conclude`
+  /// says no more of it.
+  void tell_cut_taken_off(Warnings& warnings);
+  /// Says, once, that there are steps with other values: of a series that may not end.
+  void tell_others(Warnings& warnings);
   /// Says how many steps are added and how many were there, and what is odd. Throws Error where
-  /// the last line lacks its end alone, and its step has not come: it would be lost. Where rows
-  /// are added at once (`is_done`) it is lost already, and that is a warning.
-  void conclude(bool is_done, Warnings& warnings) const;
+  /// the last line lacks its end alone, and its step has not come: it would be lost.
+  void conclude(Warnings& warnings);
 
  private:
   /// Steps of which something is to be said.
@@ -54,7 +58,8 @@ class RainGrowth {
   void require_alike(const StepKey& key, const std::string& time) const;
   bool are_same(std::span<const double> there, std::span<const double> now) const;
   std::string counted(std::size_t count) const;
-  void tell_cut(bool is_done, Warnings& warnings) const;
+  std::string cut_in_words() const;
+  void tell_cut(Warnings& warnings) const;
 
   std::string file_;
   std::string noun_;
@@ -64,6 +69,8 @@ class RainGrowth {
   Noted others_;  ///< steps that are there with other values
   Noted late_;    ///< steps added that lie before the last that was there
   bool has_cut_come_ = false;
+  bool has_told_cut_ = false;
+  std::size_t others_told_ = 0;
 };
 
 }  // namespace thiessen

@@ -19,9 +19,9 @@ EarlierRain earlier(const std::string& text) {
           {"time,A\n", 1, {1}}};
 }
 
-std::vector<std::string> said(const RainGrowth& growth, bool is_done = false) {
+std::vector<std::string> said(RainGrowth& growth) {
   Warnings warnings;
-  growth.conclude(is_done, warnings);
+  growth.conclude(warnings);
   std::vector<std::string> all;
   for (const Message& notice : warnings.notices()) all.push_back(notice.sentence());
   for (const Message& warning : warnings.messages()) all.push_back(warning.sentence());
@@ -63,6 +63,20 @@ TEST(RainGrowth, warns_of_other_values_and_of_steps_between) {
                   "not in the order of time"}));
 }
 
+TEST(RainGrowth, tells_of_other_values_before_the_end_once) {
+  EarlierRain there = earlier("time,A\n2020,1.000\n2021,2.000\n");
+  RainGrowth growth("r.csv", "step", &there, 3);
+  Warnings so_far;
+  growth.tell_others(so_far);
+  growth.lacks("2020", std::vector{3.0});
+  growth.tell_others(so_far);
+  growth.tell_others(so_far);
+  ASSERT_EQ(so_far.messages().size(), 1U);
+  EXPECT_EQ(said(growth).size(), 1U);
+  growth.lacks("2021", std::vector{3.0});
+  EXPECT_EQ(said(growth).size(), 2U);
+}
+
 TEST(RainGrowth, refuses_times_of_another_kind) {
   EarlierRain there = earlier("time,A\n2020-01-01,1\n");
   for (const char* time : {"2020-01", "2020-01-01T00:00", "01.02.2020"}) {
@@ -84,11 +98,14 @@ TEST(RainGrowth, writes_a_step_anew_that_was_cut_off) {
                                "and written anew"}));
   RainGrowth does_not("r.csv", "step", &there, 3);
   EXPECT_TRUE(contains(complaint_of([&] { said(does_not); }), "does not have its step"));
-  EXPECT_EQ(said(does_not, true).back(),
-            "r.csv: its last line has no line end, '2021,2.1': it is taken off, and not added "
-            "again, for it has not come");
+  Warnings at_once;
+  does_not.tell_cut_taken_off(at_once);
+  EXPECT_EQ(at_once.messages().at(0).sentence(),
+            "r.csv: its last line has no line end, '2021,2.1': it is taken off, and added again if "
+            "it comes");
+  EXPECT_EQ(said(does_not), Said{"r.csv: no steps added, 1 was there"});
   EarlierRain surely = earlier("time,A\n2020,1\n2021");
-  const RainGrowth nothing("r.csv", "step", &surely, 3);
+  RainGrowth nothing("r.csv", "step", &surely, 3);
   EXPECT_EQ(said(nothing).size(), 2U);
 }
 

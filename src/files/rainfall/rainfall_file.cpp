@@ -153,12 +153,16 @@ ReportingStations heard_in(const Source& rainfall, std::span<const Station> stat
   return heard.heard();
 }
 
-bool can_file_be_read_again(const std::string& file) {
-  if (file == "-") return false;
+/// Whether a file is one that brings its bytes once.
+bool is_stream(const std::string& file) {
   using Type = std::filesystem::file_type;
   std::error_code none;
   const Type kind = std::filesystem::status(file, none).type();
-  return kind != Type::fifo && kind != Type::character && kind != Type::socket;
+  return kind == Type::fifo || kind == Type::character || kind == Type::socket;
+}
+
+bool can_file_be_read_again(const std::string& file) {
+  return file != "-" && !is_stream(file);
 }
 
 }  // namespace
@@ -190,6 +194,11 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
       std::make_unique<JoinedReadings>(std::move(files), rainfall.name(), stations, warnings);
   if (!options.cumulative) return joined;
   return std::make_unique<CounterReadings>(std::move(joined), rainfall.name(), stations, warnings);
+}
+
+bool is_fed(const RainfallRequest& rainfall) {
+  if (rainfall.files.size() != 1) return false;
+  return is_stream(rainfall.files[0] == "-" ? "/dev/stdin" : rainfall.files[0]);
 }
 
 bool can_be_read_again(const RainfallRequest& rainfall) {

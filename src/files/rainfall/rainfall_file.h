@@ -30,6 +30,10 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings);
 
+/// Whether RAINFALL is one pipe or device, whose end may be far: the standard input where it is no
+/// file.
+bool is_fed(const RainfallRequest& rainfall);
+
 /// Whether RAINFALL can be read more than once: the standard input, a pipe and a device cannot.
 bool can_be_read_again(const RainfallRequest& rainfall);
 

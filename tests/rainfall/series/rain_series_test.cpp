@@ -142,7 +142,7 @@ class Bursts : public ReadingsOf {
         sizes_(std::move(sizes)) {}
 
   bool next(TimeStep& step) override {
-    EXPECT_FALSE(sizes_.size() > at_ && given_ == sizes_[at_]) << "this would wait";
+    EXPECT_FALSE(at_ + 1 < sizes_.size() && given_ == sizes_[at_]) << "this would wait";
     ++given_;
     return ReadingsOf::next(step);
   }
