@@ -227,8 +227,10 @@ const std::vector<double>* EarlierRain::find(const StepKey& key) {
     return find_loaded(key);
   }
   if (const auto* values = find_loaded(key)) return values;
-  for (const Hashed& step : std::ranges::equal_range(hashed_, hash_of(key), {}, &Hashed::hash)) {
-    load(step.at, steps_loaded);
+  const std::uint64_t hash = hash_of(key);
+  for (auto step = std::ranges::lower_bound(hashed_, hash, {}, &Hashed::hash);
+       step != hashed_.end() && step->hash == hash; ++step) {
+    load(step->at, steps_loaded);
     if (!loaded_.empty() && loaded_[0].key == key) {
       next_ = 1;
       return &loaded_[0].values;

@@ -22,6 +22,13 @@ struct RainShape {
   std::vector<std::size_t> values;  ///< the columns of a row that hold rainfall, from 0
 };
 
+/// A step of a table that is cut off.
+struct CutStep {
+  std::string text;            ///< what there is of it, or the beginning
+  std::optional<StepKey> key;  ///< nothing where its time is cut off itself
+  bool may_be_whole = false;   ///< it lacks nothing but a line end
+};
+
 /// A table of rain that an earlier run has written: which steps it has, and their values.
 ///
 /// It is read once. Where its times are moments that ascend, the place of every 512th step is kept,
@@ -45,13 +52,7 @@ class EarlierRain {
   const StepKey& first() const { return first_; }
   /// The latest of its steps, where they are moments.
   const StepKey& latest() const { return latest_; }
-  /// A step that is cut off.
-  struct Cut {
-    std::string text;            ///< what there is of it, or the beginning
-    std::optional<StepKey> key;  ///< nothing where its time is cut off itself
-    bool may_be_whole = false;   ///< it lacks nothing but a line end
-  };
-  const std::optional<Cut>& cut() const { return cut_; }
+  const std::optional<CutStep>& cut() const { return cut_; }
 
   /// The values of a step, row by row, NaN where there is none; null where it has no such step.
   /// Valid until the next call.
@@ -100,7 +101,7 @@ class EarlierRain {
   StepKey first_;
   StepKey latest_;
   bool ascends_ = true;
-  std::optional<Cut> cut_;
+  std::optional<CutStep> cut_;
   std::vector<Place> places_;   ///< where times ascend
   std::vector<Hashed> hashed_;  ///< where they do not, by hash
   std::vector<Step> loaded_;    ///< the steps round the one that was asked for last

@@ -115,7 +115,7 @@ void RainGrowth::conclude(Warnings& warnings) {
 }
 
 std::string RainGrowth::cut_in_words() const {
-  const EarlierRain::Cut& cut = *earlier_->cut();
+  const CutStep& cut = *earlier_->cut();
   return "its last " + (cut.may_be_whole ? "line has no line end" : noun_ + " is cut off") + ", " +
          quoted(cut.text, longest_time);
 }
@@ -127,7 +127,7 @@ void RainGrowth::tell_cut_taken_off(Warnings& warnings) {
 }
 
 void RainGrowth::tell_cut(Warnings& warnings) const {
-  const EarlierRain::Cut& cut = *earlier_->cut();
+  const CutStep& cut = *earlier_->cut();
   if (!has_cut_come_ && cut.may_be_whole) {
     throw Error({file_, 0,
                  cut_in_words() + ": it may be cut off, and " + input("rainfall") +
