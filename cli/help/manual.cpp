@@ -201,6 +201,22 @@ std::string files_section() {
              "without any row of as many fields as their first, such as a readme.txt.");
 }
 
+std::string database_section() {
+  return ".SH TABLES IN POSTGIS\n" +
+         roff_paragraph(
+             "STATIONS, BASINS and RAINFALL may be PG:... (what libpq takes: dbname=rain host=db, "
+             "or "
+             "a URI), with the table named by --stations-layer, --basins-layer and "
+             "--rainfall-layer. cells, weights and rain write into a database where their output "
+             "is "
+             "PG:...: into the table cells, weights or rain, or the one that --output-layer names "
+             "(NAME, or SCHEMA.NAME). A table appears whole, in one transaction, or not at all. "
+             "Cells have a column geom, in the basins' CRS by its EPSG code, with an index; rain "
+             "has the rows of --long. A table that is there is replaced only with --overwrite, and "
+             "only where its comment begins with the name of this program, which every table that "
+             "it makes has; all others are never dropped.");
+}
+
 std::string feed_section() {
   return ".SH READINGS FROM A PIPE\n" +
          roff_paragraph(
@@ -350,8 +366,8 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + study_file_section() + csv_section() + files_section() +
-         feed_section() + times_section() + names_section() + formats_section() + status_section() +
-         examples_section(commands);
+         feed_section() + database_section() + times_section() + names_section() +
+         formats_section() + status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli
