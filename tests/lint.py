@@ -51,6 +51,9 @@ def sources(build, stamps):
     joined = {found[1]: entry for entry in entries
               if (found := re.search(r"/thiessen_(\w+)\.dir/Unity/", entry["command"]))}
     paths = [path for folder in ("src", "cli") for path in sorted((CLONE / folder).rglob("*.cpp"))]
+    # The module for Python is looked at where it is built.
+    if not any("/src/python/" in path for path in alone):
+        paths = [path for path in paths if path.relative_to(CLONE).parts[1] != "python"]
 
     def command(path):
         if str(path) in alone:
