@@ -12,10 +12,10 @@ bool ReadingsSource::next(Row& row) {
   }
 }
 
-bool ReadingsSource::is_waiting(std::chrono::milliseconds patience) {
+bool ReadingsSource::is_waiting(std::chrono::milliseconds at_most) {
   if (has_failed) return false;
   try {
-    return table->is_waiting(patience);
+    return table->is_waiting(at_most);
   } catch (const Error& error) {
     findings.complaints().add(error);
     has_failed = true;

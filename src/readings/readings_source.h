@@ -25,7 +25,7 @@ struct ReadingsSource {
   /// found here.
   bool next(Row& row);
   /// Whether the next row is waited for: see Table::is_waiting.
-  bool is_waiting(std::chrono::milliseconds patience);
+  bool is_waiting(std::chrono::milliseconds at_most);
   /// Whether what is wrong in a pipe is to be told before its end, as nothing comes for a while.
   bool gives_up();
 
