@@ -205,8 +205,8 @@ py::tuple known_columns(const std::vector<std::string>& names) {
 
 /// The ids of the stations in a file, in its order.
 std::vector<std::string> station_ids(const Keywords& keywords) {
-  const StudyKeywords said(keywords, false);
   Warnings told_later;
+  const StudyKeywords said(keywords, false, told_later);
   std::vector<std::string> ids;
   for (const Station& station : read_stations(said.study.request().stations, told_later).stations)
     ids.push_back(station.id);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/error.h"
 #include "base/utf8.h"
 #include "cli/options/arguments.h"
 #include "cli/options/name_lists.h"
@@ -31,25 +32,25 @@ std::string option_name(std::string keyword) {
                        (near.empty() ? "" : "; is " + cli::or_list(near) + " meant?")};
 }
 
-void read(cli::OptionList& list, const Keywords& keywords) {
+void read(cli::OptionList& list, const Keywords& keywords, Warnings& warnings) {
   cli::Arguments said;
   for (const auto& [keyword, texts] : keywords) {
     const std::string name = keyword.empty() ? keyword : option_name(keyword);
     if (keyword.empty() || list.find(name) == nullptr) refuse(list, keyword);
     said.options.push_back({name, name, texts});
   }
-  cli::read_options(list, said);
+  cli::read_options(list, said, warnings);
 }
 
 }  // namespace
 
-StudyKeywords::StudyKeywords(const Keywords& keywords, bool has_readings) {
+StudyKeywords::StudyKeywords(const Keywords& keywords, bool has_readings, Warnings& warnings) {
   study.declare(list, cli::Need::optional);
   study.declare_attributes(list);
   rainfall.declare(list, cli::Need::optional, study.stations);
   view.declare_margin(list);
   common.declare(list);
-  read(list, keywords);
+  read(list, keywords, warnings);
   if (has_readings && rainfall.first_given() != nullptr) {
     throw cli::UsageError{
         rainfall.first_given()->name + " is about readings in a file, and they are given in memory",
@@ -66,7 +67,8 @@ SeriesKeywords::SeriesKeywords(const Keywords& keywords) {
   gaps.declare(list);
   range.declare_range(list);
   list.group("Method").add("--error", cli::flag(errors), "standard errors beside the values");
-  read(list, keywords);
+  Warnings none;  // only a file of options is warned of, and a series has none
+  read(list, keywords, none);
   rainfall.check();
   method.check();
   method.check(gaps);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/method_options.h"
@@ -29,7 +30,7 @@ struct UnknownKeyword {
 struct StudyKeywords {
   /// Throws UnknownKeyword, and UsageError for values that no option takes or that contradict each
   /// other. `has_readings` says whether readings are given in memory.
-  StudyKeywords(const Keywords& keywords, bool has_readings);
+  StudyKeywords(const Keywords& keywords, bool has_readings, Warnings& warnings);
 
   cli::OptionList list;
   cli::StudyOptions study;

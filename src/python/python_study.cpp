@@ -84,7 +84,7 @@ class PythonStudy::Rows {
 };
 
 PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
-    : keywords_(keywords, given.readings.has_value()) {
+    : keywords_(keywords, given.readings.has_value(), warnings_) {
   const StudyRequest request = keywords_.study.request();
   StationsFile stations =
       given.stations ? *std::move(given.stations) : read_stations(request.stations, warnings_);

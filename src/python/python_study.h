@@ -79,8 +79,8 @@ class PythonStudy {
   std::unique_ptr<WatchedReadings> open(const SeriesKeywords& keywords, Warnings& warnings);
   const cli::RainfallOptions& files_of(const SeriesKeywords& keywords) const;
 
-  StudyKeywords keywords_;
   Warnings warnings_;
+  StudyKeywords keywords_;
   std::vector<std::string> given_ids_;
   std::vector<std::size_t> columns_;  // of the network's stations among those given
   std::unique_ptr<cli::Inputs> inputs_;
