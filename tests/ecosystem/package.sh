@@ -4,16 +4,15 @@
 set -euo pipefail
 
 work=$CLONE/build-ecosystem/package
-build=$work/build
 mkdir -p "$work"
 fail() {
   printf 'package.sh: %s\n' "$1"
   exit 1
 }
 
-"$CLONE/samples/build.sh" "$build" -DTHIESSEN_HARDEN=ON -DTHIESSEN_JOINED=ON -DCMAKE_BUILD_TYPE=Release
+# Of the program that the tests run.
 rm -rf "$work/made"
-cpack -G DEB --config "$build/CPackConfig.cmake" -B "$work/made"
+cpack -G DEB --config "$BUILD/CPackConfig.cmake" -B "$work/made"
 package=$(find "$work/made" -maxdepth 1 -name 'thiessen_*.deb')
 dpkg-deb --info "$package"
 lintian --allow-root --fail-on error "$package"
