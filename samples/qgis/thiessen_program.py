@@ -7,6 +7,7 @@ else the `thiessen` on the PATH.
 import os
 import pty
 import re
+import select
 import shutil
 import signal
 import subprocess
@@ -57,6 +58,9 @@ def run(arguments, feedback):
         while True:
             if feedback.isCanceled():
                 process.send_signal(signal.SIGINT)
+            # A program that is silent, as one that waits for its input, hears of Cancel too.
+            if not select.select([ours], [], [], 0.2)[0]:
+                continue
             try:
                 part = os.read(ours, 4096).decode("utf-8", "replace")
             except OSError:  # the program has ended

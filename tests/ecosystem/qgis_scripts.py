@@ -7,6 +7,7 @@ import pathlib
 import subprocess
 import sys
 import threading
+import time
 
 from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProject,
                        QgsVectorLayer)
@@ -90,21 +91,32 @@ except QgsProcessingException as error:
     assert "nobody" in str(error), error
 assert sorted(path.name for path in (work / "out").iterdir()) == ["cells.gpkg", "rain.csv", "weights.csv"]
 
-# Cancel ends the program in the midst of a long series.
+# Cancel ends the program in the midst of a series that has no end of its own.
 feedback, context = Heard(), QgsProcessingContext()
-reporting = sorted({row["station"] for row in weights})[:40]
-threading.Timer(1, feedback.cancel).start()
+feed = work / "feed"
+os.mkfifo(feed)
+station = weights[0]["station"]
+
+
+def feed_and_cancel():
+    with open(feed, "w", encoding="utf-8") as rows:
+        rows.write(f"time,{station}\n2000-01-01,1\n2000-01-02,2\n")
+        rows.flush()
+        time.sleep(1)
+        feedback.cancel()
+        ended.wait()
+
+
+ended = threading.Event()
+threading.Thread(target=feed_and_cancel, daemon=True).start()
 ran = algorithm("thiessen_rain")
 try:
-    many = work / "many.csv"
-    with open(many, "w", encoding="utf-8") as table:
-        table.write("time,station,rain\n")
-        for step in range(40_000):
-            table.write("".join(f"{step},{station},{step % 7}\n" for station in reporting))
-    ran.run({**places, "RAINFALL": str(many), "OUTPUT": str(work / "out/many.csv")}, context, feedback,
+    ran.run({**places, "RAINFALL": str(feed), "OUTPUT": str(work / "out/many.csv")}, context, feedback,
             catchExceptions=False)
     raise AssertionError("an end was wanted")
 except QgsProcessingException as error:
     assert "interrupted" in str(error), error
+finally:
+    ended.set()
 assert not (work / "out/many.csv").exists()
 os._exit(0)  # QGIS's own end may fail without a window
