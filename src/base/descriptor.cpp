@@ -28,12 +28,22 @@ bool Descriptor::close() {
   return !is_open() || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR;
 }
 
+Descriptor Descriptor::twin(const std::string& file) const {
+  Descriptor other = twin_of(number_);
+  if (!other.is_open()) throw system_error(file, "cannot write", errno);
+  return other;
+}
+
 Descriptor open_descriptor(const std::string& path, int flags, unsigned mode) {
   for (;;) {
     const int number = ::open(path.c_str(), flags | O_CLOEXEC | O_NOCTTY, mode);
     if (number >= 0 || errno != EINTR) return Descriptor(number);
     throw_if_interrupted();
   }
+}
+
+Descriptor twin_of(int number) {
+  return Descriptor(::fcntl(number, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
 }
 
 Error system_error(const std::string& file, const std::string& what, int error_number) {

@@ -63,7 +63,7 @@ InputFile::InputFile(const std::string& name) : name_(name) {
   throw_if_interrupted();
   if (name == "-") {
     name_ = "standard input";
-    file_ = Descriptor(::fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    file_ = twin_of(STDIN_FILENO);
     if (!file_.is_open()) throw system_error(name_, "cannot read", errno);
     size_ = plain_size(file_.number());
     return;
@@ -183,15 +183,13 @@ bool OutputFile::is_reader_gone() const {
 }
 
 OutputFile OutputFile::held() const {
-  Descriptor copy(::fcntl(file_.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-  if (!copy.is_open()) throw system_error(name_, "cannot write", errno);
-  return {name_, std::move(copy), Care::held};
+  return {name_, file_.twin(name_), Care::held};
 }
 
 OutputFile standard_output(OutputFile::Care care) {
-  const int copy = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  if (copy < 0) throw system_error("standard output", "cannot write", errno);
-  return {"standard output", Descriptor(copy), care};
+  Descriptor stream = twin_of(STDOUT_FILENO);
+  if (!stream.is_open()) throw system_error("standard output", "cannot write", errno);
+  return {"standard output", std::move(stream), care};
 }
 
 void sync_to_disk(int descriptor, const std::string& name) {

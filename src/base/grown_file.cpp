@@ -110,9 +110,7 @@ OutputFile& GrownFile::grow(std::size_t from) {
   kept_ = from;
   grows_ = true;
   if (::lseek(file_.number(), 0, SEEK_END) < 0) throw system_error(path_, "cannot write", errno);
-  Descriptor copy(::fcntl(file_.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-  if (!copy.is_open()) throw system_error(path_, "cannot write", errno);
-  return output_.emplace(path_, std::move(copy), OutputFile::Care::closed);
+  return output_.emplace(path_, file_.twin(path_), OutputFile::Care::closed);
 }
 
 void GrownFile::make() {

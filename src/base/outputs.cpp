@@ -46,8 +46,7 @@ void take_over(int file, const Destination& old, const std::string& name) {
 
 Descriptor open_stream(const std::string& path) {
   const std::optional<int> standing = standing_descriptor(path);
-  Descriptor stream = standing ? Descriptor(::fcntl(*standing, F_DUPFD_CLOEXEC, STDERR_FILENO + 1))
-                               : open_descriptor(path, O_WRONLY);
+  Descriptor stream = standing ? twin_of(*standing) : open_descriptor(path, O_WRONLY);
   if (!stream.is_open()) throw system_error(path, "cannot write", errno);
   return stream;
 }

@@ -1,10 +1,6 @@
 #include "readings/readings_runs.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <span>
 
@@ -46,9 +42,7 @@ std::string_view time_at(const char* bytes) {
 void PieceRuns::begin() {
   if (!file_.is_open()) {
     file_ = open_spool();
-    Descriptor copy(::fcntl(file_.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-    if (!copy.is_open()) throw system_error(spool_name, "cannot write", errno);
-    writer_.emplace(spool_name, std::move(copy), OutputFile::Care::closed);
+    writer_.emplace(spool_name, file_.twin(spool_name), OutputFile::Care::closed);
   }
   const std::uint64_t end = runs_.empty() ? 0 : runs_.back().end;
   runs_.push_back({end, end});

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/complaints.h"
 #include "base/temporary_folder.h"
 
 namespace thiessen {
@@ -23,6 +24,19 @@ bool is_open(int number) {
 
 Descriptor nothing() {
   return Descriptor(::open("/dev/null", O_RDWR | O_CLOEXEC));
+}
+
+/// What a child process returns, which begins without these streams.
+int without(const std::vector<int>& streams, const std::function<int()>& act) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    for (const int stream : streams) ::close(stream);
+    hold_standard_streams();
+    ::_exit(act());
+  }
+  int status = 0;
+  EXPECT_EQ(::waitpid(child, &status, 0), child);
+  return WEXITSTATUS(status);
 }
 
 TEST(Descriptor, is_closed_with_its_owner) {
@@ -72,6 +86,46 @@ TEST(Descriptor, tells_that_closing_failed) {
   EXPECT_EQ(errno, EBADF);
 }
 
+TEST(Descriptor, handed_over_is_left_to_its_new_owner_to_close) {
+  int number = -1;
+  {
+    Descriptor owner = nothing();
+    number = owner.release();
+    EXPECT_FALSE(owner.is_open());
+  }
+  EXPECT_TRUE(is_open(number));
+  const Descriptor closed(number);
+}
+
+TEST(Descriptor, law_3_a_twin_is_of_the_same_open_file_and_outlives_the_first) {
+  const TemporaryFolder folder;
+  Descriptor first = open_descriptor(folder.path("a"), O_RDWR | O_CREAT, 0600);
+  const Descriptor twin = first.twin("a");
+  EXPECT_NE(twin.number(), first.number());
+  EXPECT_EQ(::write(first.number(), "abc", 3), 3);
+  EXPECT_EQ(::lseek(twin.number(), 0, SEEK_CUR), 3) << "they write on from one place";
+  EXPECT_TRUE(first.close());
+  EXPECT_EQ(::write(twin.number(), "d", 1), 1);
+}
+
+TEST(Descriptor, law_4_a_twin_takes_no_standard_streams_place_and_is_not_passed_on) {
+  const int closed_error = without({STDERR_FILENO}, [] {
+    ::close(STDERR_FILENO);  // which was held
+    return twin_of(STDOUT_FILENO).number();
+  });
+  EXPECT_GT(closed_error, STDERR_FILENO);
+  const Descriptor twin = nothing().twin("a");
+  EXPECT_EQ(::fcntl(twin.number(), F_GETFD) & FD_CLOEXEC, FD_CLOEXEC);
+}
+
+TEST(Descriptor, of_none_has_no_twin) {
+  errno = 0;
+  EXPECT_FALSE(twin_of(-1).is_open());
+  EXPECT_EQ(errno, EBADF);
+  EXPECT_EQ(complaint_of([] { Descriptor().twin("a.csv"); }),
+            "a.csv: cannot write: Bad file descriptor");
+}
+
 TEST(Descriptor, of_a_file_is_not_passed_on_to_other_programs) {
   const TemporaryFolder folder;
   const Descriptor made = open_descriptor(folder.path("a"), O_WRONLY | O_CREAT, 0600);
@@ -91,19 +145,6 @@ TEST(Descriptor, of_a_file_that_cannot_be_opened_is_not_open_and_errno_tells_why
 TEST(Descriptor, a_call_that_failed_is_told_in_the_systems_words) {
   EXPECT_STREQ(system_error("a.csv", "cannot open", ENOENT).what(),
                "a.csv: cannot open: No such file or directory");
-}
-
-/// What a child process returns, which begins without these streams.
-int without(const std::vector<int>& streams, const std::function<int()>& act) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    for (const int stream : streams) ::close(stream);
-    hold_standard_streams();
-    ::_exit(act());
-  }
-  int status = 0;
-  EXPECT_EQ(::waitpid(child, &status, 0), child);
-  return WEXITSTATUS(status);
 }
 
 // Else the first file would be the standard output, and whatever is printed would go into it.

@@ -24,9 +24,7 @@ class MemoryFile {
 
   const std::string& name() const { return name_; }
   /// Writes to its end.
-  OutputFile output() const {
-    return {"-", Descriptor(::dup(file_.number())), OutputFile::Care::closed};
-  }
+  OutputFile output() const { return {"-", file_.twin("-"), OutputFile::Care::closed}; }
   /// All that was written since the last time.
   std::string take() {
     const auto size = static_cast<std::size_t>(::lseek(file_.number(), 0, SEEK_END));

@@ -1,7 +1,5 @@
 #include "files/database/database_table.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -58,10 +56,6 @@ std::string_view sql_type_of(std::string_view name) {
   };
   if (is_in(real) || is_in(changes)) return "double precision";
   return is_in(whole) ? "bigint" : "text";
-}
-
-Descriptor twin_of(const Descriptor& file) {
-  return Descriptor(::dup(file.number()));
 }
 
 /// The fields of the first line of the rows, which are names of this program's own.
@@ -128,7 +122,7 @@ DatabaseTable::DatabaseTable(DatabaseTarget target)
     : target_(std::move(target)),
       name_(without_password(target_.connection) + ": table '" + target_.table + "'"),
       spool_(open_spool()),
-      rows_(name_, twin_of(spool_), OutputFile::Care::closed) {
+      rows_(name_, spool_.twin(spool_name), OutputFile::Care::closed) {
   Postgres database(target_.connection);
   look_for(database, target_, name_);
 }

@@ -1,7 +1,6 @@
 #include "files/tables/gzip_bytes.h"
 
 #include <fcntl.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -17,14 +16,12 @@ struct GzipBytes::File {
 };
 
 GzipBytes::GzipBytes(const std::string& file) : file_(file), opened_(std::make_unique<File>()) {
-  const Descriptor opened = open_descriptor(file, O_RDONLY);
+  Descriptor opened = open_descriptor(file, O_RDONLY);
   if (!opened.is_open()) throw system_error(file, "cannot open", errno);
-  const int own = ::fcntl(opened.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-  opened_->handle = own < 0 ? nullptr : gzdopen(own, "rb");
-  if (opened_->handle == nullptr) {
-    if (own >= 0) ::close(own);
+  opened_->handle = gzdopen(opened.number(), "rb");
+  if (opened_->handle == nullptr)
     throw Error(Message{file, 0, "cannot be unpacked: not enough memory", {}});
-  }
+  opened.release();  // zlib closes the file
 }
 
 GzipBytes::~GzipBytes() {

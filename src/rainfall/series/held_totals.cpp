@@ -1,10 +1,6 @@
 #include "rainfall/series/held_totals.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <utility>
 
@@ -20,9 +16,7 @@ void HeldTotals::add(std::span<const BasinTotal> totals) {
 void HeldTotals::spill() {
   if (!spool_.is_open()) {
     spool_ = open_spool();
-    Descriptor copy(::fcntl(spool_.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
-    if (!copy.is_open()) throw system_error(spool_name, "cannot write", errno);
-    writer_.emplace(spool_name, std::move(copy), OutputFile::Care::closed);
+    writer_.emplace(spool_name, spool_.twin(spool_name), OutputFile::Care::closed);
   }
   writer_->append(bytes_);
   bytes_.clear();
