@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "text/text_lines.h"
+
 namespace thiessen::cli {
 namespace {
 
@@ -76,11 +78,7 @@ std::string roff_paragraph(std::string_view text) {
 
 std::string roff_verbatim(std::string_view lines) {
   std::string text = ".EX\n";
-  while (!lines.empty()) {
-    const std::string_view line = lines.substr(0, lines.find('\n'));
-    lines.remove_prefix(std::min(lines.size(), line.size() + 1));
-    text += guarded(roff_phrase(line)) + "\n";
-  }
+  while (!lines.empty()) text += guarded(roff_phrase(take_line(lines))) + "\n";
   return text + ".EE\n";
 }
 

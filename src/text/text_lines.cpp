@@ -1,5 +1,6 @@
 #include "text/text_lines.h"
 
+#include <algorithm>
 #include <limits>
 #include <span>
 
@@ -46,6 +47,14 @@ bool TextLines::read_more() {
   buffer_.resize(held + count);
   read_ += count;
   return count > 0;
+}
+
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return line;
 }
 
 }  // namespace thiessen

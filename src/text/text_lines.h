@@ -37,4 +37,8 @@ class TextLines {
   std::size_t read_ = 0;
 };
 
+/// Takes the next line off the front of a text, and returns it without its end, LF or CRLF. The
+/// last line needs none. Of an empty text the line is empty.
+std::string_view take_line(std::string_view& text);
+
 }  // namespace thiessen

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/complaints.h"
@@ -46,6 +47,30 @@ TEST(TextLines, an_endless_line_is_an_error) {
   EXPECT_EQ(
       complaint_of([] { lines_of(std::string(TextLines::longest_line + 100'000, 'x'), 65536); }),
       "a.txt:1: the line is longer than 1048576 bytes");
+}
+
+TEST(TakeLine, takes_the_lines_of_a_text_in_their_order_without_their_ends) {
+  std::string_view text = "a\r\n\nb\rc\nlast";
+  EXPECT_EQ(take_line(text), "a");
+  EXPECT_EQ(text, "\nb\rc\nlast");
+  EXPECT_EQ(take_line(text), "");
+  EXPECT_EQ(take_line(text), "b\rc") << "a return alone ends no line";
+  EXPECT_EQ(take_line(text), "last");
+  EXPECT_EQ(take_line(text), "") << "nothing is left";
+}
+
+TEST(TakeLine, leaves_nothing_behind_the_end_of_the_last_line) {
+  for (std::string_view text : {"a", "a\n", "a\r\n", "a\r"}) {
+    EXPECT_EQ(take_line(text), "a");
+    EXPECT_TRUE(text.empty());
+  }
+}
+
+TEST(TakeLine, takes_the_lines_that_are_read_of_a_file) {
+  const std::string text = "\r\na\r\n\n b \nlast\r";
+  std::vector<std::string> taken;
+  for (std::string_view rest = text; !rest.empty();) taken.emplace_back(take_line(rest));
+  EXPECT_EQ(taken, lines_of(text, 3));
 }
 
 }  // namespace

@@ -11,6 +11,8 @@
 #include "base/spool.h"
 #include "base/utf8.h"
 #include "files/database/postgres.h"
+#include "readings/published/published_format.h"
+#include "text/text_lines.h"
 
 namespace thiessen {
 namespace {
@@ -60,16 +62,11 @@ std::string_view sql_type_of(std::string_view name) {
 
 /// The fields of the first line of the rows, which are names of this program's own.
 std::vector<std::string> header_of(const Descriptor& spool) {
-  std::string line(1024, '\0');
-  line.resize(read_spool(spool, 0, line));
-  line.resize(std::min(line.find('\n'), line.size()));
-  std::vector<std::string> names;
-  for (std::size_t at = 0; at <= line.size();) {
-    const std::size_t comma = std::min(line.find(',', at), line.size());
-    names.push_back(line.substr(at, comma - at));
-    at = comma + 1;
-  }
-  return names;
+  std::string beginning(1024, '\0');
+  beginning.resize(read_spool(spool, 0, beginning));
+  std::string_view rest = beginning;
+  const auto names = parted(take_line(rest), ',');
+  return {names.begin(), names.end()};
 }
 
 }  // namespace

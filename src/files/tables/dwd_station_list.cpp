@@ -48,9 +48,9 @@ bool is_header(std::string_view line) {
 bool is_dwd_station_list(const std::string& file) {
   constexpr std::size_t enough = 1024;
   const std::string beginning = beginning_of_text(file, enough);
-  std::string_view line = beginning;
-  if (line.starts_with(byte_order_mark)) line.remove_prefix(byte_order_mark.size());
-  return is_header(line.substr(0, line.find_first_of("\r\n")));
+  std::string_view text = beginning;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  return is_header(take_line(text));
 }
 
 DwdStationList::DwdStationList(const std::string& file)

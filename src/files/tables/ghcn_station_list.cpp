@@ -52,7 +52,8 @@ bool is_station(std::string_view line) {
 bool is_ghcn_station_list(const std::string& file) {
   constexpr std::size_t enough = 1024;
   const std::string beginning = beginning_of_text(file, enough);
-  return is_station(std::string_view(beginning).substr(0, beginning.find_first_of("\r\n")));
+  std::string_view text = beginning;
+  return is_station(take_line(text));
 }
 
 GhcnStationList::GhcnStationList(const std::string& file) : file_(file), lines_(open_text(file)) {

@@ -16,14 +16,6 @@ constexpr std::array<std::string_view, 5> list_columns = {"ID", "NAME", "LAT", "
 constexpr std::int64_t day_seconds = 86'400;
 constexpr double missing = -99;
 
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return trimmed(line);
-}
-
 /// The day that a text such as 20000228 names; nothing where it names none.
 std::optional<IsoTime> day_of(std::string_view text) {
   if (text.size() != 8 || text.find_first_not_of("0123456789") != std::string_view::npos)
@@ -71,9 +63,10 @@ const PublishedFormat& arcswat_gauge_format() {
 }
 
 ArcSwatFile arcswat_file(std::string_view beginning) {
-  const std::string_view first = take_line(beginning);
+  const std::string_view first = trimmed(take_line(beginning));
   if (is_list_header(first)) return ArcSwatFile::list;
-  return day_of(first) && is_rain(take_line(beginning)) ? ArcSwatFile::gauge : ArcSwatFile::none;
+  return day_of(first) && is_rain(trimmed(take_line(beginning))) ? ArcSwatFile::gauge
+                                                                 : ArcSwatFile::none;
 }
 
 ArcSwatRainfall::ArcSwatRainfall(std::string file, ArcSwatFile kind, OpenNamed open)

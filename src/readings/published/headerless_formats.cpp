@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "text/text_lines.h"
 
 namespace thiessen {
 namespace {
@@ -76,9 +77,7 @@ std::span<const PublishedFormat> headerless_formats() {
 
 const PublishedFormat* format_of_rows(std::string_view beginning) {
   if (beginning.starts_with(byte_order_mark)) beginning.remove_prefix(byte_order_mark.size());
-  std::string_view line = beginning.substr(0, beginning.find('\n'));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  const Fields fields = parted(line, ',');
+  const Fields fields = parted(take_line(beginning), ',');
   for (std::size_t i = 0; i < formats.size(); ++i) {
     if (fields.size() == parted(formats[i].columns, ',').size() && is_row[i](fields))
       return &formats[i];

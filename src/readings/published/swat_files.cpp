@@ -27,15 +27,6 @@ std::vector<std::string_view> words_of(std::string_view line) {
   return words;
 }
 
-/// Takes the first line from a text.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string_view line = text.substr(0, end);
-  text.remove_prefix(std::min(end + 1, text.size()));
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  return line;
-}
-
 bool has_label(std::string_view line, std::string_view label) {
   return equal_ignoring_case(line.substr(0, label.size()), label);
 }

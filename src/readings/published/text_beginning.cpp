@@ -8,6 +8,7 @@
 #include "text/csv_form.h"
 #include "text/csv_records.h"
 #include "text/decoder.h"
+#include "text/text_lines.h"
 
 namespace thiessen {
 namespace {
@@ -32,13 +33,11 @@ std::vector<std::string> header_in(std::string_view text, const CsvDialect& said
 /// The text behind a label up to the end of its line, without the marks that part the two.
 std::string text_behind(std::string_view label, std::string_view text) {
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = trimmed(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    std::string_view line = trimmed(take_line(text));
     if (!equal_ignoring_case(line.substr(0, label.size()), label)) continue;
     line.remove_prefix(label.size());
     const std::size_t begin = std::min(line.find_first_not_of(";: \t"), line.size());
-    const std::size_t last = line.find_last_not_of("; \t\r");
+    const std::size_t last = line.find_last_not_of("; \t");
     return begin < line.size() ? std::string(line.substr(begin, last + 1 - begin)) : std::string();
   }
   return {};

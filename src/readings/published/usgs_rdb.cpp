@@ -107,12 +107,8 @@ const PublishedFormat& usgs_rdb_format() {
 bool is_usgs_rdb(std::string_view beginning) {
   if (!beginning.starts_with('#') && !beginning.starts_with("agency_cd\t")) return false;
   while (!beginning.empty()) {
-    const std::size_t end = std::min(beginning.find('\n'), beginning.size());
-    const std::string_view line = beginning.substr(0, end);
-    beginning.remove_prefix(std::min(end + 1, beginning.size()));
-    if (line.starts_with('#') || trimmed(line).empty() || line == "\r") continue;
-    const auto names = parted(line.substr(0, line.find('\r')), '\t');
-    return is_header(names);
+    const std::string_view line = take_line(beginning);
+    if (!line.starts_with('#') && !trimmed(line).empty()) return is_header(parted(line, '\t'));
   }
   return false;
 }

@@ -51,6 +51,7 @@ TEST(TextBeginning, the_lines_above_the_header_and_the_name_of_the_file_tell_the
   EXPECT_EQ(stations_told(format, above, "a/dly9532.csv"),
             (std::vector<std::string>{"EASTFIELD (No.2)", "9532"}));
   EXPECT_EQ(stations_told(format, "Station Name:\n", "dly.csv"), std::vector<std::string>{});
+  EXPECT_EQ(stations_told(format, "Station Name: \r\n", "dly.csv"), std::vector<std::string>{});
   EXPECT_EQ(stations_told(format, above, "9532.csv"), std::vector<std::string>{"EASTFIELD (No.2)"});
 }
 
