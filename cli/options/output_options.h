@@ -6,6 +6,7 @@
 #include "base/destination.h"
 #include "cli/options/option_list.h"
 #include "files/database/database_table.h"
+#include "files/database/postgres.h"
 
 namespace thiessen::cli {
 

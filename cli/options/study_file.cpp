@@ -13,6 +13,7 @@
 #include "cli/options/name_lists.h"
 #include "cli/options/toml_file.h"
 #include "cli/options/usage_error.h"
+#include "files/database/postgres.h"
 #include "text/similar_texts.h"
 
 namespace thiessen::cli {
@@ -64,8 +65,7 @@ bool names_a_file(const Option& option) {
 }
 
 bool is_relative_file(const std::string& name) {
-  const bool is_database = lower_case(name).starts_with("pg:");
-  return !name.empty() && name != "-" && !is_database && fs::path(name).is_relative();
+  return !name.empty() && name != "-" && !is_database(name) && fs::path(name).is_relative();
 }
 
 /// The options that the command line gives, by their keys.

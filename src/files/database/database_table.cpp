@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <utility>
 
 #include "base/interrupt.h"
 #include "base/secrets.h"
 #include "base/spool.h"
-#include "base/utf8.h"
 #include "files/database/postgres.h"
 #include "readings/published/published_format.h"
 #include "text/text_lines.h"
@@ -18,7 +16,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::string_view mark = "thiessen";
-constexpr std::string_view prefix = "PG:";
 
 /// A table's name in SQL: with its schema, where one is named.
 std::string in_sql(const std::string& table) {
@@ -48,15 +45,14 @@ Found look_for(Postgres& database, const DatabaseTarget& target, const std::stri
 }
 
 std::string_view sql_type_of(std::string_view name) {
-  constexpr std::array<std::string_view, 9> real = {"area_km2",   "area_km2_after", "area",
-                                                    "area_after", "weight",         "weight_after",
-                                                    "rainfall",   "coverage",       "se"};
-  constexpr std::array<std::string_view, 2> changes = {"rms_change", "mean_change"};
+  constexpr std::array<std::string_view, 11> real = {
+      "area_km2", "area_km2_after", "area", "area_after", "weight",     "weight_after",
+      "rainfall", "coverage",       "se",   "rms_change", "mean_change"};
   constexpr std::array<std::string_view, 3> whole = {"gauges", "pattern", "missing"};
   const auto is_in = [&](const auto& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  if (is_in(real) || is_in(changes)) return "double precision";
+  if (is_in(real)) return "double precision";
   return is_in(whole) ? "bigint" : "text";
 }
 
@@ -70,39 +66,6 @@ std::vector<std::string> header_of(const Descriptor& spool) {
 }
 
 }  // namespace
-
-bool is_database(const std::string& path) {
-  return equal_ignoring_case(std::string_view(path).substr(0, prefix.size()), prefix);
-}
-
-LibpqConnection libpq_connection(const std::string& path) {
-  LibpqConnection connection;
-  const std::string words = path.substr(prefix.size());
-  if (words.find("://") != std::string::npos) return {words, ""};
-  for (std::size_t at = 0; at < words.size();) {
-    // A word goes on to the next blank outside quotes.
-    std::size_t end = at;
-    for (bool in_quotes = false; end < words.size(); ++end) {
-      if (words[end] == '\\' && end + 1 < words.size()) {
-        ++end;
-      } else if (words[end] == '\'') {
-        in_quotes = !in_quotes;
-      } else if (!in_quotes && std::isspace(static_cast<unsigned char>(words[end])) != 0) {
-        break;
-      }
-    }
-    const std::string word = words.substr(at, end - at);
-    const std::string name = lower_case(word.substr(0, word.find('=')));
-    if (name == "active_schema" && word.size() > name.size()) {
-      connection.schema = word.substr(name.size() + 1);
-      std::erase(connection.schema, '\'');
-    } else if (name != "schemas" && name != "tables" && !word.empty()) {
-      connection.words += (connection.words.empty() ? "" : " ") + word;
-    }
-    at = end + 1;
-  }
-  return connection;
-}
 
 std::string sql_columns(const std::vector<std::string>& names, int srid) {
   std::string columns;
@@ -124,25 +87,15 @@ DatabaseTable::DatabaseTable(DatabaseTarget target)
   look_for(database, target_, name_);
 }
 
-void DatabaseTable::commit(const std::string& comment) {
+void DatabaseTable::commit(const std::string& comment, std::vector<std::string> names, int srid) {
   rows_.finish();
-  make(comment, header_of(spool_), 0);
-}
-
-void DatabaseTable::commit(const std::string& comment, const std::vector<std::string>& names,
-                           int srid) {
-  rows_.finish();
-  make(comment, names, srid);
-}
-
-void DatabaseTable::make(const std::string& comment, const std::vector<std::string>& names,
-                         int srid) {
+  if (names.empty()) names = header_of(spool_);
   const std::string table = in_sql(target_.table);
   Postgres database(target_.connection);
   database.run("BEGIN");
   if (look_for(database, target_, name_) == Found::ours) database.run("DROP TABLE " + table);
   database.run("CREATE TABLE " + table + " (" + sql_columns(names, srid) + ")");
-  database.begin_copy("COPY " + table + " FROM STDIN (FORMAT csv, HEADER)");
+  database.run("COPY " + table + " FROM STDIN (FORMAT csv, HEADER)");
   copy_spool(spool_, [&](std::string_view rows) { database.copy(rows); });
   database.end_copy();
   if (std::find(names.begin(), names.end(), geometry_column) != names.end()) {

@@ -16,9 +16,6 @@ struct DatabaseTarget {
   bool overwrite = false;  ///< whether a table that this program made may be replaced
 };
 
-/// Whether a name is a connection to a PostgreSQL database.
-bool is_database(const std::string& path);
-
 /// A table that appears in a PostgreSQL database whole, or not at all.
 ///
 /// Its rows are written as CSV, and wait in a temporary file (spool.h) until all are there.
@@ -36,19 +33,16 @@ class DatabaseTable {
 
   /// The rows: CSV with a header. An empty field without quotes is no value.
   OutputFile& rows() { return rows_; }
-  /// Makes the table of the rows, whose header has names of this program's own alone. `comment`
-  /// tells by what it is made, and begins with `thiessen`. Throws Error where the database refuses
-  /// it, and Interrupted; the database is then as before. Cost: linear in the rows.
-  void commit(const std::string& comment);
-  /// The same with other names, in the order of the columns, and with an index of the geometries,
-  /// whose SRID is given.
-  void commit(const std::string& comment, const std::vector<std::string>& names, int srid);
+  /// Makes the table of the rows. `comment` tells by what it is made, and begins with `thiessen`.
+  /// `names` are those of the columns in their order; without them the rows' header counts, which
+  /// then has names of this program's own alone. Geometries are in `srid`, and have an index.
+  /// Throws Error where the database refuses it, and Interrupted; the database is then as before.
+  /// Cost: linear in the rows.
+  void commit(const std::string& comment, std::vector<std::string> names = {}, int srid = 0);
   /// The database and the table, as messages name them.
   const std::string& name() const { return name_; }
 
  private:
-  void make(const std::string& comment, const std::vector<std::string>& names, int srid);
-
   DatabaseTarget target_;
   std::string name_;
   Descriptor spool_;
@@ -59,13 +53,5 @@ class DatabaseTable {
 /// precision`. Areas, weights, rainfall, errors and shares are numbers, counts whole ones, all else
 /// is text.
 std::string sql_columns(const std::vector<std::string>& names, int srid);
-
-/// A connection without the words that only GDAL knows (active_schema, schemas, tables), as libpq
-/// takes it, and the value of active_schema.
-struct LibpqConnection {
-  std::string words;
-  std::string schema;
-};
-LibpqConnection libpq_connection(const std::string& path);
 
 }  // namespace thiessen

@@ -2,16 +2,18 @@
 
 #include <libpq-fe.h>
 
-#include <limits>
+#include <cctype>
 #include <new>
 #include <utility>
 
 #include "base/error.h"
 #include "base/secrets.h"
-#include "files/database/database_table.h"
+#include "base/utf8.h"
 
 namespace thiessen {
 namespace {
+
+constexpr std::string_view prefix = "PG:";
 
 /// The words of the server or of libpq on one line, without their label.
 std::string on_one_line(std::string_view reason) {
@@ -34,7 +36,44 @@ std::string in_quotes(std::string_view text, char quote) {
   return quoted + quote;
 }
 
+/// Where the word of a connection that begins at `at` ends: at the next blank outside quotes.
+std::size_t end_of_word(std::string_view words, std::size_t at) {
+  for (bool in_quotes = false; at < words.size(); ++at) {
+    if (words[at] == '\\' && at + 1 < words.size()) {
+      ++at;
+    } else if (words[at] == '\'') {
+      in_quotes = !in_quotes;
+    } else if (!in_quotes && std::isspace(static_cast<unsigned char>(words[at])) != 0) {
+      break;
+    }
+  }
+  return at;
+}
+
 }  // namespace
+
+bool is_database(const std::string& path) {
+  return equal_ignoring_case(std::string_view(path).substr(0, prefix.size()), prefix);
+}
+
+LibpqConnection libpq_connection(const std::string& path) {
+  LibpqConnection connection;
+  const std::string words = path.substr(prefix.size());
+  if (words.find("://") != std::string::npos) return {words, ""};
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t end = end_of_word(words, at);
+    const std::string word = words.substr(at, end - at);
+    const std::string name = lower_case(word.substr(0, word.find('=')));
+    if (name == "active_schema" && word.size() > name.size()) {
+      connection.schema = word.substr(name.size() + 1);
+      std::erase(connection.schema, '\'');
+    } else if (name != "schemas" && name != "tables" && !word.empty()) {
+      connection.words += (connection.words.empty() ? "" : " ") + word;
+    }
+    at = end + 1;
+  }
+  return connection;
+}
 
 struct Postgres::Connection {
   PGconn* handle;
@@ -101,10 +140,6 @@ std::optional<std::string> Postgres::value(const std::string& sql) {
   if (PQntuples(answer.result.get()) == 0 || PQgetisnull(answer.result.get(), 0, 0) != 0)
     return std::nullopt;
   return PQgetvalue(answer.result.get(), 0, 0);
-}
-
-void Postgres::begin_copy(const std::string& sql) {
-  ask(sql);
 }
 
 void Postgres::copy(std::string_view rows) {

@@ -7,6 +7,17 @@
 
 namespace thiessen {
 
+/// Whether a name is a connection to a PostgreSQL database.
+bool is_database(const std::string& path);
+
+/// A connection without the words that only GDAL knows (active_schema, schemas, tables), as libpq
+/// takes it, and the value of active_schema.
+struct LibpqConnection {
+  std::string words;
+  std::string schema;
+};
+LibpqConnection libpq_connection(const std::string& path);
+
 /// A connection to a PostgreSQL database, by libpq. A transaction that has begun and not ended is
 /// undone by the server when the connection closes.
 class Postgres {
@@ -18,12 +29,12 @@ class Postgres {
   Postgres(const Postgres&) = delete;
   Postgres& operator=(const Postgres&) = delete;
 
-  /// Has the database carry out a command. Throws Error with its words where it does not.
+  /// Has the database carry out a command. Throws Error with its words where it does not. After a
+  /// `COPY ... FROM STDIN` it waits for rows.
   void run(const std::string& sql);
   /// The first value of the first row of an answer; nothing where there is none, or it is null.
   std::optional<std::string> value(const std::string& sql);
-  /// Begins to hand rows over, to a `COPY ... FROM STDIN`.
-  void begin_copy(const std::string& sql);
+  /// Hands rows over that the database waits for, until end_copy.
   void copy(std::string_view rows);
   void end_copy();
 

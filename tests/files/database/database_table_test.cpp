@@ -5,33 +5,13 @@
 namespace thiessen {
 namespace {
 
-TEST(DatabaseTable, AConnectionBeginsWithPg) {
-  EXPECT_TRUE(is_database("PG:dbname=rain"));
-  EXPECT_TRUE(is_database("pg:postgresql://localhost/rain"));
-  EXPECT_FALSE(is_database("PG.csv"));
-  EXPECT_FALSE(is_database("PG"));
-  EXPECT_FALSE(is_database(""));
-}
-
-TEST(DatabaseTable, WordsOfGdalAloneAreNotForLibpq) {
-  const LibpqConnection found = libpq_connection(
-      "PG:host=a  dbname='my rain' active_schema=results schemas=a,b tables=x(geom) "
-      "password='it\\'s'");
-  EXPECT_EQ(found.words, "host=a dbname='my rain' password='it\\'s'");
-  EXPECT_EQ(found.schema, "results");
-}
-
-TEST(DatabaseTable, AUriGoesOverAsItIs) {
-  EXPECT_EQ(libpq_connection("PG:postgresql://u:tables=@h/d").words, "postgresql://u:tables=@h/d");
-}
-
-TEST(DatabaseTable, ColumnsHaveTheTypesOfTheirNames) {
+TEST(DatabaseTable, columns_have_the_types_of_their_names) {
   EXPECT_EQ(sql_columns({"time", "rainfall", "gauges", "geom", "a\"b"}, 4326),
             "\"time\" text, \"rainfall\" double precision, \"gauges\" bigint, "
             "\"geom\" geometry(MultiPolygon, 4326), \"a\"\"b\" text");
 }
 
-TEST(DatabaseTable, ADatabaseThatIsNotThereIsAnErrorWithoutItsPassword) {
+TEST(DatabaseTable, a_database_that_is_not_there_is_an_error_without_its_password) {
   try {
     const DatabaseTable table({"PG:host=/nowhere dbname=rain password=sesame", "cells", false});
     FAIL();
