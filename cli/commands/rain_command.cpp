@@ -166,10 +166,7 @@ class RainCommand : public Command {
 
   void check_errors_can_be_had() const {
     if (!errors_) return;
-    if (method_.methods() != std::vector{RainMethod::thiessen}) {
-      throw UsageError{"--error is of Thiessen's weights, and --method wants others",
-                       "leave one of them out"};
-    }
+    method_.check_errors();
     if (periods_.totalling()) {
       throw UsageError{
           "--error is of steps, and --every sums them: how far their errors cancel is "

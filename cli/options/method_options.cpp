@@ -82,6 +82,12 @@ void MethodOptions::check(const GapOptions& gaps) const {
                    "retessellate and strict go with them"};
 }
 
+void MethodOptions::check_errors() const {
+  if (methods_ == std::vector{RainMethod::thiessen}) return;
+  throw UsageError{"--error is of Thiessen's weights, and --method wants others",
+                   "leave one of them out"};
+}
+
 bool MethodOptions::has_isohyets() const {
   return std::find(methods_.begin(), methods_.end(), RainMethod::isohyetal) != methods_.end();
 }

@@ -16,6 +16,8 @@ class MethodOptions : public OptionBlock {
   void check() const;
   /// Throws UsageError for a gap policy that a method cannot have.
   void check(const GapOptions& gaps) const;
+  /// Throws UsageError for methods that have no standard errors, where these are wanted.
+  void check_errors() const;
   /// The methods chosen, in the order of their columns.
   const std::vector<RainMethod>& methods() const { return methods_; }
   bool has_isohyets() const;

@@ -73,10 +73,7 @@ SeriesKeywords::SeriesKeywords(const Keywords& keywords) {
   method.check();
   method.check(gaps);
   range.check();
-  if (errors && method.methods() != std::vector{RainMethod::thiessen}) {
-    throw cli::UsageError{"--error is of Thiessen's weights, and --method wants others",
-                          "leave one of them out"};
-  }
+  if (errors) method.check_errors();
 }
 
 std::string in_python(const std::string& text) {

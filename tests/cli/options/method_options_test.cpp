@@ -54,6 +54,17 @@ TEST(MethodOptions, an_interval_goes_with_isohyets) {
   EXPECT_EQ(isohyets.block.points().interval, 5);
 }
 
+TEST(MethodOptions, only_thiessens_weights_alone_have_standard_errors) {
+  Method method;
+  method.read({});
+  EXPECT_NO_THROW(method.block.check_errors());
+  for (const char* name : {"arithmetic", "all", "thiessen,idw"}) {
+    Method other;
+    other.read({"--method", name});
+    EXPECT_THROW(other.block.check_errors(), UsageError) << name;
+  }
+}
+
 // A grid of points is of use to methods that are means over points.
 TEST(MethodOptions, law_1_points_go_with_methods_that_average_them) {
   for (const RainMethod wanted : all_methods) {
