@@ -1,0 +1,44 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+#include "files/places/basins_file.h"
+#include "files/places/stations_file.h"
+
+namespace thiessen::python {
+
+/// Numbers of a caller, copied where they do not lie row by row.
+using Doubles = pybind11::array_t<double, pybind11::array::c_style>;
+
+/// Stations of a caller: an id for each row of two coordinates, and their CRS; `implied` says that
+/// the caller does not name it, but has it of his objects. Throws Python's ValueError for arrays
+/// that do not fit, and Error.
+StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& positions,
+                         const std::string& crs, bool implied);
+
+/// The rings of a polygon, the outer one first.
+using Rings = std::vector<Doubles>;
+
+/// Basins of a caller: an id for each shape, which is a list of polygons. Throws as stations_of
+/// does.
+BasinsFile basins_of(const std::vector<std::string>& ids,
+                     const std::vector<std::vector<Rings>>& shapes, const std::string& crs,
+                     bool implied);
+
+std::vector<std::string> ids_of(const std::vector<Station>& stations);
+/// The coordinates of stations as an array of two columns.
+Doubles positions_of(const std::vector<Station>& stations);
+
+/// A geometry's type, points and polygons, and its SRID, of a text in WKT or of WKB in hexadecimal
+/// digits; None where it is neither.
+pybind11::object geometry_in(const std::string& text);
+
+/// The places of the id, the two coordinates, and whether their names say degrees, among names of
+/// columns; None for what is not there.
+pybind11::tuple known_columns(const std::vector<std::string>& names);
+
+}  // namespace thiessen::python
