@@ -6,7 +6,7 @@
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
-#include "readings/named_stations.h"
+#include "readings/stations/named_stations.h"
 
 namespace thiessen {
 namespace {

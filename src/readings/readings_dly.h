@@ -12,7 +12,7 @@
 #include "readings/dly/seekable_lines.h"
 #include "readings/readings_findings.h"
 #include "readings/readings_reader.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 
 namespace thiessen {
 

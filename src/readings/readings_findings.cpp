@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "readings/named_stations.h"
+#include "readings/stations/named_stations.h"
 #include "text/csv_records.h"
 
 namespace thiessen {

@@ -14,7 +14,7 @@
 #include "rainfall/series/readings.h"
 #include "readings/readings_grammar.h"
 #include "readings/readings_reader.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "readings/steps/mixed_steps.h"
 
 namespace thiessen {

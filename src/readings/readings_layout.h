@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "readings/readings_reader.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "readings/times/time_columns.h"
 #include "text/table.h"
 

@@ -7,7 +7,7 @@
 
 #include "readings/readings_layout.h"
 #include "readings/readings_source.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 
 namespace thiessen {
 

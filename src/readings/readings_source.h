@@ -6,7 +6,7 @@
 #include "base/patience.h"
 #include "readings/readings_findings.h"
 #include "readings/readings_grammar.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "readings/times/time_reader.h"
 #include "text/table.h"
 

@@ -21,10 +21,10 @@
 #include "fuzzers/plain_steps.h"
 #include "fuzzers/reading_laws.h"
 #include "readings/dly_text.h"
-#include "readings/heard_stations.h"
 #include "readings/readings_dly.h"
 #include "readings/readings_reader.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/heard_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "text/csv_reader.h"
 
 namespace thiessen::fuzzers {

@@ -19,7 +19,7 @@
 #include "fuzzers/reading_laws.h"
 #include "readings/joined_readings.h"
 #include "readings/readings_reader.h"
-#include "readings/station_in_name.h"
+#include "readings/stations/station_in_name.h"
 #include "text/csv_reader.h"
 
 namespace thiessen::fuzzers {

@@ -16,7 +16,7 @@
 #include "fuzzers/plain_steps.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
-#include "readings/heard_stations.h"
+#include "readings/stations/heard_stations.h"
 
 namespace thiessen::fuzzers {
 

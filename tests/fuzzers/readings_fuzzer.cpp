@@ -19,11 +19,11 @@
 #include "fuzzers/plain_readings.h"
 #include "fuzzers/plain_steps.h"
 #include "fuzzers/reading_laws.h"
-#include "readings/heard_stations.h"
 #include "readings/readings_layout.h"
 #include "readings/readings_reader.h"
 #include "readings/readings_scattered.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/heard_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "text/csv_reader.h"
 
 namespace thiessen::fuzzers {

@@ -12,7 +12,7 @@
 #include "files/places/station_fields.h"
 #include "files/places/station_positions.h"
 #include "files/tables/features.h"
-#include "readings/named_stations.h"
+#include "readings/stations/named_stations.h"
 #include "text/field_names.h"
 
 namespace thiessen {

@@ -8,8 +8,8 @@
 
 #include "files/places/station_fields.h"
 #include "files/tables/features.h"
-#include "readings/heard_stations.h"
 #include "readings/readings_layout.h"
+#include "readings/stations/heard_stations.h"
 #include "readings/times/time_columns.h"
 #include "text/field_names.h"
 #include "text/table.h"

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "readings/named_stations.h"
+#include "readings/stations/named_stations.h"
 
 namespace thiessen {
 

@@ -10,10 +10,10 @@
 #include "files/rainfall/published_rainfall.h"
 #include "files/rainfall/rainfall_folder.h"
 #include "readings/dly/dly_files.h"
-#include "readings/heard_stations.h"
 #include "readings/joined_readings.h"
 #include "readings/readings_dly.h"
-#include "readings/station_in_name.h"
+#include "readings/stations/heard_stations.h"
+#include "readings/stations/station_in_name.h"
 #include "readings/steps/counter_readings.h"
 #include "text/field_names.h"
 

@@ -1,4 +1,4 @@
-#include "readings/heard_stations.h"
+#include "readings/stations/heard_stations.h"
 
 #include <algorithm>
 #include <string_view>

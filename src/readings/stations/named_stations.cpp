@@ -1,4 +1,4 @@
-#include "readings/named_stations.h"
+#include "readings/stations/named_stations.h"
 
 #include "base/utf8.h"
 

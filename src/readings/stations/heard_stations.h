@@ -8,7 +8,7 @@
 #include "readings/readings_grammar.h"
 #include "readings/readings_layout.h"
 #include "readings/readings_reader.h"
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "text/table.h"
 
 namespace thiessen {

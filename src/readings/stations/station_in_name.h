@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 #include "text/table.h"
 
 namespace thiessen {

@@ -1,4 +1,4 @@
-#include "readings/station_in_name.h"
+#include "readings/stations/station_in_name.h"
 
 #include <gtest/gtest.h>
 

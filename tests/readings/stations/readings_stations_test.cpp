@@ -1,4 +1,4 @@
-#include "readings/readings_stations.h"
+#include "readings/stations/readings_stations.h"
 
 #include <gtest/gtest.h>
 
