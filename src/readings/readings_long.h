@@ -23,7 +23,6 @@ class LongReadings : public Readings {
  private:
   void begin();
   bool has_piece();
-  void look_for_piece();
   bool is_faulty() const;
   void take(const ReadingsPiece& piece);
   void complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading, std::size_t line);
