@@ -100,12 +100,14 @@ BasinsFile basins_of(const std::vector<std::string>& ids,
 
 std::vector<std::string> ids_of(const std::vector<Station>& stations) {
   std::vector<std::string> ids;
+  ids.reserve(stations.size());
   for (const Station& station : stations) ids.push_back(station.id);
   return ids;
 }
 
 Doubles positions_of(const std::vector<Station>& stations) {
   Ring points;
+  points.reserve(stations.size());
   for (const Station& station : stations) points.push_back(station.position);
   return array_of(points);
 }
