@@ -14,7 +14,8 @@ cells clipped to basins, and the readings weighed, step by step, gaps
 included. Results are tables, cells for a GIS, maps and grids.
 .
 The package holds the program and, for programs in C++, the library with its
-headers; to compile with it, install what is suggested, too.")
+headers; to compile with it, or the module for Python from its sources,
+install what is suggested, too.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
@@ -24,7 +25,8 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "fonts-dejavu-core, fonts-unifont")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "g++, libgeographiclib-dev | libgeographic-dev, libgeos-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS
+    "g++, libgeographiclib-dev | libgeographic-dev, libgeos-dev, cmake, libgdal-dev, pybind11-dev")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
 set(CPACK_COMPONENTS_ALL program library debian)

@@ -5,9 +5,10 @@ include(CMakePackageConfigHelpers)
 set(folders_made ${PROJECT_BINARY_DIR}/install_folders.txt)
 install(CODE "set(THIESSEN_FOLDERS_MADE \"${folders_made}\")
 set(THIESSEN_FOLDERS ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_INCLUDEDIR}/thiessen
-    ${CMAKE_INSTALL_LIBDIR}/cmake/thiessen ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_MANDIR}/man1
-    ${CMAKE_INSTALL_DATADIR}/bash-completion/completions ${CMAKE_INSTALL_DATADIR}/zsh/site-functions
-    ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d ${CMAKE_INSTALL_DOCDIR})")
+    ${CMAKE_INSTALL_LIBDIR}/cmake/thiessen ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_LIBDIR}/thiessen
+    ${CMAKE_INSTALL_MANDIR}/man1 ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    ${CMAKE_INSTALL_DATADIR}/zsh/site-functions ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
+    ${CMAKE_INSTALL_DOCDIR})")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/new_folders.cmake)
 
 if(PROJECT_IS_TOP_LEVEL)

@@ -13,13 +13,40 @@ add_executable(storm textbook.cpp)
 target_link_libraries(storm PRIVATE thiessen::thiessen)
 """
 
+# What the module for Python stands on: its sources, and no headers, come with a clone.
+PROGRAM = """cmake_minimum_required(VERSION 3.22)
+project(gauges LANGUAGES CXX)
+find_package(thiessen REQUIRED COMPONENTS program)
+add_executable(gauges gauges.cpp)
+target_include_directories(gauges PRIVATE ${CLONE}/src ${CLONE})
+target_link_libraries(gauges PRIVATE thiessen::program)
+"""
+GAUGES = """#include <iostream>
+
+#include "cli/options/arguments.h"
+#include "cli/options/reading.h"
+#include "cli/options/study_options.h"
+
+int main(int, char** words) {
+  using namespace thiessen;
+  cli::OptionList list;
+  cli::StudyOptions study;
+  study.declare(list, cli::Need::optional);
+  cli::Arguments said;
+  said.options.push_back({"STATIONS", "STATIONS", {words[1]}});
+  Warnings warnings;
+  cli::read_options(list, said, warnings);
+  std::cout << read_stations(study.request().stations, warnings).stations.size() << " gauges\\n";
+}
+"""
+
 
 class Install(InstallationTest):
     def test_all_lies_where_it_is_looked_for(self):
         self.install()
         files = self.files()
         for name in ("usr/bin/thiessen", "usr/include/thiessen.h", "usr/lib/libthiessen.a",
-                     "usr/lib/pkgconfig/thiessen.pc", "usr/lib/cmake/thiessen/thiessen-config.cmake",
+                     "usr/lib/thiessen/libthiessen-program.a", "usr/lib/pkgconfig/thiessen.pc", "usr/lib/cmake/thiessen/thiessen-config.cmake",
                      "usr/share/man/man1/thiessen.1", "usr/share/bash-completion/completions/thiessen",
                      "usr/share/zsh/site-functions/_thiessen", "usr/share/fish/vendor_completions.d/thiessen.fish",
                      "usr/share/doc/thiessen/copyright", "usr/share/doc/thiessen/samples/textbook/stations.csv"):
@@ -65,6 +92,21 @@ class Install(InstallationTest):
                          f"-DCMAKE_CXX_COMPILER={CXX}")
         self.run_command(CMAKE, "--build", built)
         self.assertIn(ANSWER, self.run_command(built / "storm"))
+        # What the program needs is not looked for.
+        self.assertNotIn("GDAL", (built / "CMakeCache.txt").read_text(encoding="utf-8"))
+
+    def test_the_program_s_inputs_are_found_by_cmake_without_pictures(self):
+        self.install()
+        project = self.folder / "project"
+        project.mkdir()
+        (project / "gauges.cpp").write_text(GAUGES, encoding="utf-8")
+        (project / "CMakeLists.txt").write_text(PROGRAM, encoding="utf-8")
+        built = self.folder / "built"
+        self.run_command(CMAKE, "-S", project, "-B", built, f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                         f"-DCMAKE_CXX_COMPILER={CXX}", f"-DCLONE={SAMPLES.parent}")
+        self.run_command(CMAKE, "--build", built)
+        self.assertEqual("9 gauges\n", self.run_command(built / "gauges", SAMPLES / "textbook" / "stations.csv"))
+        self.assertNotIn("OpenCV", (built / "CMakeCache.txt").read_text(encoding="utf-8"))
 
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not installed")
     def test_a_program_finds_the_library_by_pkg_config(self):
