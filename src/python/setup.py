@@ -25,8 +25,8 @@ class CMakeBuild(build_ext):
         build = build.resolve()
         build.mkdir(parents=True, exist_ok=True)
         jobs = str(os.cpu_count() or 1)
-        subprocess.run(["cmake", "-S", CLONE, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DTHIESSEN_PYTHON=ON",
-                        f"-DPython3_EXECUTABLE={sys.executable}", f"-DTHIESSEN_PYTHON_FOLDER={folder}", "-DTHIESSEN_JOINED=ON",
+        subprocess.run(["cmake", "-S", HERE, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+                        f"-DPython3_EXECUTABLE={sys.executable}", f"-DTHIESSEN_PYTHON_FOLDER={folder}",
                         *os.environ.get("CMAKE_ARGS", "").split()], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "thiessen_python", "--parallel", jobs], check=True)
 
