@@ -45,7 +45,7 @@ done
 # As tests/run.sh builds them, so that neither undoes what the other did. What is packaged is built here, and
 # needs no test: so installing does not build all that there is first.
 say "Building program and library in $BUILD ..."
-TARGETS='thiessen thiessen_library thiessen_pages thiessen_debian' "$CLONE/samples/build.sh" "$BUILD" \
+TARGETS='thiessen thiessen_library thiessen_program thiessen_pages thiessen_debian' "$CLONE/samples/build.sh" "$BUILD" \
   -DTHIESSEN_TESTS=ON -DTHIESSEN_WERROR=ON -DTHIESSEN_QUICK_TESTS=ON -DTHIESSEN_JOINED=ON -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_SKIP_INSTALL_ALL_DEPENDENCY=ON
 
