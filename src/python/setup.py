@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 
+import pybind11
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
 
@@ -26,6 +27,8 @@ class CMakeBuild(build_ext):
         build.mkdir(parents=True, exist_ok=True)
         jobs = str(os.cpu_count() or 1)
         subprocess.run(["cmake", "-S", HERE, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+                        # Where pip has fetched pybind11 for this build alone, CMake does not look for it by itself.
+                        f"-Dpybind11_DIR={pybind11.get_cmake_dir()}",
                         f"-DPython3_EXECUTABLE={sys.executable}", f"-DTHIESSEN_PYTHON_FOLDER={folder}",
                         *os.environ.get("CMAKE_ARGS", "").split()], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "thiessen_python", "--parallel", jobs], check=True)
