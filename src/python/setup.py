@@ -12,6 +12,9 @@ from setuptools.command.build_ext import build_ext
 
 HERE = pathlib.Path(__file__).resolve().parent
 CLONE = HERE.parent.parent
+# What is made on the way lies where the clone's builds do, and not among its sources.
+BUILD = CLONE / "build-python"
+BUILD.mkdir(exist_ok=True)
 
 
 def version():
@@ -42,6 +45,7 @@ setup(
     package_data={"thiessen": ["py.typed", "*.pyi"]},
     ext_modules=[Extension("thiessen._thiessen", sources=[])],
     cmdclass={"build_ext": CMakeBuild},
+    options={"build": {"build_base": str(BUILD)}, "egg_info": {"egg_base": str(BUILD)}},
     python_requires=">=3.9",
     install_requires=["numpy"],
     zip_safe=False,
