@@ -1,5 +1,6 @@
 #include "readings/steps/counter_readings.h"
 
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,8 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t longest_time = 80;
+constexpr std::size_t steps_ahead = 16;
+constexpr std::chrono::milliseconds at_once(0);
 
 std::string others(std::size_t count) {
   return count == 1 ? "" : ", the first of " + std::to_string(count);
@@ -29,10 +32,12 @@ CounterReadings::CounterReadings(std::unique_ptr<Readings> all, std::string file
       amounts_(stations.size(), none) {}
 
 bool CounterReadings::next(TimeStep& step) {
-  if (!all_->next(step)) {
+  if (!std::exchange(has_read_ahead_, true)) read_ahead();
+  if (!take(step)) {
     conclude();
     return false;
   }
+  forget_steps_before_a_gap(step);
   require_order(step);
   for (std::size_t i = 0; i < amounts_.size(); ++i) {
     const double reading = step.readings[i];
@@ -43,6 +48,46 @@ bool CounterReadings::next(TimeStep& step) {
   }
   step.readings = amounts_;
   return true;
+}
+
+/// Reads the first steps, of a pipe those that are there.
+void CounterReadings::read_ahead() {
+  try {
+    TimeStep step;
+    while (ahead_.size() < steps_ahead && (ahead_.empty() || !all_->is_waiting(at_once)) &&
+           read(step)) {
+      ahead_.push_back({step, {step.readings.begin(), step.readings.end()}});
+    }
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+}
+
+bool CounterReadings::read(TimeStep& step) {
+  if (!all_->next(step)) return false;
+  if (const ParsedTime time = calendar_time(step.time, step.written)) usual_step_.note(time.time);
+  return true;
+}
+
+/// Takes the next step, read ahead or not.
+bool CounterReadings::take(TimeStep& step) {
+  if (ahead_.empty()) {
+    if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+    return read(step);
+  }
+  step = std::move(ahead_.front().step);
+  taken_ = std::move(ahead_.front().readings);
+  step.readings = taken_;
+  ahead_.pop_front();
+  return true;
+}
+
+/// Where the table lacks the step before this one, no counter has a reading in it.
+void CounterReadings::forget_steps_before_a_gap(const TimeStep& step) {
+  const ParsedTime time = calendar_time(step.time, step.written);
+  if (!time || !time_before_ || !*time_before_) return;
+  if (!usual_step_.lacks_between(time_before_->time, time.time)) return;
+  for (Counter& counter : counters_) counter.is_of_last_step = false;
 }
 
 void CounterReadings::require_order(const TimeStep& step) {
@@ -89,7 +134,7 @@ void CounterReadings::conclude() {
   }
   if (left_out_.count > 0) {
     warnings_.add({file_, left_out_.line,
-                   "the counter " + left_out_.first + " was silent in the step before" +
+                   "the counter " + left_out_.first + " has no reading in the step before" +
                        others(left_out_.count) +
                        ": what it has counted since fell in several steps and is left out (" +
                        shortest_text(left_out_.largest) + " at most)",

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <deque>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +14,7 @@
 #include "base/iso_time.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "readings/steps/usual_step.h"
 
 namespace thiessen {
 
@@ -19,9 +22,11 @@ namespace thiessen {
 ///
 /// A step's rain is what the counter reads less what it read in the step before; the first has
 /// none. Where a counter falls it was reset in between, and what it reads then is the step's rain.
-/// Where it was silent in the step before, what it has counted since fell in more than one step,
-/// and is no step's rain unless it is nothing. Resets and what was left out so are said in one line
-/// each when the last step has been read. Memory: two numbers a gauge.
+/// Where it was silent in the step before, or the table lacks that step (see UsualStep), what it
+/// has counted since fell in more than one step, and is no step's rain unless it is nothing. Resets
+/// and what was left out so are said in one line each when the last step has been read. The first
+/// steps are read ahead, as far as a pipe has brought them, for only those behind a gap at the
+/// beginning tell that it is one. Memory: two numbers a gauge, and 16 steps.
 class CounterReadings : public Readings {
  public:
   /// The stations and `warnings` must outlive this object. `file` is for messages.
@@ -32,7 +37,7 @@ class CounterReadings : public Readings {
   /// taken backwards.
   bool next(TimeStep& step) override;
   bool is_waiting(std::chrono::milliseconds patience) override {
-    return all_->is_waiting(patience);
+    return ahead_.empty() && !failure_ && all_->is_waiting(patience);
   }
   double share_read() const override { return all_->share_read(); }
 
@@ -50,7 +55,17 @@ class CounterReadings : public Readings {
     double largest = 0;
   };
 
+  /// A step that was read ahead, with readings of its own.
+  struct Ahead {
+    TimeStep step;
+    std::vector<double> readings;
+  };
+
+  void read_ahead();
+  bool read(TimeStep& step);
+  bool take(TimeStep& step);
   void require_order(const TimeStep& step);
+  void forget_steps_before_a_gap(const TimeStep& step);
   double rain_of(std::size_t station, double reading, const TimeStep& step);
   void note(Event& event, std::size_t station, double amount, const TimeStep& step);
   void conclude();
@@ -61,6 +76,11 @@ class CounterReadings : public Readings {
   Warnings& warnings_;
   std::vector<Counter> counters_;
   std::vector<double> amounts_;
+  bool has_read_ahead_ = false;
+  std::deque<Ahead> ahead_;
+  std::vector<double> taken_;   ///< the readings of a step that was read ahead
+  std::exception_ptr failure_;  ///< of what was read ahead, for when its turn comes
+  UsualStep usual_step_;
   std::optional<ParsedTime> time_before_;
   std::string text_before_;
   Event resets_;
