@@ -87,6 +87,7 @@ class RainCommand : public Command {
     require_table_name(weights_log_);
     const bool is_fed = may_pass_on();
     if (is_fed) rainfall_.want_steps_as_they_come();
+    if (is_fed && output_.appends()) rainfall_.want_steps_once();
     const OutputRules rules =
         output_.rules(rainfall_.files_beside({study_.stations, study_.basins}));
     Outputs outputs(rules);

@@ -41,10 +41,14 @@ class RainfallOptions : public OptionBlock {
   bool is_fed() const { return !files().empty() && thiessen::is_fed(request({})); }
   /// Has steps of a pipe be read as they come.
   void want_steps_as_they_come() { readings_.steps_as_they_come = true; }
+  /// Has steps of such a pipe be passed over that come again.
+  void want_steps_once() { readings_.steps_may_come_again = true; }
   /// Whether the readings are those of one event, in a field of STATIONS.
   bool is_event() const {
     return files().empty() && stations_ != nullptr && !readings_.value_field.empty();
   }
+  /// Whether readings are counters.
+  bool is_cumulative() const { return readings_.cumulative; }
   /// What the readings of an event are called: their field.
   const std::string& event() const { return readings_.value_field; }
   /// The name of the file of readings in messages.

@@ -68,6 +68,7 @@ bool FedPieces::take_rows() {
 }
 
 void FedPieces::take(const LongRow& row) {
+  if (is_given(row)) return tell_late(row);
   if (times_gathered_ == 0 || row.time != last_time_) {
     if (!order_.follows(row.time)) has_order_ = false;
     if (!has_order_ && has_given_) {
@@ -87,6 +88,24 @@ void FedPieces::take(const LongRow& row) {
   note_station(row);
   if (!gathered_) gathered_.emplace();
   gathered_->add(row);
+}
+
+/// Whether the row is of a step that has been given, which may come again.
+bool FedPieces::is_given(const LongRow& row) {
+  if (given_.empty()) return false;
+  const bool goes_on = times_gathered_ > 0 && row.time == last_time_;
+  return !goes_on && given_.contains(std::string(row.time));
+}
+
+/// Says that rows are passed over whose step has been given: once, as the pipe may have no end.
+void FedPieces::tell_late(const LongRow& row) {
+  if (std::exchange(told_late_, true)) return;
+  ReadingsFindings& findings = rows_.source().findings;
+  const std::string station =
+      row.has_station ? "of station " + quoted(rows_.source().stations->id(row.station)) + " " : "";
+  findings.warn(findings.in_words(row.line) + ": the reading " + station + "at " +
+                quoted(row.time, 80) +
+                " comes when its step has been written, and is passed over, as are all that do");
 }
 
 void FedPieces::note_station(const LongRow& row) {
@@ -136,7 +155,10 @@ bool FedPieces::take_released() {
     }
     has_piece_ = released_->next(piece_);
   } while (has_piece_ && piece_.first_line == step_.first_line);
-  if (has_piece_ || is_last_released_) return has_step_ = has_given_ = true;
+  if (has_piece_ || is_last_released_) {
+    if (rows_.source().steps_may_come_again) given_.insert(step_.time);
+    return has_step_ = has_given_ = true;
+  }
   gather_again();
   return false;
 }

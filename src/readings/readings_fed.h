@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "base/patience.h"
@@ -22,7 +23,9 @@ namespace thiessen {
 /// times have come back before its first rest, which is told in a notice. Once steps have been
 /// given, times go on in their order.
 ///
-/// Law: a step that is given holds all readings of its time, or an Error follows.
+/// Law: a step that is given holds all readings of its time, or an Error follows. Where steps may
+/// come again, rows of a step that has been given are passed over with a warning instead. Memory
+/// then: some 100 bytes a step.
 class FedPieces : public ReadingsPieces {
  public:
   /// `rows` must outlive this object.
@@ -50,6 +53,8 @@ class FedPieces : public ReadingsPieces {
   void note_station(const LongRow& row);
   bool take_rows();
   void take(const LongRow& row);
+  bool is_given(const LongRow& row);
+  void tell_late(const LongRow& row);
   bool rests();
   void release();
   bool take_released();
@@ -60,7 +65,9 @@ class FedPieces : public ReadingsPieces {
   std::string last_time_;
   bool has_order_ = true;  ///< no time has come back
   bool has_given_ = false;
-  std::vector<bool> has_reported_;  ///< at the last time, by station
+  std::unordered_set<std::string> given_;  ///< the times of all steps, where they may come again
+  bool told_late_ = false;                 ///< that rows are passed over
+  std::vector<bool> has_reported_;         ///< at the last time, by station
   std::size_t reported_ = 0;
   bool has_told_ = false;  ///< that times have come back
   std::optional<ScatteredPieces> gathered_;

@@ -1,5 +1,6 @@
 #include "readings/readings_long.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -91,10 +92,21 @@ void LongReadings::take(const ReadingsPiece& piece) {
   for (const PieceReading& reading : piece.readings) {
     const std::size_t line = piece.line + reading.lines_on;
     std::size_t& line_before = lines_[index(reading.station)];
-    if (line_before != no_line) complain_of_twice(piece, reading, line);
+    if (line_before != no_line) {
+      if (is_sent_again(reading)) continue;
+      complain_of_twice(piece, reading, line);
+    }
     line_before = line;
     readings_[index(reading.station)] = reading.amount;
   }
+}
+
+/// Whether a reading of the same step is what came before, in a pipe in which rows may come again.
+bool LongReadings::is_sent_again(const PieceReading& reading) const {
+  const double before = readings_[index(reading.station)];
+  const bool is_same =
+      before == reading.amount || (std::isnan(before) && std::isnan(reading.amount));
+  return is_same && rows_.source().steps_may_come_again;
 }
 
 void LongReadings::complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading,

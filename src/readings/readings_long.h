@@ -25,6 +25,7 @@ class LongReadings : public Readings {
   bool has_piece();
   bool is_faulty() const;
   void take(const ReadingsPiece& piece);
+  bool is_sent_again(const PieceReading& reading) const;
   void complain_of_twice(const ReadingsPiece& piece, const PieceReading& reading, std::size_t line);
 
   LongRows rows_;

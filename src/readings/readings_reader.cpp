@@ -9,6 +9,7 @@
 #include "readings/readings_long.h"
 #include "readings/readings_wide.h"
 #include "readings/steps/counter_readings.h"
+#include "readings/steps/fresh_readings.h"
 #include "readings/times/time_columns.h"
 #include "readings/times/time_reader.h"
 #include "text/csv_form.h"
@@ -100,12 +101,15 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   ReadingsSource source{std::move(table), std::move(known), grammar, std::move(findings),
                         std::move(times)};
   source.steps_as_they_come = options.steps_as_they_come;
+  source.steps_may_come_again = options.steps_may_come_again;
   std::unique_ptr<Readings> readings;
   if (layout.is_long) {
     readings = std::make_unique<LongReadings>(std::move(source), layout);
   } else {
     readings = std::make_unique<WideReadings>(std::move(source), layout);
   }
+  if (options.steps_may_come_again)
+    readings = std::make_unique<FreshReadings>(std::move(readings), file, warnings);
   if (options.cumulative && !options.is_one_of_several) {
     readings =
         std::make_unique<CounterReadings>(std::move(readings), file, stations.all(), warnings);

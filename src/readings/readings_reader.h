@@ -39,6 +39,8 @@ struct ReadingsOptions {
   /// RAINFALL is a pipe whose steps are wanted as they come: see FedPieces. Else a long table that
   /// cannot be read again is read to its end, and sorted.
   bool steps_as_they_come = false;
+  /// Steps of such a pipe may come again, and what came first stays: see FreshReadings.
+  bool steps_may_come_again = false;
   bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;

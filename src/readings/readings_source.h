@@ -29,9 +29,10 @@ struct ReadingsSource {
   /// Whether what is wrong in a pipe is to be told before its end, as nothing comes for a while.
   bool gives_up();
 
-  bool steps_as_they_come = false;  ///< see ReadingsOptions
-  bool has_failed = false;          ///< a row cannot be read, and none follows it
-  Patience patience = {};           ///< with what may follow a row with a fault
+  bool steps_as_they_come = false;    ///< see ReadingsOptions
+  bool steps_may_come_again = false;  ///< whoever reads the steps passes over them
+  bool has_failed = false;            ///< a row cannot be read, and none follows it
+  Patience patience = {};             ///< with what may follow a row with a fault
 };
 
 }  // namespace thiessen

@@ -142,6 +142,7 @@ void WideReadings::note_time(std::string_view time) {
     source_.findings.note_empty_time(row_.line);
     return;
   }
+  if (source_.steps_may_come_again) return;
   repeated_.note(time, row_.line);
   if (!source_.steps_as_they_come) return;
   last_came_again_ = time == last_time_;

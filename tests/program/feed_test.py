@@ -237,6 +237,38 @@ class AppendedFeedTest(FedTest):
         self.assertEqual(status, 0)
         self.assertIn("notice: r.csv: 1 step added, 4 were there", messages)
 
+    def test_a_step_that_comes_again_is_written_once(self):
+        feed = self.rain("-", "-o", "r.csv", "--append")
+        feed.feed("time,A,B\n2020-03-04,1,2\n")
+        self.await_file("time,Q\n2020-03-04,1.500\n")
+        feed.feed("2020-03-04,1,2\n2020-03-05,1,3\n2020-03-04,1,2\n")
+        self.await_file("time,Q\n2020-03-04,1.500\n2020-03-05,2.000\n")
+        feed.feed("2020-03-04,1,9\n2020-03-06,1,1\n")
+        self.await_file("time,Q\n2020-03-04,1.500\n2020-03-05,2.000\n2020-03-06,1.000\n")
+        _, messages, status = feed.end()
+        self.assertEqual(status, 0, messages)
+        self.assertIn("warning: standard input:6: time '2020-03-04' comes again with other readings", messages)
+        self.assertIn("notice: standard input: 3 steps that came again are passed over, the first is '2020-03-04'", messages)
+        self.assertIn("notice: r.csv: 3 steps added, none were there", messages)
+        self.assertEqual(self.appended(), "time,Q\n2020-03-04,1.500\n2020-03-05,2.000\n2020-03-06,1.000\n")
+
+    def test_a_step_that_comes_again_is_no_part_of_a_total(self):
+        feed = self.rain("-", "-o", "r.csv", "--append", "--every", "day")
+        feed.feed("time,A,B\n2020-03-04T00:00,1,2\n2020-03-04T12:00,1,2\n")
+        feed.feed("2020-03-04T12:00,1,2\n2020-03-05T00:00,0,0\n")
+        self.await_file("time,Q,Q_missing\n2020-03-04,3.000,0\n")
+        self.assertEqual(feed.end()[2], 0)
+
+    def test_long_rows_of_a_step_that_is_written_are_passed_over(self):
+        feed = self.rain("-", "-o", "r.csv", "--append")
+        feed.feed("time,station,rain\n1,A,1\n1,A,1\n1,B,3\n")
+        self.await_file("time,Q\n1,2.000\n")
+        feed.feed("1,A,1\n1,B,3\n2,A,4\n2,B,6\n")
+        self.await_file("time,Q\n1,2.000\n2,5.000\n")
+        _, messages, status = feed.end()
+        self.assertEqual(status, 0, messages)
+        self.assertEqual(messages.count("comes when its step has been written, and is passed over"), 1, messages)
+
     def test_nothing_is_left_of_a_feed_without_a_step(self):
         feed = self.rain("-", "-o", "r.csv", "--append")
         feed.feed("time,A,B\n2024,x,2\n")
