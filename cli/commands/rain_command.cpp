@@ -110,6 +110,7 @@ class RainCommand : public Command {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     const std::optional<Totalling> totalling = totals(is_fed);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
+    if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
     RainTable series(*file, inputs.basins(), format, totalling, rainfall_.name(),
                      grown ? grown->growth() : nullptr);
     std::optional<WeightsLog> log;

@@ -229,7 +229,8 @@ std::string feed_section() {
              "such a rest, as from a file, is sorted at its end, in whatever "
              "order its rows are; so is one whose times come back before anything was written, and "
              "a warning says so. Once rows were written, a time that does not go on in their order "
-             "is an error; in a wide table one that comes twice in a row is one at once, others "
+             "is an error (but with --append, see there); in a wide table one that comes twice in "
+             "a row is one at once, others "
              "are when the pipe ends. What is wrong ends the run as soon as nothing more comes "
              "for a quarter of a second; the rows before it are written. With --every a period is "
              "written when another begins; what it lacks is counted by the step that the times so "
@@ -247,7 +248,12 @@ std::string feed_section() {
              "an error. With --every the last period is added once it is whole: when it lacks no "
              "step, or another has begun. The table is replaced whole or not at all, and locked "
              "meanwhile: another run waits five seconds for it. From a pipe each row is added in "
-             "place as it comes, and what was added before a failure stays. The gauges that make "
+             "place as it comes, and what was added before a failure stays; a step that the pipe "
+             "brings again, as a logger does that sends anew, is passed over, and so is a row of a "
+             "long table whose step is written: a warning says where its readings are others. With "
+             "--cumulative the first step of a run has no value, so let each run begin with the "
+             "last step of the one before, which is there; else that step is added without one, "
+             "and a warning says so. The gauges that make "
              "the network are those of RAINFALL: where that is of a day, renormalised and strict "
              "values may differ from those of the whole series.");
 }

@@ -56,7 +56,7 @@ void GrownTable::copy(std::size_t bytes, OutputFile& to) const {
 }
 
 void GrownTable::pass_on(Warnings& warnings) {
-  growth_->tell_others(warnings);
+  growth_->tell_so_far(warnings);
   if (in_place_ && growth_->has_added()) file_.keep();
 }
 

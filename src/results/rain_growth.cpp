@@ -43,19 +43,27 @@ RainGrowth::RainGrowth(std::string file, std::string noun, EarlierRain* earlier,
       unit_(std::pow(10.0, -decimals)) {}
 
 bool RainGrowth::lacks(const std::string& time, std::span<const double> values) {
+  const bool begins = begins_counters(values);
   if (earlier_ != nullptr) {
     const StepKey key = step_key(time);
     if (earlier_->steps() > 0) require_alike(key, time);
     if (const std::vector<double>* there = earlier_->find(key)) {
-      if (!are_same(*there, values)) others_.note(time);
+      if (!begins && !are_same(*there, values)) others_.note(time);
       return false;
     }
+    if (begins && earlier_->steps() > 0) lost_ = time;
     if (earlier_->steps() > 0 && comes_before(key, earlier_->latest())) late_.note(time);
     const auto& cut = earlier_->cut();
     has_cut_come_ = has_cut_come_ || (cut && cut->key == key);
   }
   ++added_;
   return true;
+}
+
+/// Whether these are the values of the first step of counters, of which they tell nothing yet.
+bool RainGrowth::begins_counters(std::span<const double> values) {
+  if (std::exchange(has_begun_, true) || !is_of_counters_) return false;
+  return std::ranges::all_of(values, [](double value) { return std::isnan(value); });
 }
 
 void RainGrowth::require_alike(const StepKey& key, const std::string& time) const {
@@ -83,6 +91,21 @@ std::string RainGrowth::counted(std::size_t count) const {
   return (count == 0 ? "no" : std::to_string(count)) + " " + noun_ + (count == 1 ? "" : "s");
 }
 
+void RainGrowth::tell_so_far(Warnings& warnings) {
+  tell_others(warnings);
+  tell_lost(warnings);
+}
+
+void RainGrowth::tell_lost(Warnings& warnings) {
+  if (lost_.empty()) return;
+  warnings.add({file_, 0,
+                "the " + noun_ + " " + quoted(lost_, longest_time) +
+                    " is added without a value: with it the counters of this run begin, and "
+                    "nothing tells what they read in the step before",
+                "let each run begin with the last step of the run before, which is passed over"});
+  lost_.clear();  // so that it is told once
+}
+
 void RainGrowth::tell_others(Warnings& warnings) {
   if (others_.count == 0 || others_told_ > 0) return;
   others_told_ = others_.count;
@@ -104,7 +127,7 @@ void RainGrowth::conclude(Warnings& warnings) {
                            (before == 1 ? " was there" : " were there"),
                        ""});
   if (others_.count > others_told_) others_told_ = 0;
-  tell_others(warnings);
+  tell_so_far(warnings);
   if (late_.count == 0) return;
   const bool one = late_.count == 1;
   warnings.add({file_, 0,

@@ -67,14 +67,47 @@ TEST(RainGrowth, tells_of_other_values_before_the_end_once) {
   EarlierRain there = earlier("time,A\n2020,1.000\n2021,2.000\n");
   RainGrowth growth("r.csv", "step", &there, 3);
   Warnings so_far;
-  growth.tell_others(so_far);
+  growth.tell_so_far(so_far);
   growth.lacks("2020", std::vector{3.0});
-  growth.tell_others(so_far);
-  growth.tell_others(so_far);
+  growth.tell_so_far(so_far);
+  growth.tell_so_far(so_far);
   ASSERT_EQ(so_far.messages().size(), 1U);
   EXPECT_EQ(said(growth).size(), 1U);
   growth.lacks("2021", std::vector{3.0});
   EXPECT_EQ(said(growth).size(), 2U);
+}
+
+TEST(RainGrowth, takes_the_value_that_is_there_for_the_first_step_of_counters) {
+  EarlierRain there = earlier("time,A\n2020,\n2021,2.000\n");
+  RainGrowth growth("r.csv", "step", &there, 3);
+  growth.is_of_counters();
+  EXPECT_FALSE(growth.lacks("2021", std::vector{none}));
+  EXPECT_TRUE(growth.lacks("2022", std::vector{1.0}));
+  EXPECT_EQ(said(growth), Said{"r.csv: 1 step added, 2 were there"});
+  RainGrowth silent_later("r.csv", "step", &there, 3);
+  silent_later.is_of_counters();
+  EXPECT_FALSE(silent_later.lacks("2020", std::vector{none}));
+  EXPECT_FALSE(silent_later.lacks("2021", std::vector{none}));
+  EXPECT_EQ(said(silent_later).size(), 2U) << "another value, for it is no first step";
+}
+
+TEST(RainGrowth, warns_of_a_first_step_of_counters_that_it_adds_empty) {
+  EarlierRain there = earlier("time,A\n2020,\n2021,2.000\n");
+  RainGrowth growth("r.csv", "step", &there, 3);
+  growth.is_of_counters();
+  EXPECT_TRUE(growth.lacks("2022", std::vector{none}));
+  EXPECT_TRUE(growth.lacks("2023", std::vector{1.0}));
+  Warnings so_far;
+  growth.tell_so_far(so_far);
+  ASSERT_EQ(so_far.messages().size(), 1U);
+  EXPECT_EQ(so_far.messages()[0].sentence(),
+            "r.csv: the step '2022' is added without a value: with it the counters of this run "
+            "begin, and nothing tells what they read in the step before");
+  EXPECT_EQ(said(growth), Said{"r.csv: 2 steps added, 2 were there"});
+  RainGrowth anew("r.csv", "step", nullptr, 3);
+  anew.is_of_counters();
+  EXPECT_TRUE(anew.lacks("2022", std::vector{none}));
+  EXPECT_EQ(said(anew), Said{"r.csv: 1 step added, none were there"});
 }
 
 TEST(RainGrowth, refuses_times_of_another_kind) {
