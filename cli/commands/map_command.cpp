@@ -186,6 +186,7 @@ class MapCommand : public Command {
     Warnings told_later;
     const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
     settle_unit(first->unit());
+    range_.settle_stamp(first->stamp(), rainfall_.name());
     GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
     const RasterOutput output = raster_output(inputs, nullptr);
     if (kind == Kind::netcdf) {

@@ -108,6 +108,7 @@ class RainCommand : public Command {
     std::unique_ptr<const ArealRainfall> values;
     const auto rainfall = step_rainfall(inputs, format, values, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    periods_.settle_stamp(readings->stamp(), rainfall_.name());
     const std::optional<Totalling> totalling = totals(is_fed);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();

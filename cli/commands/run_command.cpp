@@ -75,6 +75,7 @@ class RunCommand : public Command {
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    periods_.settle_stamp(readings->stamp(), rainfall_.name());
     view_.units =
         unit_shown(readings->unit(), view_.units, view_.are_units_given(), rainfall_.name());
     ArealRainfallSettings settings = gaps_.settings();

@@ -319,7 +319,11 @@ std::string formats_section() {
          roff_paragraph(
              "By CF, with featureType = timeSeries: rain is the variable whose standard name or "
              "name is rain's, or that --value-field names, in the unit that it says; as STATIONS "
-             "too. Arrays may be of one time for all stations, of one a station, or ragged.");
+             "too. Arrays may be of one time for all stations, of one a station, or ragged. Where "
+             "times have bounds, these say whether they begin or end their steps, and --stamp may "
+             "not say otherwise; where they do neither, as in the middle, the beginning of its "
+             "bounds stands for each. Times are counted in days, hours, minutes or seconds; a "
+             "zone behind their origin other than UTC is written with each.");
 }
 
 std::string study_file_section() {

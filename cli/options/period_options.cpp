@@ -1,5 +1,8 @@
 #include "cli/options/period_options.h"
 
+#include <string>
+
+#include "base/error.h"
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
 
@@ -21,7 +24,21 @@ void PeriodOptions::declare_stamp(OptionList& options) {
       &options.group("Readings", *this)
            .add("--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
                 "whether a time with a clock begins its step (default) or ends it, for "
-                "totals and for bounds of times");
+                "totals and for bounds of times; a NetCDF of stations whose times have bounds says "
+                "it itself");
+}
+
+void PeriodOptions::settle_stamp(std::optional<Stamp> known, const std::string& rainfall) {
+  if (!known) return;
+  if (stamp_option() != nullptr && stamp_ != *known) {
+    const bool ends = *known == Stamp::end;
+    throw Error({rainfall, 0,
+                 std::string("the bounds of its times say that these ") + (ends ? "end" : "begin") +
+                     " their steps, and " + setting("stamp", ends ? "begin" : "end") +
+                     " says otherwise",
+                 "leave it out"});
+  }
+  stamp_ = *known;
 }
 
 void PeriodOptions::declare(OptionList& options) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "base/iso_time.h"
 #include "cli/options/option_list.h"
@@ -20,6 +21,9 @@ class PeriodOptions : public OptionBlock {
   /// Declares the option that says what times are of their steps.
   void declare_stamp(OptionList& options);
   Stamp stamp() const { return stamp_; }
+  /// Takes what RAINFALL itself says of its times, where it does. Throws Error where the option
+  /// says otherwise.
+  void settle_stamp(std::optional<Stamp> known, const std::string& rainfall);
   /// The option that says so; nullptr where it is not given.
   const Option* stamp_option() const {
     return stamp_option_ != nullptr && stamp_option_->is_given() ? stamp_option_ : nullptr;

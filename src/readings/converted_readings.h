@@ -3,11 +3,13 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/rain_unit.h"
 #include "readings/readings_reader.h"
 
@@ -48,6 +50,7 @@ class ConvertedReadings : public Readings {
     return all_->is_waiting(patience);
   }
   std::string unit() const override { return conversion_.unit; }
+  std::optional<Stamp> stamp() const override { return all_->stamp(); }
   double share_read() const override { return all_->share_read(); }
 
  private:

@@ -100,7 +100,9 @@ double JoinedReadings::share_read() const {
 void JoinedReadings::open() {
   of_file_ = Warnings();
   now_ = files_[files_read_].open(of_file_);
-  if (now_.readings) require_unit();
+  if (!now_.readings) return;
+  require_unit();
+  require_stamp();
 }
 
 void JoinedReadings::close() {
@@ -126,6 +128,28 @@ void JoinedReadings::require_unit() {
   const Wording hint = setting("from_unit") + " says it of all files";
   if (!unit.empty() && !unit_.empty()) throw Error({files_[files_read_].name, 0, text, hint});
   of_file_.add({files_[files_read_].name, 0, text + ": they are taken for the same", hint});
+}
+
+/// Requires times that are of their steps what those of the other files are. That one file says it
+/// and another does not is told.
+void JoinedReadings::require_stamp() {
+  const std::optional<Stamp> stamp = now_.readings->stamp();
+  if (!tells_stamp_) {
+    stamp_ = stamp;
+    tells_stamp_ = files_read_;
+  }
+  if (stamp == stamp_) return;
+  const auto words = [](std::optional<Stamp> of) {
+    return !of                 ? std::string("say nothing of their steps")
+           : *of == Stamp::end ? std::string("end their steps")
+                               : std::string("begin their steps");
+  };
+  const std::string& first = files_[*tells_stamp_].name;
+  const std::string text =
+      "its times " + words(stamp) + ", and those of " + quoted(first) + " " + words(stamp_);
+  if (stamp && stamp_)
+    throw Error({files_[files_read_].name, 0, text, "read them apart from each other"});
+  of_file_.add({files_[files_read_].name, 0, text + ": they are taken for the same", ""});
 }
 
 void JoinedReadings::read_all() {

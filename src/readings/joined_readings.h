@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/folded_warnings.h"
 #include "readings/readings_sorter.h"
 #include "readings/steps/mixed_steps.h"
@@ -57,10 +58,11 @@ class JoinedReadings : public Readings {
                  Warnings& warnings, std::size_t memory = std::size_t{32} << 20U);
 
   /// Reads all files before the first step. Throws Error as their readers do; where a time is not
-  /// one of the calendar; where units differ; and at the end where readings disagree, or steps as
-  /// MixedSteps has it.
+  /// one of the calendar; where units differ, or what times are of their steps; and at the end
+  /// where readings disagree, or steps as MixedSteps has it.
   bool next(TimeStep& step) override;
   std::string unit() const override { return unit_; }
+  std::optional<Stamp> stamp() const override { return stamp_; }
   double share_read() const override;
 
  private:
@@ -68,6 +70,7 @@ class JoinedReadings : public Readings {
   void close();
   void read_all();
   void require_unit();
+  void require_stamp();
   void add(const TimeStep& step, std::size_t file);
   void take(const ReadingsPiece& piece);
   void complain_of(std::size_t station, double amount, std::uint64_t place, std::string_view time);
@@ -83,6 +86,8 @@ class JoinedReadings : public Readings {
   Opened now_;  ///< of that file
   std::string unit_;
   std::optional<std::size_t> tells_unit_;  ///< the file that told it
+  std::optional<Stamp> stamp_;
+  std::optional<std::size_t> tells_stamp_;  ///< the first file that was opened
   PieceSorter sorter_;
   bool is_read_ = false;
   std::size_t files_read_ = 0;

@@ -3,9 +3,11 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/readings_pieces.h"
 #include "readings/readings_rows.h"
 
@@ -18,6 +20,7 @@ class LongReadings : public Readings {
 
   bool next(TimeStep& step) override;
   bool is_waiting(std::chrono::milliseconds patience) override;
+  std::optional<Stamp> stamp() const override { return rows_.source().stamp; }
   double share_read() const override;
 
  private:

@@ -100,6 +100,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
     warnings.add_notice({file, 0, columns_told(*table, layout), {}});
   ReadingsSource source{std::move(table), std::move(known), grammar, std::move(findings),
                         std::move(times)};
+  source.stamp = options.stamp;
   source.steps_as_they_come = options.steps_as_they_come;
   source.steps_may_come_again = options.steps_may_come_again;
   std::unique_ptr<Readings> readings;

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/rain_unit.h"
 #include "readings/readings_grammar.h"
 #include "text/table.h"
@@ -36,6 +37,8 @@ struct ReadingsOptions {
   bool ignore_unknown = false;        ///< unknown stations are passed over, with a warning
   bool is_one_of_several = false;     ///< further files tell of stations that are silent in this
                                       ///< one, and counters go on from file to file
+  /// What the file itself says that its times are of their steps, where it does.
+  std::optional<Stamp> stamp;
   /// RAINFALL is a pipe whose steps are wanted as they come: see FedPieces. Else a long table that
   /// cannot be read again is read to its end, and sorted.
   bool steps_as_they_come = false;

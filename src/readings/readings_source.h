@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "base/patience.h"
+#include "rainfall/series/stamp.h"
 #include "readings/readings_findings.h"
 #include "readings/readings_grammar.h"
 #include "readings/stations/readings_stations.h"
@@ -31,6 +33,7 @@ struct ReadingsSource {
 
   bool steps_as_they_come = false;    ///< see ReadingsOptions
   bool steps_may_come_again = false;  ///< whoever reads the steps passes over them
+  std::optional<Stamp> stamp = {};    ///< what times are of their steps, where the table says it
   bool has_failed = false;            ///< a row cannot be read, and none follows it
   Patience patience = {};             ///< with what may follow a row with a fault
 };

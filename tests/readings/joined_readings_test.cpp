@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -102,6 +103,33 @@ TEST(JoinedReadings, that_disagree_are_an_error_with_both_places) {
                        "1.csv:2: the reading of station 'B' at '2020-01-02' is 6.5, "
                        "and 6 in "));
   EXPECT_TRUE(contains(complaint, "0.csv:3"));
+}
+
+TEST(JoinedReadings, need_times_that_are_alike_of_their_steps) {
+  const TemporaryFolder folder;
+  const auto joined_stamp = [&](std::optional<Stamp> first, std::optional<Stamp> second) {
+    std::vector<JoinedReadings::File> files;
+    for (const auto& stamp : {first, second}) {
+      const std::string day = std::to_string(files.size() + 1);
+      const std::string path =
+          folder.write(day + ".csv", "time,station,rain\n2020-01-0" + day + "T00:00,A,1\n");
+      files.push_back({path, [path, stamp](Warnings& warnings) {
+                         ReadingsOptions options;
+                         options.is_one_of_several = true;
+                         options.stamp = stamp;
+                         return open_readings(std::make_unique<CsvReader>(path), stations, {},
+                                              options, warnings);
+                       }});
+    }
+    Warnings warnings;
+    JoinedReadings readings(std::move(files), "all", stations, warnings);
+    for (TimeStep step; readings.next(step);) EXPECT_EQ(readings.stamp(), first);
+    return warnings.messages().size() - 1;  // but for B, which has no readings
+  };
+  EXPECT_EQ(joined_stamp(Stamp::end, Stamp::end), 0U);
+  EXPECT_EQ(joined_stamp(Stamp::end, std::nullopt), 1U);
+  EXPECT_TRUE(contains(complaint_of([&] { joined_stamp(Stamp::end, Stamp::begin); }),
+                       "its times begin their steps, and those of"));
 }
 
 TEST(JoinedReadings, need_times_of_the_calendar_and_one_unit) {

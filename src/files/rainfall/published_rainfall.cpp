@@ -9,8 +9,10 @@
 #include "files/tables/csv_file.h"
 #include "files/tables/netcdf_rainfall.h"
 #include "files/tables/netcdf_stations.h"
+#include "files/tables/netcdf_unit.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/table_file.h"
+#include "readings/converted_readings.h"
 #include "readings/published/arcswat_files.h"
 #include "readings/published/headerless_formats.h"
 #include "readings/published/month_rows.h"
@@ -90,26 +92,45 @@ Recognised open_by_content(const Source& rainfall, const ReadingsOptions& option
   return found.table ? std::move(found) : open_table_format(rainfall, beginning, warnings);
 }
 
-/// Opens a NetCDF of stations, whose variable says its unit.
+/// What to do about a unit that is not known: one of a rate has no name that the option takes.
+Wording hint_for_unit(const std::string& units) {
+  const std::string plain = udunits_with_quotients(units);
+  const bool is_rate =
+      plain.find('/') != std::string::npos || plain.find("per") != std::string::npos;
+  if (is_rate) return setting("scale") + " brings it to millimetres in a step";
+  return setting("from_unit") + " says what it is in, or " + setting("scale") + " brings it there";
+}
+
+/// What is said of a NetCDF's variable of rain.
+std::string netcdf_in_words(const NetcdfRainfall& table, const std::optional<RainUnit>& unit,
+                            const ReadingsOptions& options) {
+  std::string words = "rain of a NetCDF of stations: " + table.header()[2];
+  if (unit) words += ", in " + unit->name();
+  const bool is_told = unit && !options.from_unit && !options.scale;
+  const std::string to = is_told ? conversion_from(*unit, options).unit : std::string();
+  if (is_told && to != unit->name()) words += ", converted to " + to;
+  const std::string& bounds = table.times().bounds_in_words();
+  return bounds.empty() ? words : words + "; " + bounds;
+}
+
+/// Opens a NetCDF of stations, whose variable says its unit, and the bounds of its times, where
+/// there are any, what these are of their steps.
 RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warnings& warnings) {
   auto table = std::make_unique<NetcdfRainfall>(file, options.value_field);
   const std::string& name = table->header()[2];
   const std::string& units = table->units();
-  const auto unit = rain_unit(units);
+  const auto unit = rain_unit(udunits_with_quotients(units));
   if (!units.empty() && !unit && !options.from_unit && !options.scale) {
     throw Error({file, 0,
                  "its variable " + quoted(name, 60) + " is in " + quoted(units, 40) +
                      ", which is no unit of rain that is known",
-                 setting("from_unit") + " says what it is in, or " + setting("scale") +
-                     " brings it there"});
+                 hint_for_unit(units)});
   }
-  warnings.add_notice({file, 0,
-                       "read as a NetCDF of stations: rain is " + name +
-                           (unit ? ", in " + unit->name() : std::string()),
-                       ""});
+  warnings.add_notice({file, 0, netcdf_in_words(*table, unit, options), ""});
   options.station_field = "station";
   options.time_fields = {"time"};
   options.value_field = name;
+  options.stamp = table->times().stamp();
   if (!options.from_unit && !options.scale) options.from_unit = unit;
   return {std::move(table), std::move(options)};
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "base/interrupt.h"
-#include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "text/field_names.h"
@@ -16,7 +16,6 @@
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day_seconds = 86'400;
 constexpr std::size_t block_size = std::size_t{1} << 18U;  ///< values that are read at once
 
 constexpr std::array<std::string_view, 9> rain_names = {"precipitation_amount",
@@ -34,57 +33,13 @@ bool is_among(std::string_view name, const Names& names) {
   return std::ranges::any_of(names, [&](std::string_view one) { return same_name(name, one); });
 }
 
-/// What times are counted in, and from when.
-struct TimeUnit {
-  double seconds = 1;
-  std::int64_t origin = 0;
-};
-
-TimeUnit time_unit(const NetcdfStations& stations) {
-  const std::string text = stations.attribute(stations.time()->number, "units");
-  const std::size_t since = text.find(" since ");
-  const std::string unit = lower_case(trimmed(std::string_view(text).substr(0, since)));
-  TimeUnit found;
-  if (unit.starts_with('d')) {
-    found.seconds = day_seconds;
-  } else if (unit.starts_with('h')) {
-    found.seconds = 3600;
-  } else if (unit.starts_with("min")) {
-    found.seconds = 60;
-  } else if (!unit.starts_with('s')) {
-    stations.fail("times are counted in " + quoted(unit, 40) + ", which is not known");
-  }
-  std::string_view origin = trimmed(std::string_view(text).substr(since + 7));
-  for (const std::string_view zone : {"UTC", "Z", "+00:00", "+0:00", "GMT"}) {
-    if (origin.ends_with(zone)) origin = trimmed(origin.substr(0, origin.size() - zone.size()));
-  }
-  if (origin.ends_with(".0")) origin.remove_suffix(2);
-  const ParsedTime read = parse_iso_time(origin);
-  if (!read) stations.fail("times are counted from " + quoted(origin, 40) + ", which is no time");
-  found.origin = clock_seconds(read.time);
-  return found;
-}
-
-void require_calendar(const NetcdfStations& stations) {
-  const std::string calendar = lower_case(stations.attribute(stations.time()->number, "calendar"));
-  for (const std::string_view known : {"", "standard", "gregorian", "proleptic_gregorian"}) {
-    if (calendar == known) return;
-  }
-  stations.fail("its calendar is " + quoted(calendar, 40) + ", whose days are not ours");
-}
-
 }  // namespace
 
 NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable)
     : file_(std::move(file)), variable_(std::move(variable)), stations_(file_) {
   stations_.find();
-  if (stations_.time() == nullptr) stations_.fail("it has no variable of times");
-  require_calendar(stations_);
+  times_.emplace(stations_);
   find_layout();
-  const TimeUnit unit = time_unit(stations_);
-  seconds_ = unit.seconds;
-  origin_ = unit.origin;
-  dates_ = seconds_ == day_seconds && origin_ % day_seconds == 0;
 }
 
 std::unique_ptr<Table> NetcdfRainfall::again() const {
@@ -95,7 +50,6 @@ void NetcdfRainfall::find_layout() {
   const NetcdfStations::Variable& time = *stations_.time();
   const int station = stations_.dimension();
   std::vector<int> wanted = time.dimensions;
-  if (wanted.empty() || wanted.size() > 2) stations_.fail("its times have no dimension");
   if (wanted.size() == 2) {
     layout_ = Layout::time_of_station;
     if (wanted[0] != station) stations_.fail("the first dimension of its times is no station");
@@ -159,8 +113,8 @@ bool NetcdfRainfall::next(Row& row) {
     if (!load_block()) return false;
   }
   const Entry& entry = block_[next_++];
-  time_ = time_of(entry.time);
-  value_ = text_of(entry.value);
+  time_ = times_->text_of(entry.time);
+  value_ = is_there(entry.value) ? shortest_text(entry.value * scale_ + offset_) : std::string();
   row.line = entry.number;
   row.padded = false;
   row.fields = {stations_.ids()[entry.station], time_, value_};
@@ -209,7 +163,7 @@ bool NetcdfRainfall::load_times() {
   if (done_ == time_count_ || stations == 0) return false;
   const std::size_t count =
       std::min(time_count_ - done_, std::max<std::size_t>(1, block_size / stations));
-  const std::vector<double> times = part_of(stations_.time()->number, done_, count);
+  const std::vector<double> times = times_->read({&done_, 1}, {&count, 1});
   std::vector<double> values(count * stations);
   const bool one = stations_.dimension() < 0;
   std::array<std::size_t, 2> begin = {time_first_ || one ? done_ : 0, time_first_ ? 0 : done_};
@@ -234,13 +188,13 @@ bool NetcdfRainfall::load_station() {
   const std::size_t count = is_ragged ? row_sizes_[done_] : time_count_;
   if (is_ragged && (count > time_count_ || passed_ > time_count_ - count))
     stations_.fail("its stations have more observations than there are");
-  std::vector<double> times(count);
   std::vector<double> values(count);
   const std::array<std::size_t, 2> begin = {is_ragged ? passed_ : done_, 0};
   const std::array<std::size_t, 2> size = {is_ragged ? count : 1, count};
+  const std::size_t rank = is_ragged ? 1 : 2;
+  const std::vector<double> times =
+      times_->read(std::span(begin).first(rank), std::span(size).first(rank));
   if (count > 0) {
-    stations_.check(nc_get_vara_double(stations_.file(), stations_.time()->number, begin.data(),
-                                       size.data(), times.data()));
     stations_.check(
         nc_get_vara_double(stations_.file(), rain_, begin.data(), size.data(), values.data()));
   }
@@ -257,7 +211,7 @@ bool NetcdfRainfall::load_station() {
 bool NetcdfRainfall::load_observations() {
   if (done_ == time_count_) return false;
   const std::size_t count = std::min(time_count_ - done_, block_size);
-  const std::vector<double> times = part_of(stations_.time()->number, done_, count);
+  const std::vector<double> times = times_->read({&done_, 1}, {&count, 1});
   const std::vector<double> values = part_of(rain_, done_, count);
   const std::vector<double> index = part_of(index_, done_, count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -276,17 +230,8 @@ std::vector<double> NetcdfRainfall::part_of(int variable, std::size_t begin,
   return values;
 }
 
-std::string NetcdfRainfall::time_of(double time) const {
-  const double seconds = time * seconds_;
-  if (!(std::abs(seconds) < 1e12)) stations_.fail("no time: " + shortest_text(time));
-  const std::int64_t moment = origin_ + std::llround(seconds);
-  const bool is_date = dates_ && moment % day_seconds == 0;
-  return time_text(moment, is_date ? TimePrecision::day : TimePrecision::instant);
-}
-
-std::string NetcdfRainfall::text_of(double value) const {
-  if (std::isnan(value) || value == fill_ || value == missing_) return {};
-  return shortest_text(value * scale_ + offset_);
+bool NetcdfRainfall::is_there(double value) const {
+  return !std::isnan(value) && value != fill_ && value != missing_;
 }
 
 }  // namespace thiessen

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "files/tables/netcdf_stations.h"
+#include "files/tables/netcdf_times.h"
 #include "text/table.h"
 
 namespace thiessen {
@@ -19,8 +19,7 @@ namespace thiessen {
 /// Memory: a block of times.
 class NetcdfRainfall : public Table {
  public:
-  /// Throws Error where the file is damaged, there is no such variable, or
-  /// times are of a calendar that has other days than ours.
+  /// Throws Error where the file is damaged, there is no such variable, or as NetcdfTimes does.
   NetcdfRainfall(std::string file, std::string variable);
 
   const std::string& file() const override { return file_; }
@@ -33,6 +32,7 @@ class NetcdfRainfall : public Table {
 
   /// The variable's unit, as it is written; empty where none is.
   const std::string& units() const { return units_; }
+  const NetcdfTimes& times() const { return *times_; }
 
  private:
   /// How the series stand in the variable.
@@ -45,17 +45,17 @@ class NetcdfRainfall : public Table {
   };
 
   void find_layout();
+  bool is_there(double value) const;
   bool load_block();
   bool load_times();
   bool load_station();
   bool load_observations();
   std::vector<double> part_of(int variable, std::size_t begin, std::size_t count) const;
-  std::string time_of(double time) const;
-  std::string text_of(double value) const;
 
   std::string file_;
   std::string variable_;
   NetcdfStations stations_;
+  std::optional<NetcdfTimes> times_;
   std::vector<std::string> header_;
   std::string units_;
   int rain_ = -1;
@@ -67,9 +67,6 @@ class NetcdfRainfall : public Table {
   std::optional<double> fill_, missing_;
   double scale_ = 1;
   double offset_ = 0;
-  double seconds_ = 1;       ///< of the unit in which times are counted
-  std::int64_t origin_ = 0;  ///< from which they are, in seconds from the beginning of 1970
-  bool dates_ = true;        ///< midnights are dates
 
   std::size_t done_ = 0;    ///< times, stations or observations
   std::size_t passed_ = 0;  ///< observations of the stations before

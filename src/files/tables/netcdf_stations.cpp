@@ -100,6 +100,21 @@ std::optional<double> NetcdfStations::number(int variable, const char* name) con
   return value;
 }
 
+std::vector<double> NetcdfStations::numbers(int variable, const char* name) const {
+  nc_type type = NC_NAT;
+  std::size_t length = 0;
+  if (nc_inq_att(file_, variable, name, &type, &length) != NC_NOERR) return {};
+  std::vector<double> values(length);
+  if (nc_get_att_double(file_, variable, name, values.data()) != NC_NOERR) return {};
+  return values;
+}
+
+nc_type NetcdfStations::type_of(int variable, const char* name) const {
+  nc_type type = NC_NAT;
+  if (nc_inq_atttype(file_, variable, name, &type) != NC_NOERR) return NC_NAT;
+  return type;
+}
+
 std::size_t NetcdfStations::length_of(int dimension) const {
   std::size_t length = 0;
   check(nc_inq_dimlen(file_, dimension, &length));

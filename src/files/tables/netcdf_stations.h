@@ -53,6 +53,10 @@ class NetcdfStations {
   /// An attribute of a variable that is a text; empty where it has none.
   std::string attribute(int variable, const char* name) const;
   std::optional<double> number(int variable, const char* name) const;
+  /// An attribute that is numbers; none where there is none such.
+  std::vector<double> numbers(int variable, const char* name) const;
+  /// The type of an attribute; NC_NAT where there is none.
+  nc_type type_of(int variable, const char* name) const;
   std::size_t length_of(int dimension) const;
   std::string name_of_dimension(int dimension) const;
   std::vector<double> all_of(const Variable& variable) const;

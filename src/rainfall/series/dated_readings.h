@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/patience.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "rainfall/series/time_range.h"
 
 namespace thiessen {
@@ -39,6 +40,7 @@ class DatedReadings : public Readings {
   bool next(TimeStep& step) override;
   bool is_waiting(std::chrono::milliseconds patience) override;
   std::string unit() const override { return all_->unit(); }
+  std::optional<Stamp> stamp() const override { return all_->stamp(); }
   double share_read() const override { return all_->share_read(); }
 
  private:

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/iso_time.h"
+#include "rainfall/series/stamp.h"
 
 namespace thiessen {
 
@@ -48,6 +49,8 @@ class Readings {
   virtual bool is_waiting(std::chrono::milliseconds /*patience*/) { return false; }
   /// What the readings are in, such as mm; empty where that is not known.
   virtual std::string unit() const { return {}; }
+  /// What the times are of their steps, where the input itself says it.
+  virtual std::optional<Stamp> stamp() const { return std::nullopt; }
   /// The share of the input that has been read, from 0 to 1; NaN where its length is not known.
   /// Only the thread that reads may ask; other threads ask WatchedReadings.
   virtual double share_read() const { return std::numeric_limits<double>::quiet_NaN(); }

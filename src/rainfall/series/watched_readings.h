@@ -6,10 +6,12 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 
 namespace thiessen {
 
@@ -29,6 +31,7 @@ class WatchedReadings : public Readings {
     return all_->is_waiting(patience);
   }
   std::string unit() const override { return all_->unit(); }
+  std::optional<Stamp> stamp() const override { return all_->stamp(); }
   double share_read() const override { return share_.load(std::memory_order_relaxed); }
   /// The share of the input that the first `steps` steps make up, if steps are of equal length.
   double share_of(std::size_t steps) const {

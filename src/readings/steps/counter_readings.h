@@ -14,6 +14,7 @@
 #include "base/iso_time.h"
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/steps/usual_step.h"
 
 namespace thiessen {
@@ -39,6 +40,7 @@ class CounterReadings : public Readings {
   bool is_waiting(std::chrono::milliseconds patience) override {
     return ahead_.empty() && !failure_ && all_->is_waiting(patience);
   }
+  std::optional<Stamp> stamp() const override { return all_->stamp(); }
   double share_read() const override { return all_->share_read(); }
 
  private:

@@ -4,10 +4,12 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/error.h"
 #include "rainfall/series/readings.h"
+#include "rainfall/series/stamp.h"
 #include "readings/steps/given_steps.h"
 
 namespace thiessen {
@@ -24,6 +26,7 @@ class FreshReadings : public Readings {
   bool next(TimeStep& step) override;
   bool is_waiting(std::chrono::milliseconds patience) override;
   std::string unit() const override { return all_->unit(); }
+  std::optional<Stamp> stamp() const override { return all_->stamp(); }
   double share_read() const override { return all_->share_read(); }
 
  private:

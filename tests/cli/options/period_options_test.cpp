@@ -1,5 +1,8 @@
 #include "cli/options/period_options.h"
 
+#include <optional>
+
+#include "base/complaints.h"
 #include "cli/options/given_options.h"
 
 namespace thiessen::cli {
@@ -65,6 +68,20 @@ TEST(PeriodOptions, may_be_the_range_alone) {
   EXPECT_EQ(range.refusal({"--every", "day"}), "unknown option '--every'");
   EXPECT_EQ(range.refusal({"--from", "2013"}), "");
   EXPECT_EQ(range.contradiction(), "");
+}
+
+TEST(PeriodOptions, take_from_the_readings_what_times_are_of_their_steps) {
+  Periods untold;
+  untold.read({"--every", "day"});
+  untold.block.settle_stamp(Stamp::end, "r.nc");
+  EXPECT_EQ(untold.block.totalling().value().stamp, Stamp::end);
+  Periods unknown;
+  unknown.read({"--every", "day", "--stamp", "end"});
+  unknown.block.settle_stamp(std::nullopt, "r.csv");
+  unknown.block.settle_stamp(Stamp::end, "r.nc");
+  EXPECT_EQ(unknown.block.totalling().value().stamp, Stamp::end);
+  EXPECT_TRUE(contains(complaint_of([&] { unknown.block.settle_stamp(Stamp::begin, "r.nc"); }),
+                       "r.nc: the bounds of its times say that these begin their steps"));
 }
 
 }  // namespace
