@@ -323,7 +323,8 @@ std::string formats_section() {
              "times have bounds, these say whether they begin or end their steps, and --stamp may "
              "not say otherwise; where they do neither, as in the middle, the beginning of its "
              "bounds stands for each. Times are counted in days, hours, minutes or seconds; a "
-             "zone behind their origin other than UTC is written with each.");
+             "zone behind their origin other than UTC is written with each. What lies outside "
+             "valid_range, valid_min or valid_max is missing, with a warning.");
 }
 
 std::string study_file_section() {

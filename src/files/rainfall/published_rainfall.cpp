@@ -116,7 +116,7 @@ std::string netcdf_in_words(const NetcdfRainfall& table, const std::optional<Rai
 /// Opens a NetCDF of stations, whose variable says its unit, and the bounds of its times, where
 /// there are any, what these are of their steps.
 RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warnings& warnings) {
-  auto table = std::make_unique<NetcdfRainfall>(file, options.value_field);
+  auto table = std::make_unique<NetcdfRainfall>(file, options.value_field, warnings);
   const std::string& name = table->header()[2];
   const std::string& units = table->units();
   const auto unit = rain_unit(udunits_with_quotients(units));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -28,6 +29,12 @@ constexpr std::array<std::string_view, 9> rain_names = {"precipitation_amount",
                                                         "precipitation_flux",
                                                         "rainfall_flux"};
 
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool is_real(nc_type type) {
+  return type == NC_FLOAT || type == NC_DOUBLE;
+}
+
 template <typename Names>
 bool is_among(std::string_view name, const Names& names) {
   return std::ranges::any_of(names, [&](std::string_view one) { return same_name(name, one); });
@@ -35,15 +42,25 @@ bool is_among(std::string_view name, const Names& names) {
 
 }  // namespace
 
-NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable)
-    : file_(std::move(file)), variable_(std::move(variable)), stations_(file_) {
+NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable, Warnings& warnings)
+    : NetcdfRainfall(std::move(file), std::move(variable), warnings,
+                     std::make_shared<bool>(false)) {}
+
+NetcdfRainfall::NetcdfRainfall(std::string file, std::string variable, Warnings& warnings,
+                               std::shared_ptr<bool> has_told)
+    : file_(std::move(file)),
+      variable_(std::move(variable)),
+      warnings_(warnings),
+      has_told_(std::move(has_told)),
+      stations_(file_) {
   stations_.find();
   times_.emplace(stations_);
   find_layout();
+  find_valid_range();
 }
 
 std::unique_ptr<Table> NetcdfRainfall::again() const {
-  return std::make_unique<NetcdfRainfall>(file_, variable_);
+  return std::unique_ptr<Table>(new NetcdfRainfall(file_, variable_, warnings_, has_told_));
 }
 
 void NetcdfRainfall::find_layout() {
@@ -96,6 +113,7 @@ void NetcdfRainfall::find_layout() {
                    setting("value_field") + " names it");
   }
   rain_ = found->number;
+  rain_type_ = found->type;
   time_first_ = found->dimensions.size() == 2 && found->dimensions != wanted;
   header_ = {"station", "time", found->name};
   units_ = stations_.attribute(rain_, "units");
@@ -105,16 +123,68 @@ void NetcdfRainfall::find_layout() {
   offset_ = stations_.number(rain_, "add_offset").value_or(0);
 }
 
+/// Finds between which numbers values are valid. These are numbers as they are stored, but where
+/// they are of a wider type than stored values that have a scale.
+void NetcdfRainfall::find_valid_range() {
+  std::vector<double> range = stations_.numbers(rain_, "valid_range");
+  const char* name = "valid_range";
+  if (range.size() != 2) {
+    const auto least = stations_.number(rain_, "valid_min");
+    const auto most = stations_.number(rain_, "valid_max");
+    if (!least && !most) return;
+    name = !most ? "valid_min" : !least ? "valid_max" : "valid_min and valid_max";
+    range = {least.value_or(-infinite), most.value_or(infinite)};
+  }
+  const bool is_packed = scale_ != 1 || offset_ != 0;
+  bool is_real_there = false;
+  for (const char* one : {"valid_range", "valid_min", "valid_max"})
+    is_real_there = is_real_there || is_real(stations_.type_of(rain_, one));
+  valid_ = {range[0], range[1], is_packed && is_real_there && !is_real(rain_type_), name};
+}
+
+/// Whether a value is one that the file itself calls invalid.
+bool NetcdfRainfall::is_outside(double value) const {
+  const double amount = valid_.is_of_amounts ? value * scale_ + offset_ : value;
+  return amount < valid_.least || amount > valid_.most;
+}
+
+/// Takes note of a value that is invalid, for what is said at the end.
+void NetcdfRainfall::note_outside(const Entry& entry) {
+  if (outside_++ > 0) return;
+  first_outside_ =
+      place(entry.number).words + ", is " + shortest_text(entry.value * scale_ + offset_);
+}
+
+/// Says once that values were left out, at the end of whichever reading of the file comes there
+/// first.
+void NetcdfRainfall::tell_outside() {
+  if (outside_ == 0 || std::exchange(*has_told_, true)) return;
+  warnings_.add({file_, 0,
+                 first_outside_ + ", outside what its " + valid_.attribute + " allows" +
+                     (outside_ > 1 ? ", the first of " + std::to_string(outside_) : "") +
+                     ": taken for missing",
+                 ""});
+}
+
 bool NetcdfRainfall::next(Row& row) {
   while (next_ == block_.size()) {
     throw_if_interrupted();
     block_.clear();
     next_ = 0;
-    if (!load_block()) return false;
+    if (load_block()) continue;
+    tell_outside();
+    return false;
   }
   const Entry& entry = block_[next_++];
   time_ = times_->text_of(entry.time);
-  value_ = is_there(entry.value) ? shortest_text(entry.value * scale_ + offset_) : std::string();
+  value_.clear();
+  if (is_there(entry.value)) {
+    if (is_outside(entry.value)) {
+      note_outside(entry);
+    } else {
+      value_ = shortest_text(entry.value * scale_ + offset_);
+    }
+  }
   row.line = entry.number;
   row.padded = false;
   row.fields = {stations_.ids()[entry.station], time_, value_};

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "files/tables/netcdf_stations.h"
 #include "files/tables/netcdf_times.h"
 #include "text/table.h"
@@ -16,11 +18,13 @@ namespace thiessen {
 /// The variable is the one that is named, else one whose standard name or name
 /// is rain's, else the only one of all stations and times. Series may stand in
 /// one or two dimensions of time, or as ragged arrays, contiguous or indexed.
+/// Values outside the valid range that the file gives are missing, which is told at the end.
 /// Memory: a block of times.
 class NetcdfRainfall : public Table {
  public:
   /// Throws Error where the file is damaged, there is no such variable, or as NetcdfTimes does.
-  NetcdfRainfall(std::string file, std::string variable);
+  /// `warnings` must outlive this object and those that `again` opens.
+  NetcdfRainfall(std::string file, std::string variable, Warnings& warnings);
 
   const std::string& file() const override { return file_; }
   const std::vector<std::string>& header() const override { return header_; }
@@ -44,8 +48,22 @@ class NetcdfRainfall : public Table {
     std::size_t number;  ///< of the value in its variable, from 1
   };
 
+  /// Between which values are valid, both included.
+  struct ValidRange {
+    double least = -std::numeric_limits<double>::infinity();
+    double most = std::numeric_limits<double>::infinity();
+    bool is_of_amounts = false;  ///< and not of numbers as they are stored
+    std::string attribute = {};  ///< which says so
+  };
+
+  NetcdfRainfall(std::string file, std::string variable, Warnings& warnings,
+                 std::shared_ptr<bool> has_told);
   void find_layout();
+  void find_valid_range();
   bool is_there(double value) const;
+  bool is_outside(double value) const;
+  void note_outside(const Entry& entry);
+  void tell_outside();
   bool load_block();
   bool load_times();
   bool load_station();
@@ -54,6 +72,8 @@ class NetcdfRainfall : public Table {
 
   std::string file_;
   std::string variable_;
+  Warnings& warnings_;
+  std::shared_ptr<bool> has_told_;  ///< of values outside the valid range, this table or another
   NetcdfStations stations_;
   std::optional<NetcdfTimes> times_;
   std::vector<std::string> header_;
@@ -67,6 +87,10 @@ class NetcdfRainfall : public Table {
   std::optional<double> fill_, missing_;
   double scale_ = 1;
   double offset_ = 0;
+  nc_type rain_type_ = NC_NAT;
+  ValidRange valid_;
+  std::size_t outside_ = 0;  ///< values
+  std::string first_outside_;
 
   std::size_t done_ = 0;    ///< times, stations or observations
   std::size_t passed_ = 0;  ///< observations of the stations before
