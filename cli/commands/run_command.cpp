@@ -18,9 +18,11 @@
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/rain_table.h"
 #include "cli/outputs/summary.h"
+#include "cli/terminal/line_width.h"
 #include "cli/terminal/progress.h"
 #include "rainfall/errors/mean_error.h"
 #include "rainfall/series/gauge_readings.h"
+#include "results/summary_file.h"
 #include "results/weights_file.h"
 
 namespace thiessen::cli {
@@ -43,9 +45,8 @@ class RunCommand : public Command {
 
   const char* name() const override { return "run"; }
   const char* description() const override {
-    return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, a summary, "
-           "and the "
-           "study.toml that repeats it";
+    return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, summary.csv, "
+           "which is also printed, and the study.toml that repeats it";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -70,6 +71,7 @@ class RunCommand : public Command {
     OutputFile& weights_file = outputs.add(output_.output + "/weights.csv");
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
+    OutputFile& summary_file = outputs.add(output_.output + "/summary.csv");
     outputs.add(output_.output + "/study.toml")
         .append(study_file_text(options(), name(), output_.output, warnings));
 
@@ -98,7 +100,6 @@ class RunCommand : public Command {
             means.add(step.readings);
             means.note(step.time, calendar_time(step.time, step.written));
             progress.advance();
-            if (common_.quiet) return;
             error.add(step.readings);
             summary.add(step);
           });
@@ -106,11 +107,10 @@ class RunCommand : public Command {
     series.finish(warnings);
     GaugeReadings mean = means.of_all();
     if (rainfall_.is_event()) mean.label = rainfall_.event();
-    if (!common_.quiet) {
-      if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
-      std::vector<double> errors = error.result(threads);
-      summary.set_errors_of_mean(std::move(errors), error.shortfall());
-    }
+    if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
+    std::vector<double> errors = error.result(threads);
+    summary.set_errors_of_mean(std::move(errors), error.shortfall());
+    write_summary(summary_file, summary.basins(), inputs.area_unit());
     const auto cells = cells_of_network(inputs, threads);
     const CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
     cells_file.append(cells_geojson(output, cells_file.name(), warnings));
@@ -118,7 +118,7 @@ class RunCommand : public Command {
     warn_of_own_coordinates(inputs, cells_file.name(), warnings);
     map_file.append(encode_picture(picture_of(inputs, cells, &mean, study_, view_),
                                    PictureFormat::png, warnings));
-    if (!common_.quiet) outputs.add("-").append(summary.text(view_.units));
+    if (!common_.quiet) outputs.add("-").append(summary.text(view_.units, line_width()));
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

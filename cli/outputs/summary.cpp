@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/number.h"
-#include "cli/outputs/text_table.h"
+#include "cli/outputs/fitted_table.h"
+#include "cli/outputs/summary_columns.h"
 #include "rainfall/influence/search_budget.h"
 
 namespace thiessen::cli {
@@ -37,34 +37,31 @@ void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned thre
                                           spacing_within(work, share_of_search), threads);
 }
 
-std::string Summary::most_influential(std::size_t basin, const std::string& unit) const {
-  if (basin >= influence_.gauges.size() || !(influence_.gauges[basin].rms_change > 0)) return "-";
-  const MostInfluential& gauge = influence_.gauges[basin];
-  return printable(inputs_.network().stations()[index(gauge.station)].id) + " (" +
-         fixed_text(gauge.rms_change, 2) + unit + ")";
+std::vector<BasinSummary> Summary::basins() const {
+  std::vector<BasinSummary> summaries;
+  for (std::size_t b = 0; b < weights_.size(); ++b) {
+    BasinSummary& summary = summaries.emplace_back();
+    summary.basin = inputs_.basins()[b].id;
+    summary.area = weights_[b].area * inputs_.area_unit().km2;
+    summary.gauges_inside = findings_.basins[b].gauges_inside;
+    summary.gauges_weighing = weights_[b].stations.size();
+    summary.largest_weight = findings_.basins[b].largest_weight;
+    const RainStatistics::OfBasin& rain = statistics_.basins()[b];
+    summary.empty_steps = rain.empty;
+    if (rain.values > 0) {
+      summary.mean = rain.mean();
+      summary.largest = rain.largest;
+      if (b < errors_.size() && !std::isnan(errors_[b])) summary.standard_error = errors_[b];
+    }
+    if (b >= influence_.gauges.size() || !(influence_.gauges[b].rms_change > 0)) continue;
+    summary.most_influential = inputs_.network().stations()[index(influence_.gauges[b].station)].id;
+    summary.influence = influence_.gauges[b].rms_change;
+  }
+  return summaries;
 }
 
-std::string Summary::text(const std::string& units) const {
-  const std::string unit = units.empty() ? "" : " " + printable(units);
-  std::vector<std::vector<std::string>> rows;
-  rows.push_back({"basin", inputs_.area_unit().known() ? "area km2" : "area", "gauges inside",
-                  "weighing", "largest weight", "mean" + unit, "standard error" + unit,
-                  "largest" + unit, "empty steps", "most influential gauge"});
-  for (std::size_t b = 0; b < weights_.size(); ++b) {
-    const RainStatistics::OfBasin& rain = statistics_.basins()[b];
-    const bool has_values = rain.values > 0;
-    const bool has_error = has_values && b < errors_.size() && !std::isnan(errors_[b]);
-    rows.push_back({printable(inputs_.basins()[b].id),
-                    fixed_text(weights_[b].area * inputs_.area_unit().km2, 2),
-                    std::to_string(findings_.basins[b].gauges_inside),
-                    std::to_string(weights_[b].stations.size()),
-                    fixed_text(findings_.basins[b].largest_weight, 3),
-                    has_values ? fixed_text(rain.mean(), 2) : "-",
-                    has_error ? fixed_text(errors_[b], 2) : "-",
-                    has_values ? fixed_text(rain.largest, 2) : "-", std::to_string(rain.empty),
-                    most_influential(b, unit)});
-  }
-  std::string text = aligned(rows);
+std::string Summary::remarks() const {
+  std::string text;
   if (!shortfall_.empty()) text += "No standard errors: " + shortfall_ + ".\n";
   if (influence_.gauges.empty() && statistics_.steps() > 0) {
     text +=
@@ -75,6 +72,13 @@ std::string Summary::text(const std::string& units) const {
             " steps, evenly spaced: looking for them may take a tenth of a run.\n";
   }
   return text;
+}
+
+std::string Summary::text(const std::string& units, std::size_t width) const {
+  const std::vector<BasinSummary> summaries = basins();
+  const std::string unit = units.empty() ? "" : " " + printable(units);
+  const std::string area = inputs_.area_unit().known() ? "area km2" : "area";
+  return fitted(summary_columns(summaries, area, unit), width) + remarks();
 }
 
 }  // namespace thiessen::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "rainfall/influence/most_influential.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/rain_statistics.h"
+#include "results/summary_file.h"
 #include "study/weight_findings.h"
 
 namespace thiessen::cli {
@@ -28,11 +30,15 @@ class Summary {
   }
   /// Looks for the most influential gauge of each basin; call it when all steps have been added.
   void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
-  /// Lines of aligned columns.
-  std::string text(const std::string& units) const;
+  /// What it comes to, by basin.
+  std::vector<BasinSummary> basins() const;
+  /// The same in lines of aligned columns, as wide as fitted() makes them for `width`, and what is
+  /// to be said of it. Rainfall and errors have as many decimals as the errors tell them to; all
+  /// digits are in summary.csv.
+  std::string text(const std::string& units, std::size_t width) const;
 
  private:
-  std::string most_influential(std::size_t basin, const std::string& unit) const;
+  std::string remarks() const;
 
   const Inputs& inputs_;
   const std::vector<BasinWeights>& weights_;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "cli/outputs/given_inputs.h"
-#include "cli/outputs/text_table.h"
 
 namespace thiessen::cli {
 namespace {
@@ -22,13 +21,6 @@ RainStep step(double a, double b, double rainfall) {
   return step;
 }
 
-std::vector<std::vector<std::string>> table(const std::vector<std::string>& of_basin,
-                                            const std::string& unit = " mm") {
-  return {{"basin", "area", "gauges inside", "weighing", "largest weight", "mean" + unit,
-           "standard error" + unit, "largest" + unit, "empty steps", "most influential gauge"},
-          of_basin};
-}
-
 // The weights are 0.4 and 0.6. Without B the means of 16 and 18 become 10 and 30, and without A 20
 // and 10: root mean squares of 9.49 and 6.32.
 TEST(Summary, tells_of_each_basin_what_the_series_comes_to) {
@@ -40,8 +32,24 @@ TEST(Summary, tells_of_each_basin_what_the_series_comes_to) {
   summary.add(step(silent, silent, silent));
   summary.set_errors_of_mean({0.5}, "");
   summary.find_most_influential(rainfall, 1);
-  EXPECT_EQ(summary.text("mm"), aligned(table({"Q", "40.00", "2", "2", "0.600", "17.00", "0.50",
-                                               "18.00", "1", "B (9.49 mm)"})));
+  const BasinSummary found = summary.basins().at(0);
+  EXPECT_EQ(found.basin, "Q");
+  EXPECT_DOUBLE_EQ(found.area, 40);
+  EXPECT_EQ(found.gauges_inside, 2U);
+  EXPECT_EQ(found.gauges_weighing, 2U);
+  EXPECT_NEAR(found.largest_weight, 0.6, 1e-12);
+  EXPECT_EQ(found.mean, 17);
+  EXPECT_EQ(found.standard_error, 0.5);
+  EXPECT_EQ(found.largest, 18);
+  EXPECT_EQ(found.empty_steps, 1U);
+  EXPECT_EQ(found.most_influential, "B");
+  EXPECT_NEAR(found.influence, 9.4868, 1e-4);
+  EXPECT_EQ(
+      summary.text("mm", 80),
+      "               gauges                   std.                     most  moves\n"
+      "             inside /  largest   mean  error  largest  empty  influential     it\n"
+      "basin   area     used   weight     mm     mm       mm  steps  gauge           mm\n"
+      "Q      40.00    2 / 2    0.600  17.00   0.50    18.00      1  B              9.5\n");
 }
 
 TEST(Summary, leaves_out_what_there_is_none_of) {
@@ -51,20 +59,22 @@ TEST(Summary, leaves_out_what_there_is_none_of) {
   summary.add(step(silent, silent, silent));
   summary.set_errors_of_mean({silent}, "no two gauges report");
   summary.find_most_influential(rainfall, 1);
-  EXPECT_EQ(summary.text(""),
-            aligned(table({"Q", "40.00", "2", "2", "0.600", "-", "-", "-", "1", "-"}, "")) +
-                "No standard errors: no two gauges report.\n");
+  const BasinSummary found = summary.basins().at(0);
+  EXPECT_FALSE(found.mean || found.standard_error || found.largest);
+  EXPECT_EQ(found.most_influential, "");
+  EXPECT_TRUE(summary.text("", 80).ends_with("No standard errors: no two gauges report.\n"));
 }
 
 TEST(Summary, says_why_no_gauge_is_the_most_influential) {
   const GivenInputs given;
   const ArealRainfall rainfall(given.inputs.weighing(), {}, 1);
   Summary summary(given.inputs, rainfall.full_weights());
-  EXPECT_EQ(summary.text("").find("--gaps"), std::string::npos) << "without a step there is none";
+  EXPECT_EQ(summary.text("", 80).find("--gaps"), std::string::npos)
+      << "without a step there is none";
   summary.add(step(1, 1, 1));
   EXPECT_TRUE(
-      summary.text("").ends_with("The most influential gauges are told with --gaps "
-                                 "retessellate and without --min-gauges.\n"));
+      summary.text("", 80).ends_with("The most influential gauges are told with --gaps "
+                                     "retessellate and without --min-gauges.\n"));
 }
 
 // It looks at 4,096 steps at most.
@@ -74,18 +84,18 @@ TEST(Summary, says_in_how_many_steps_it_looked_for_the_most_influential_gauge) {
   Summary summary(given.inputs, rainfall.full_weights());
   for (int i = 0; i < 5000; ++i) summary.add(step(10, 20, 16));
   summary.find_most_influential(rainfall, 1);
-  const std::string text = summary.text("mm");
+  const std::string text = summary.text("mm", 80);
   EXPECT_NE(text.find("The most influential gauges are those of "), std::string::npos) << text;
   EXPECT_NE(text.find(" of the 5000 steps, evenly spaced"), std::string::npos) << text;
-  EXPECT_NE(text.find("B (6.00 mm)"), std::string::npos) << text;
+  EXPECT_NE(text.find("6.0\n"), std::string::npos) << text;
 }
 
 TEST(Summary, has_square_kilometres_where_the_unit_is_known) {
   const GivenInputs given(files_in_utm());
   const ArealRainfall rainfall(given.inputs.weighing(), {}, 1);
-  const std::string text = Summary(given.inputs, rainfall.full_weights()).text("");
-  EXPECT_NE(text.find("area km2"), std::string::npos) << text;
-  EXPECT_NE(text.find(" 4.00 "), std::string::npos) << text;
+  const std::string text = Summary(given.inputs, rainfall.full_weights()).text("", 80);
+  EXPECT_NE(text.find("km2"), std::string::npos) << text;
+  EXPECT_NE(text.find(" 4.000 "), std::string::npos) << text;
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cli/outputs/fitted_table.h"
+#include "results/summary_file.h"
+
+namespace thiessen::cli {
+
+/// The summary of a run as columns for a reader. Rainfall and its standard errors share their
+/// decimals: two digits of the middle error and at least one of the smallest are shown or, where
+/// there are no errors, three digits of the middle mean; six decimals at most. `area` heads the
+/// areas, and `unit`, which is empty or begins with a blank, ends the headings of rainfall.
+std::vector<TableColumn> summary_columns(std::span<const BasinSummary> basins,
+                                         const std::string& area, const std::string& unit);
+
+}  // namespace thiessen::cli
