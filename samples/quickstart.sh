@@ -30,7 +30,8 @@ say
 say "The results are in $results:"
 say '   rain.csv        the rainfall of every county, month by month, in millimetres'
 say '   weights.csv     the share of each gauge in each county'
-say '   cells.geojson   the Thiessen cells, for QGIS and its like'
+say '   study.gpkg      all of it, as QGIS opens it in colour'
+say '   cells.geojson   the Thiessen cells, for whatever reads GeoJSON'
 say '   map.png         a picture of them'
 say '   study.toml      what was asked; --config takes it'
 say 'Where the figures come from: samples/colorado/README.md'

@@ -1,3 +1,5 @@
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -7,6 +9,7 @@
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
+#include "cli/options/isohyet_options.h"
 #include "cli/options/output_options.h"
 #include "cli/options/period_options.h"
 #include "cli/options/rain_format_options.h"
@@ -15,8 +18,10 @@
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
+#include "cli/outputs/held_rain.h"
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/rain_table.h"
+#include "cli/outputs/study_package_of.h"
 #include "cli/outputs/summary.h"
 #include "cli/terminal/line_width.h"
 #include "cli/terminal/progress.h"
@@ -38,6 +43,7 @@ class RunCommand : public Command {
     periods_.declare(options());
     view_.declare_look(options());
     study_.declare_label(options());
+    isohyets_.declare_study(options());
     study_.declare_attributes(options());
     output_.declare_folder(options(), "the folder; it is made if it is not there");
     common_.declare(options());
@@ -46,7 +52,8 @@ class RunCommand : public Command {
   const char* name() const override { return "run"; }
   const char* description() const override {
     return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, summary.csv, "
-           "which is also printed, and the study.toml that repeats it";
+           "which is also printed, study.gpkg with all of it for a GIS, and the study.toml that "
+           "repeats it";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -72,6 +79,7 @@ class RunCommand : public Command {
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
     OutputFile& summary_file = outputs.add(output_.output + "/summary.csv");
+    OutputFile& package_file = outputs.add(output_.output + "/study.gpkg");
     outputs.add(output_.output + "/study.toml")
         .append(study_file_text(options(), name(), output_.output, warnings));
 
@@ -87,6 +95,9 @@ class RunCommand : public Command {
 
     RainTable series(rain_file, inputs.basins(), format_.format(), periods_.totalling(),
                      rainfall_.name());
+    HeldRain held;
+    series.tell(
+        [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
     MeanReadings means(inputs.network());
     MeanError error(rainfall, inputs.weighing());
     Summary summary(inputs, rainfall.full_weights());
@@ -112,12 +123,29 @@ class RunCommand : public Command {
     summary.set_errors_of_mean(std::move(errors), error.shortfall());
     write_summary(summary_file, summary.basins(), inputs.area_unit());
     const auto cells = cells_of_network(inputs, threads);
-    const CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
+    CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
     cells_file.append(cells_geojson(output, cells_file.name(), warnings));
     warn_of_new_names(output, cells_file.name(), warnings);
     warn_of_own_coordinates(inputs, cells_file.name(), warnings);
-    map_file.append(encode_picture(picture_of(inputs, cells, &mean, study_, view_),
-                                   PictureFormat::png, warnings));
+    const Picture picture = picture_of(inputs, cells, &mean, study_, view_);
+    map_file.append(encode_picture(picture, PictureFormat::png, warnings));
+    StudyPackage package = study_package_of(inputs, std::move(output),
+                                            {.readings = &mean,
+                                             .weights = &rainfall.full_weights(),
+                                             .classes = classes_of(picture),
+                                             .unit = view_.units,
+                                             .interval = isohyets_.interval,
+                                             .threads = threads});
+    package.layers.basins = summary.basins();
+    package.layers.has_series = true;
+    if (held.is_too_long()) {
+      warnings.add_notice({package_file.name(), 0,
+                           "it has no table of the rainfall, which is of more than a million "
+                           "values; rain.csv has them",
+                           ""});
+    }
+    package.layers.rain = held.take();
+    package_file.append(study_package(std::move(package), package_file.name(), "", warnings));
     if (!common_.quiet) outputs.add("-").append(summary.text(view_.units, line_width()));
     outputs.commit();
   }
@@ -130,6 +158,7 @@ class RunCommand : public Command {
   RainFormatOptions format_;
   PeriodOptions periods_;
   ViewOptions view_;
+  IsohyetOptions isohyets_;
   OutputOptions output_;
   CommonOptions common_;
 };

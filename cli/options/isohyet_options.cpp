@@ -64,6 +64,13 @@ void IsohyetOptions::declare(OptionList& options) {
   breaks_option_ = &method.add("--breaks", rising_numbers(breaks), "the levels themselves");
 }
 
+void IsohyetOptions::declare_study(OptionList& options) {
+  interval_option_ = &options.group("Method", *this)
+                          .add("--interval", number(interval, above_zero),
+                               "the study in one file has isohyets too, of natural neighbours, at "
+                               "the multiples of this");
+}
+
 void IsohyetOptions::check() const {
   if (!surface_) {
     throw UsageError{"cells have no isohyets: rainfall jumps from one to the next",

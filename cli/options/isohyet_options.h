@@ -20,6 +20,10 @@ class IsohyetOptions : public OptionBlock {
   void declare_map(OptionList& options);
   /// Declares --method for isohyets, and their levels.
   void declare(OptionList& options);
+  /// Declares --interval for a study in one file, which has isohyets of natural neighbours where it
+  /// is given.
+  void declare_study(OptionList& options);
+  bool has_interval() const { return interval_option_ != nullptr && interval_option_->is_given(); }
   /// Throws UsageError for Thiessen's cells, which have no isohyets, and for levels that are given
   /// in two ways.
   void check() const;

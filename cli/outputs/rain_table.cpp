@@ -34,11 +34,21 @@ void RainTable::prepare(RainStep& step) const {
 void RainTable::add(const RainStep& step, std::size_t pattern) {
   if (periods_) return periods_->add(step);
   if (growth_ != nullptr && is_there(step)) return;
+  if (hear_) {
+    values_.clear();
+    for (const BasinRainfall& basin : step.basins) values_.push_back(basin.rainfall);
+    hear_(step.time, values_);
+  }
   steps_->append(with_line_ends(has_patterns_ ? steps_->text_of(step, pattern) : step.text));
 }
 
 void RainTable::add(const RainPeriod& period) {
   if (growth_ != nullptr && is_there(period)) return;
+  if (hear_) {
+    values_.clear();
+    for (const BasinTotal& total : period.basins) values_.push_back(total.rainfall);
+    hear_(period.time, values_);
+  }
   totals_->append(with_line_ends(totals_->text_of(period)));
 }
 

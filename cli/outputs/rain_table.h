@@ -1,7 +1,10 @@
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "rainfall/series/rain_periods.h"
@@ -22,6 +25,10 @@ class RainTable {
   RainTable(const RainTable&) = delete;
   RainTable& operator=(const RainTable&) = delete;
 
+  /// Has each row's time and values, by basin or by basin and method, told to `hear` as well.
+  void tell(std::function<void(const std::string& time, std::span<const double> values)> hear) {
+    hear_ = std::move(hear);
+  }
   /// Makes a step's rows ahead of time, where they need nothing that is known only in the order of
   /// the steps. Safe for several threads.
   void prepare(RainStep& step) const;
@@ -46,7 +53,8 @@ class RainTable {
   std::optional<RainTotalsFile> totals_;
   std::optional<RainPeriods> periods_;
   RainGrowth* growth_;
-  std::vector<double> values_;  ///< of the step that may be there
+  std::function<void(const std::string& time, std::span<const double> values)> hear_;
+  std::vector<double> values_;  ///< of the step that may be there, or is told
 };
 
 }  // namespace thiessen::cli

@@ -77,6 +77,10 @@ PointMapping to_study(const Inputs& inputs) {
   return mapping(inputs.study().output_crs(), inputs.study().crs);
 }
 
+PointMapping from_study(const Inputs& inputs) {
+  return mapping(inputs.study().crs, inputs.study().output_crs());
+}
+
 PixelGrid raster_grid(const Inputs& inputs, double resolution) {
   return grid_over(areas_of(inputs), resolution);
 }

@@ -21,6 +21,9 @@ std::vector<MultiPolygon> areas_of(const Inputs& inputs);
 /// A mapping from the raster's coordinates to the study's, for use by one thread.
 PointMapping to_study(const Inputs& inputs);
 
+/// A mapping the other way.
+PointMapping from_study(const Inputs& inputs);
+
 /// The pixels over the study area. `resolution` is a pixel's side; 0 gives the longer side 2,000
 /// pixels. Throws Error where there would be too many.
 PixelGrid raster_grid(const Inputs& inputs, double resolution);

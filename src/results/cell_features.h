@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/colour.h"
 #include "geometry/polygon.h"
 #include "results/provenance.h"
 #include "text/attributes.h"
@@ -27,6 +28,7 @@ struct CellFeature {
 struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
+  std::vector<Colour> colours;  ///< by cell, for formats that say them; none where there are none
   std::string area_column = "area_km2";  ///< see AreaUnit::column
   std::string rainfall_is;  ///< what the values of rainfall are: a time, or which means
   /// The stations' attributes, where every field of a station is written with its cell; else null.

@@ -2,13 +2,16 @@
 
 #include <ogr_geometry.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "base/colour.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -23,15 +26,20 @@ namespace {
 /// The cells as rows of a layer.
 class CellRows {
  public:
-  explicit CellRows(const CellFeatures& features) : features_(features) {
+  /// `is_named` adds a field `Name`, by which KML's readers call a place, unless the station has
+  /// one of its own.
+  explicit CellRows(const CellFeatures& features, bool is_named = false) : features_(features) {
     const bool has_basins = !features.cells.empty() && features.cells[0].basin.has_value();
     fields_.push_back({"station", FieldType::text});
     if (has_basins) fields_.push_back({"basin", FieldType::text});
     fields_.push_back({features.area_column, FieldType::real});
     fields_.push_back({"weight", FieldType::real});
     if (features.has_rainfall) fields_.push_back({"rainfall", FieldType::real});
-    own_fields_ = fields_.size();
     const std::vector<FieldName> attributes = attribute_fields(features);
+    const auto is_name = [](const FieldName& field) { return lower_case(field.name) == "name"; };
+    if (is_named && std::none_of(attributes.begin(), attributes.end(), is_name))
+      fields_.push_back({"Name", FieldType::text});
+    own_fields_ = fields_.size();
     fields_.insert(fields_.end(), attributes.begin(), attributes.end());
   }
 
@@ -59,6 +67,7 @@ class CellRows {
     static const std::string none;
     if (field == 0) return cell.station;
     if (field == 1 && cell.basin) return *cell.basin;
+    if (field < own_fields_ && fields_[field].name == "Name") return cell.station;
     if (field < own_fields_) return none;
     return features_.attributes->rows[cell.attribute_row][field - own_fields_];
   }
@@ -80,6 +89,17 @@ class CellRows {
   std::vector<FieldName> fields_;
   std::size_t own_fields_ = 0;  ///< how many of them are not the station's attributes
 };
+
+/// How a cell is drawn: filled so that the ground shows through, with a thin outline.
+std::string style_of(Colour colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "BRUSH(fc:#";
+  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
+    text += digits[channel >> 4U];
+    text += digits[channel & 0xFU];
+  }
+  return text + "b0);PEN(c:#404040ff,w:1px)";
+}
 
 /// A shape in EWKB: WKB with a sign in the type that an SRID follows it.
 std::string ewkb_of(const MultiPolygon& shape, int srid) {
@@ -135,6 +155,11 @@ std::vector<std::string> append_cell_rows(OutputFile& file, const CellFeatures& 
   return names;
 }
 
+bool holds_colours(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == "kml" || extension == "kmz";
+}
+
 void require_cells_driver(const std::string& path) {
   require_vector_driver(path);
 }
@@ -143,13 +168,19 @@ std::vector<EncodedFile> write_cells_layer(const CellFeatures& features,
                                            std::span<const MultiPolygon> shapes,
                                            const std::optional<Crs>& crs, const std::string& path,
                                            const std::string& older, Warnings& warnings) {
-  const CellRows rows(features);
+  const CellRows rows(features, holds_colours(path));
   VectorLayer layer;
   layer.name = "cells";
   layer.fields = rows.fields();
   layer.own_fields = rows.own_fields();
   layer.values = rows.values();
   layer.shape = [&](std::size_t row) { return ogr_shape(shapes[row]); };
+  if (holds_colours(path)) {
+    layer.style = [&](std::size_t row) {
+      constexpr Colour pale{223, 232, 238};
+      return style_of(features.colours.empty() ? pale : features.colours[row]);
+    };
+  }
   layer.made_by = features.made_by;
   layer.prove = [&](const std::string& written, const std::string& driver) {
     const auto fault = fault_after_rounding(written, driver);

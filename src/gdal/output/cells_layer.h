@@ -18,6 +18,9 @@ namespace thiessen {
 /// extensions, where none does.
 void require_cells_driver(const std::string& path);
 
+/// Whether the format of `path` says how each cell is coloured, and what it is called: KML.
+bool holds_colours(const std::string& path);
+
 /// Encodes the cells as a layer, in the format of `path`'s extension. The first file is that of
 /// `path`; others lie beside it. `shapes` are the outlines of the cells, in `crs`. `older` holds
 /// the bytes of a GeoPackage whose other layers are kept; it is empty where there is none.

@@ -91,7 +91,8 @@ CPLStringList layer_options(const VectorLayer& layer, const std::string& driver,
     options.SetNameValue("ENCODING", "UTF-8");
   if (driver == "GPKG") {
     options.SetNameValue("FID", free_name(layer, "fid").c_str());
-    options.SetNameValue("GEOMETRY_NAME", free_name(layer, "geom").c_str());
+    if (layer.shapes != VectorLayer::Shapes::none)
+      options.SetNameValue("GEOMETRY_NAME", free_name(layer, "geom").c_str());
   }
   if (driver == "SQLite" || driver == "PGDUMP") {
     options.SetNameValue("LAUNDER", "NO");

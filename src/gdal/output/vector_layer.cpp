@@ -41,6 +41,20 @@ bool is_of_loss(std::string_view warning) {
   });
 }
 
+OGRwkbGeometryType type_of_shapes(VectorLayer::Shapes shapes) {
+  switch (shapes) {
+    case VectorLayer::Shapes::polygons:
+      return wkbMultiPolygon;
+    case VectorLayer::Shapes::lines:
+      return wkbMultiLineString;
+    case VectorLayer::Shapes::points:
+      return wkbPoint;
+    case VectorLayer::Shapes::none:
+      break;
+  }
+  return wkbNone;
+}
+
 /// Writes one layer of GDAL's.
 class LayerWriter {
  public:
@@ -115,11 +129,10 @@ class LayerWriter {
       system = std::make_unique<OGRSpatialReference>();
       system->SetLocalCS("Undefined Cartesian SRS");
     }
-    const OGRwkbGeometryType type =
-        layer_.shapes == VectorLayer::Shapes::lines ? wkbMultiLineString : wkbMultiPolygon;
-    OGRLayer* layer =
-        dataset_->CreateLayer(layer_.name.c_str(), system.get(), type,
-                              layer_options(layer_, driver, crs.has_value(), path_).List());
+    const bool has_shapes = layer_.shapes != VectorLayer::Shapes::none;
+    OGRLayer* layer = dataset_->CreateLayer(
+        layer_.name.c_str(), has_shapes ? system.get() : nullptr, type_of_shapes(layer_.shapes),
+        layer_options(layer_, driver, crs.has_value(), path_).List());
     check(layer != nullptr);
     for (std::size_t i = 0; i < layer_.fields.size(); ++i) add_field(*layer, i);
     if (driver == "GPKG" && layer_.made_by) {
@@ -178,8 +191,9 @@ class LayerWriter {
   void add(OGRLayer& layer, std::size_t row) {
     const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(
         OGRFeature::CreateFeature(layer.GetLayerDefn()), OGRFeature::DestroyFeature);
-    feature->SetGeometryDirectly(layer_.shape(row).release());
+    if (auto shape = layer_.shape(row)) feature->SetGeometryDirectly(shape.release());
     for (std::size_t i = 0; i < layer_.fields.size(); ++i) set(*feature, row, i);
+    if (layer_.style) feature->SetStyleString(layer_.style(row).c_str());
     check(layer.CreateFeature(feature.get()) == OGRERR_NONE);
   }
 

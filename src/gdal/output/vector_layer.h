@@ -19,7 +19,7 @@ namespace thiessen {
 
 /// A layer of vectors that is to be written, whatever is in it.
 struct VectorLayer {
-  enum class Shapes { polygons, lines };
+  enum class Shapes { polygons, lines, points, none };
 
   std::string name;
   Shapes shapes = Shapes::polygons;
@@ -29,7 +29,10 @@ struct VectorLayer {
   std::size_t own_fields = 0;
   /// The values, with the names of `fields`.
   LayerTexts values;
+  /// The shape of a row; null where it has none.
   std::function<std::unique_ptr<OGRGeometry>(std::size_t row)> shape;
+  /// How a row is drawn, in OGR's style language, where the format can say it.
+  std::function<std::string(std::size_t row)> style{};
   std::optional<Provenance> made_by{};
   /// Asked when the file is written, with its place in memory and the driver's name: throws Error
   /// where it is not as it should be.

@@ -85,6 +85,17 @@ TEST(CellsLayer, law_1_cells_come_in_their_order) {
   }
 }
 
+// KML's colours are alpha, blue, green, red.
+TEST(CellsLayer, as_kml_has_names_and_colours) {
+  CellFeatures features = two_cells();
+  features.colours = {{1, 2, 3}, {255, 128, 0}};
+  const std::string kml = bytes(features, "c.kml");
+  EXPECT_TRUE(contains(kml, "<name>" + features.cells[0].station + "</name>")) << kml;
+  EXPECT_TRUE(contains(kml, "<color>b0030201</color>")) << kml;
+  EXPECT_TRUE(contains(kml, "<color>b00080ff</color>")) << kml;
+  EXPECT_FALSE(contains(bytes(features, "c.csv"), "Name"));
+}
+
 TEST(CellsLayer, refuses_what_the_format_would_cut_off) {
   CellFeatures features = two_cells();
   features.cells[0].station = std::string(300, 'x');
