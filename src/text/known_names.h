@@ -383,6 +383,53 @@ inline constexpr std::array<std::string_view, 48> values = {"value",
                                                             "降雨量",
                                                             "値"};
 
+/// The column of a table of one reading a row that says what each is in.
+inline constexpr std::array<std::string_view, 19> unit_columns = {"unit",
+                                                                  "units",
+                                                                  "uom",
+                                                                  "unit_of_measure",
+                                                                  "unit_of_measurement",
+                                                                  "measure_unit",
+                                                                  "measurement_unit",
+                                                                  "value_unit",
+                                                                  "value_units",
+                                                                  "unit_code",
+                                                                  "unit_cd",
+                                                                  "unit_symbol",
+                                                                  "einheit",
+                                                                  "unidad",
+                                                                  "unidade",
+                                                                  "unité",
+                                                                  "unite",
+                                                                  "unità",
+                                                                  "単位"};
+
+/// Names of the column of values that do not say of what.
+inline constexpr std::array<std::string_view, 7> bare_values = {
+    "value", "data_value", "valor", "wert", "messwert", "valeur", "値"};
+
+/// The column of a table of one reading a row that says what was measured.
+inline constexpr std::array<std::string_view, 12> measured = {
+    "parameter", "element",  "variable",  "datatype", "data_type", "param",
+    "measurand", "variavel", "parametro", "quantity", "obs_type",  "parameter_name"};
+
+/// What a line above a header calls the unit of what is below it.
+inline constexpr std::array<std::string_view, 15> unit_labels = {"unit",
+                                                                 "units",
+                                                                 "unit of measure",
+                                                                 "unit of measurement",
+                                                                 "measurement unit",
+                                                                 "data units",
+                                                                 "rain unit",
+                                                                 "rainfall unit",
+                                                                 "rainfall units",
+                                                                 "precipitation unit",
+                                                                 "precipitation units",
+                                                                 "einheit",
+                                                                 "unidad",
+                                                                 "unidade",
+                                                                 "unité"};
+
 /// Texts that mean that there is no reading, beside an empty field. Numbers among them compare as
 /// numbers.
 inline constexpr std::array<std::string_view, 8> gaps = {"NA", "N/A",  "NaN",   "null",
@@ -393,11 +440,14 @@ inline constexpr std::array<std::string_view, 5> geometries = {"wkt", "wkt_geom"
                                                                "geom", "the_geom"};
 
 /// What stands in a row of units below the header, alone or in brackets.
-inline constexpr std::array<std::string_view, 37> units = {
-    "mm",   "cm",     "m",       "in",     "inch",  "inches", "ft",     "feet",  "mm/h",  "mm/hr",
-    "mm/d", "mm/day", "in/h",    "in/hr",  "l/m2",  "l/m²",   "l/qm",   "kg/m2", "kg/m²", "kg m-2",
-    "°C",   "degC",   "deg C",   "C",      "°F",    "K",      "%",      "hPa",   "m/s",   "m s-1",
-    "°",    "deg",    "degrees", "degree", "0.1mm", "0.1 mm", "1/10 mm"};
+inline constexpr std::array<std::string_view, 53> units = {
+    "mm",       "cm",      "m",        "in",       "inch",      "inches", "ft",       "feet",
+    "mm/h",     "mm/hr",   "mm/d",     "mm/day",   "in/h",      "in/hr",  "l/m2",     "l/m²",
+    "l/qm",     "kg/m2",   "kg/m²",    "kg m-2",   "°C",        "degC",   "deg C",    "C",
+    "°F",       "K",       "%",        "hPa",      "m/s",       "m s-1",  "°",        "deg",
+    "degrees",  "degree",  "0.1mm",    "0.1 mm",   "1/10 mm",   "mm h-1", "mm hr-1",  "mm d-1",
+    "mm day-1", "mm s-1",  "mm/s",     "mm/min",   "in/d",      "in/day", "mm per h", "mm/month",
+    "mm/hour",  "in/hour", "mm/15min", "mm/10min", "kg m-2 s-1"};
 
 /// A column at the end of a table that holds nothing but its own name, or a mark of the end.
 inline constexpr std::string_view end_of_record = "eor";

@@ -56,5 +56,49 @@ TEST(RainUnit, is_taken_to_another_as_near_as_doubles_can_be) {
   EXPECT_TRUE(factor_between(*rain_unit("l/m2"), *rain_unit("mm")).is_one());
 }
 
+TEST(RainUnit, may_be_a_rate_in_several_spellings) {
+  for (const char* text : {"mm/h", "mm/hr", "mm h-1", "mm hr-1", "mm per hour", "MM / Hour",
+                           "mmh\u207b\u00b9", "mm/60min", "kg m-2 h-1", "l/m\u00b2/h"})
+    EXPECT_EQ(rain_unit(text)->name(), "mm/h") << text;
+  for (const char* text : {"mm/day", "mm d-1", "mm/24h", "mm day-1", "mm per day"})
+    EXPECT_EQ(rain_unit(text)->name(), "mm/day") << text;
+  EXPECT_EQ(rain_unit("inches per 15 minutes")->name(), "in/15min");
+  EXPECT_EQ(rain_unit("kg m-2 s-1")->name(), "mm/s");
+  EXPECT_EQ(rain_unit("mm/month")->name(), "mm/month");
+  EXPECT_EQ(rain_unit("cm/a")->name(), "cm/year");
+  EXPECT_EQ(rain_unit("mm/10")->name(), "0.1mm") << "tenths, and no time";
+  for (const char* other : {"mm/7h", "mms", "mmin", "m/", "mm/99999999999999999999h", "mm1"})
+    EXPECT_FALSE(rain_unit(other)) << other;
+}
+
+TEST(RainUnit, tells_the_time_of_a_rate) {
+  EXPECT_EQ(time_of_rate(*rain_unit("mm/15min")), (StepLength{0, 900}));
+  EXPECT_EQ(time_of_rate(*rain_unit("in/day")), (StepLength{0, 86'400}));
+  EXPECT_EQ(time_of_rate(*rain_unit("mm/year")), (StepLength{12, 0}));
+  EXPECT_FALSE(time_of_rate(*rain_unit("mm")));
+}
+
+TEST(RainUnit, is_taken_from_a_rate_to_another) {
+  EXPECT_EQ(factor_between(*rain_unit("mm/s"), *rain_unit("mm/h")).of(0.5), 1800);
+  EXPECT_EQ(factor_between(*rain_unit("in/h"), *rain_unit("mm/h")).of(2), 50.8);
+}
+
+TEST(RainUnit, may_stand_in_a_line_above_a_header) {
+  const auto told = [](std::string_view line) {
+    const auto unit = unit_in_line(line);
+    return unit ? unit->name() : "none";
+  };
+  for (const char* line : {"Unit: inches", "# units: inches", "Units,in,,", "# UNIT = Inches",
+                           "units: inches (in)", "Daily rainfall in inches", "\"Rainfall [in]\"",
+                           "Precipitation, inches", "# Rainfall (inches)"})
+    EXPECT_EQ(told(line), "in") << line;
+  EXPECT_EQ(told("rain:  -  Precipitation Amount (mm)"), "mm");
+  EXPECT_EQ(told("Rain intensity in mm/h"), "mm/h");
+  for (const char* line :
+       {"", "#", "Station: 12", "Unit 5, hydrology", "units: m", "units: degC", "Elevation (ft)",
+        "Rainfall in Ireland", "Height in mm", "rain gauge (5)"})
+    EXPECT_EQ(told(line), "none") << line;
+}
+
 }  // namespace
 }  // namespace thiessen
