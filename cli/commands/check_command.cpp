@@ -14,6 +14,7 @@
 #include "cli/outputs/distances_report.h"
 #include "cli/outputs/plane_report.h"
 #include "rainfall/series/step_intervals.h"
+#include "readings/rain_unit.h"
 #include "study/weight_findings.h"
 
 namespace thiessen::cli {
@@ -122,7 +123,14 @@ class CheckCommand : public Command {
     const std::string share =
         all > 0 ? fixed_text(100 * static_cast<double>(missing) / all, 1) : "0.0";
     return "readings: " + count(steps, "time step", "time steps") + ", " + share + " % missing\n" +
-           describe_steps(intervals);
+           describe_unit(readings->unit()) + describe_steps(intervals);
+  }
+
+  /// Rates are told, for their totals are not their sums.
+  static std::string describe_unit(const std::string& name) {
+    const std::optional<RainUnit> unit = rain_unit(name);
+    if (!unit || !time_of_rate(*unit)) return "";
+    return "unit: " + name + ", a rate: totals count each value times its step\n";
   }
 
   static std::string describe_steps(const StepIntervals& intervals) {

@@ -10,6 +10,7 @@
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
 #include "cli/inputs/inputs.h"
+#include "cli/inputs/summed_rates.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/method_options.h"
@@ -109,7 +110,8 @@ class RainCommand : public Command {
     const auto rainfall = step_rainfall(inputs, format, values, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     periods_.settle_stamp(readings->stamp(), rainfall_.name());
-    const std::optional<Totalling> totalling = totals(is_fed);
+    std::optional<Totalling> totalling = totals(is_fed);
+    if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
     RainTable series(*file, inputs.basins(), format, totalling, rainfall_.name(),

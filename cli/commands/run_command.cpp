@@ -1,3 +1,4 @@
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 #include "cli/commands/commands.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
+#include "cli/inputs/summed_rates.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/isohyet_options.h"
@@ -93,8 +95,9 @@ class RunCommand : public Command {
     const ArealRainfall rainfall(inputs.weighing(), settings, threads);
     write_weights(weights_file, inputs.weighing(), rainfall.full_weights(), inputs.area_unit());
 
-    RainTable series(rain_file, inputs.basins(), format_.format(), periods_.totalling(),
-                     rainfall_.name());
+    std::optional<Totalling> totalling = periods_.totalling();
+    if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, view_.units, warnings);
+    RainTable series(rain_file, inputs.basins(), format_.format(), totalling, rainfall_.name());
     HeldRain held;
     series.tell(
         [&](const std::string& time, std::span<const double> values) { held.add(time, values); });

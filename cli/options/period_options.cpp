@@ -53,7 +53,7 @@ void PeriodOptions::declare(OptionList& options) {
       "totals over calendar periods instead of a row a step, and beside them, in "
       "BASIN_missing, how many of the period's steps have no value or lack in the file; "
       "with --long rows "
-      "time,basin,rainfall,missing");
+      "time,basin,rainfall,missing; readings that are rates (mm/h) count times their step");
   allowed_missing_option_ =
       &output.add("--allow-missing", whole_number(allowed_missing_, 0, 1'000'000'000),
                   "with --every: how many steps without a value a total may pass over; with more "

@@ -59,6 +59,7 @@ void RainPeriods::add(const RainStep& step) {
   before_ = time;
   text_before_ = step.time;
   intervals_.note({time, IsoTimeFault::none});
+  ends_days_ = ends_days_ || (time.hour == 24 && totalling_.stamp == Stamp::begin);
   const IsoTime within = within_step(time);
   if (!open_ || number_of(within) != held_.back().number) {
     const bool ends = open_;
@@ -75,7 +76,8 @@ void RainPeriods::add(const RainStep& step) {
       ++sum.missing;
     } else {
       ++sum.values;
-      sum.rainfall.add(rainfall);
+      const auto& depths = totalling_.depths;
+      sum.rainfall.add(depths ? depths->of(rainfall, within, totalling_.stamp) : rainfall);
     }
   }
 }
@@ -269,6 +271,11 @@ void RainPeriods::finish(Warnings& warnings) {
 }
 
 void RainPeriods::warn(Warnings& warnings) const {
+  if (ends_days_) {
+    warnings.add_notice({file_, 0,
+                         "24:00 counts in the day that it ends, and any other time begins its step",
+                         setting("stamp", "end") + " says that times end their steps"});
+  }
   if (intervals_.times() > 0 && !lacking_step_) {
     const char* why =
         intervals_.times() == 1 ? "there is one time step" : "the times have no regular step";

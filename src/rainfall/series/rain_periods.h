@@ -14,6 +14,7 @@
 #include "rainfall/series/held_totals.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/stamp.h"
+#include "rainfall/series/step_depths.h"
 #include "rainfall/series/step_intervals.h"
 #include "rainfall/series/time_range.h"
 
@@ -37,6 +38,8 @@ struct Totalling {
   /// Whether the last period is left out where its end is not known: it lacks steps, or the file
   /// has no step.
   bool whole_alone = false;
+  /// What values count for that are rates; nothing where they are depths.
+  std::optional<StepDepths> depths = {};
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
@@ -114,6 +117,7 @@ class RainPeriods {
   std::vector<BasinTotal> taken_;
   bool ascends_ = true;  ///< of the periods so far, where they are handed on as they end
   bool descends_ = true;
+  bool ends_days_ = false;  ///< whether a time is 24:00 where times begin their steps
   std::size_t lacking_periods_ = 0;
   std::optional<StepLength> lacking_step_;  ///< the step that the last of them lacks
   std::string first_lacking_;

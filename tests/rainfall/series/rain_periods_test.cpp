@@ -302,5 +302,23 @@ TEST(RainPeriods, may_leave_out_a_last_one_that_may_not_be_over) {
       2U);
 }
 
+TEST(RainPeriods, rates_count_times_their_step) {
+  Totalling days{TimePrecision::day, 23, {}};
+  days.depths.emplace(StepLength{0, 3'600}, StepLength{0, 900});
+  const Steps quarters = {{"2020-01-01T00:00", {4}},
+                          {"2020-01-01T00:15", {4}},
+                          {"2020-01-01T00:30", {8}},
+                          {"2020-01-01T00:45", {none}}};
+  days.allowed_missing = 96;
+  EXPECT_EQ(totals_of(quarters, days), (Steps{{"2020-01-01", {4}}})) << "1 + 1 + 2 mm";
+}
+
+TEST(RainPeriods, rates_of_days_count_times_the_days_of_their_month) {
+  Totalling months{TimePrecision::month, 0, {}};
+  months.depths.emplace(StepLength{0, 86'400}, StepLength{1, 0});
+  EXPECT_EQ(totals_of({{"2020-01", {4}}, {"2020-02", {4}}, {"2020-03", {4}}}, months),
+            (Steps{{"2020-01", {124}}, {"2020-02", {116}}, {"2020-03", {124}}}));
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -1,0 +1,64 @@
+#include "cli/inputs/summed_rates.h"
+
+#include <optional>
+
+#include "base/interrupt.h"
+#include "files/rainfall/rainfall_file.h"
+#include "rainfall/series/step_intervals.h"
+#include "readings/rain_unit.h"
+
+namespace thiessen::cli {
+namespace {
+
+[[noreturn]] void fail_without_step(const std::string& file, const std::string& unit,
+                                    const std::string& why) {
+  throw Error({file, 0,
+               "the readings are rates in " + unit +
+                   ", whose totals want the length of each step, and " + why,
+               setting("scale") +
+                   " by that length makes depths of them (0.25 of mm/h in steps of 15 minutes); "
+                   "where they are depths, " +
+                   setting("from_unit", "mm") + " says so"});
+}
+
+/// The intervals between all times of RAINFALL. What is odd about it is told when it is read again.
+StepIntervals intervals_of(Inputs& inputs, const StudyOptions& study,
+                           const RainfallOptions& rainfall) {
+  Warnings told_later;
+  const auto readings = inputs.open_readings(study, rainfall, told_later);
+  StepIntervals intervals;
+  for (TimeStep step; readings->next(step);) {
+    throw_if_interrupted();
+    intervals.note(calendar_time(step.time, step.written));
+  }
+  return intervals;
+}
+
+}  // namespace
+
+void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
+                  const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings) {
+  const std::optional<RainUnit> of_readings = rain_unit(unit);
+  if (!of_readings || rainfall.is_event()) return;
+  const std::optional<StepLength> rate = time_of_rate(*of_readings);
+  if (!rate) return;
+  const std::string file = rainfall.name();
+  if (!can_be_read_again(rainfall.request(study.csv())))
+    fail_without_step(file, unit, "what is read only once does not tell it in time");
+  const StepIntervals intervals = intervals_of(inputs, study, rainfall);
+  if (intervals.has_labels()) return;  // which have no totals: told where the first of them is read
+  const std::optional<StepLength> step = intervals.step();
+  if (!step) {
+    fail_without_step(
+        file, unit,
+        intervals.times() < 2 ? "one time tells none" : "the times have no regular step");
+  }
+  totalling.depths.emplace(*rate, *step);
+  if (totalling.depths->are_the_values()) return;
+  warnings.add_notice({file, 0,
+                       "the readings are rates in " + unit + ", and count times their step of " +
+                           text_of(*step) + ": totals are in " + std::string(of_readings->depth),
+                       ""});
+}
+
+}  // namespace thiessen::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "cli/inputs/inputs.h"
+#include "rainfall/series/rain_periods.h"
+
+namespace thiessen::cli {
+
+/// Has totals of readings that are rates, such as mm/h, count each times the length of its step,
+/// and says so. For that RAINFALL is read once more beforehand; readings of any other `unit` cost
+/// nothing. Throws Error where the length is not known: the times have no regular step, or RAINFALL
+/// can be read only once.
+void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
+                  const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings);
+
+}  // namespace thiessen::cli
