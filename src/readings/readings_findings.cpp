@@ -115,6 +115,13 @@ void ReadingsFindings::note_empty_time(std::size_t line) {
   complaints_.add(at(line, "the time is empty", ""));
 }
 
+void ReadingsFindings::note_passed(std::string_view text, std::size_t line) {
+  if (++passed_ == 1) {
+    first_passed_ = at(
+        line, "the row " + quoted(text, longest_field_shown) + " has no time and no reading", "");
+  }
+}
+
 Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
                                      std::size_t first_line) const {
   return at(line,
@@ -125,10 +132,19 @@ Message ReadingsFindings::time_twice(std::string_view time, std::size_t line,
 void ReadingsFindings::conclude(std::size_t steps) {
   complaints_.throw_if_any();
   if (const auto fault = steps_.fault(file_, stations_.all())) throw Error(*fault);
+  tell_passed();
   warn_of_unknown();
   if (steps > 0 && tells_silent_) warn_of_silent();
   warn_of_absurd();
   warn_of_codes();
+}
+
+void ReadingsFindings::tell_passed() {
+  if (passed_ == 0) return;
+  first_passed_.text += passed_ == 1 ? std::string(", and is passed over")
+                                     : ", and is passed over, as are " +
+                                           std::to_string(passed_ - 1) + " more such rows";
+  warnings_.add_notice(std::exchange(first_passed_, {}));
 }
 
 void ReadingsFindings::warn_of_unknown() {

@@ -82,6 +82,8 @@ class ReadingsFindings {
   void note_unknown(std::string_view id, std::size_t line, const std::string& text,
                     const Wording& hint);
   void note_empty_time(std::size_t line);
+  /// Takes note of a row that has neither a time nor a reading, and is passed over.
+  void note_passed(std::string_view text, std::size_t line);
   /// Makes the complaint that a time has been given before, in line `first_line`.
   Message time_twice(std::string_view time, std::size_t line, std::size_t first_line) const;
 
@@ -92,6 +94,7 @@ class ReadingsFindings {
   void conclude(std::size_t steps);
 
  private:
+  void tell_passed();
   void warn_of_unknown();
   void warn_of_silent();
   void warn_of_absurd();
@@ -139,6 +142,8 @@ class ReadingsFindings {
                                  {9999.9, "9999.9"},
                                  {9999.99, "9999.99"},
                                  {99999, "99999"}}};
+  Message first_passed_ = {};
+  std::size_t passed_ = 0;  ///< rows without a time and a reading
   bool told_negative_ = false;
   bool told_code_ = false;
   std::set<ReadingsStations::Cause> told_causes_;

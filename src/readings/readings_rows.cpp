@@ -16,6 +16,10 @@ bool LongRows::next(LongRow& row) {
     row.line = row_.line;
     row.time = layout_.time.text(row_);
     const bool has_time = !trimmed(row.time).empty();
+    if (has_time && is_below_table(row.time)) {
+      source_.findings.note_passed(row.time, row.line);
+      continue;
+    }
     if (!has_time) source_.findings.note_empty_time(row.line);
     const ReadingsStations::Found found = station_of(row_);
     row.has_station = found.standing == Standing::known;
@@ -31,6 +35,12 @@ bool LongRows::next(LongRow& row) {
     if (has_time) return true;
   }
   return false;
+}
+
+/// Whether a row has neither a time nor a station nor a reading: a line of text below a table.
+bool LongRows::is_below_table(std::string_view time) {
+  return trimmed(row_.fields[layout_.station]).empty() &&
+         trimmed(row_.fields[layout_.value]).empty() && source_.times.is_no_time(time, row_.line);
 }
 
 ReadingsStations::Found LongRows::station_of(const Row& row) {

@@ -34,6 +34,7 @@ class LongRows {
   const TimeColumns& time() const { return layout_.time; }
 
  private:
+  bool is_below_table(std::string_view time);
   ReadingsStations::Found station_of(const Row& row);
 
   ReadingsSource source_;

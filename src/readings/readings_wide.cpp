@@ -1,5 +1,7 @@
 #include "readings/readings_wide.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
@@ -90,10 +92,14 @@ void WideReadings::note_unknown_column(std::size_t field) {
 bool WideReadings::next(TimeStep& step) {
   if (done_) return false;
   while (read_row()) {
-    ++steps_;
     step.time = time_.text(row_);
     step.line = row_.line;
     step.written = source_.times.read(step.time, step.line);
+    if (step.written && step.written->is_no_time() && is_silent()) {
+      source_.findings.note_passed(step.time, step.line);
+      continue;
+    }
+    ++steps_;
     source_.findings.note_format(step);
     if (!source_.findings.complaints().empty()) continue;
     step.readings = readings_;
@@ -108,6 +114,11 @@ bool WideReadings::next(TimeStep& step) {
 bool WideReadings::is_waiting(std::chrono::milliseconds patience) {
   const bool reports_faults = !source_.findings.complaints().empty();
   return !done_ && !last_came_again_ && !reports_faults && source_.is_waiting(patience);
+}
+
+/// Whether no gauge reports in the row.
+bool WideReadings::is_silent() const {
+  return std::ranges::all_of(readings_, [](double reading) { return std::isnan(reading); });
 }
 
 void WideReadings::conclude() {

@@ -37,6 +37,7 @@ class WideReadings : public Readings {
   void note_unknown_column(std::size_t field);
   bool read_row();
   void note_time(std::string_view time);
+  bool is_silent() const;
   void conclude();
 
   ReadingsSource source_;

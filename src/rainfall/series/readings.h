@@ -20,6 +20,9 @@ struct WrittenTime {
   Wording fault;      ///< what is wrong with the time, behind its text; may be empty
   Wording hint;
   bool breaks_format = false;  ///< whether it contradicts how the times of its file are written
+
+  /// Whether it is none at all where the times of its file are.
+  bool is_no_time() const { return breaks_format && parsed.fault == IsoTimeFault::form; }
 };
 
 /// What the gauges read at one time; NaN where a gauge is silent.

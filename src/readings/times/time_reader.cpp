@@ -32,16 +32,38 @@ void TimeReader::see(std::string_view text, std::size_t line) {
       serials_have_clocks_ = true;
     return;
   }
+  text = trimmed(text);
+  if (text.empty()) return;
+  const ParsedTime iso = parse_iso_time(text);
+  // A date that does not exist says that times are not of this calendar.
+  if (iso || iso.fault == IsoTimeFault::value) return note(bool(iso), before_);
+  const bool was_told = order_ != Order::unknown;
+  note(read_written(text, line).has_value(), before_);
+  if (!was_told && order_ != Order::unknown) told_late_ = is_left_open_;
   // A time that may be read in two ways tells nothing here, and others may follow.
-  if (!trimmed(text).empty()) read(text, line);
+  is_left_open_ = is_left_open_ || is_begun_;
   is_begun_ = false;
 }
 
 std::optional<WrittenTime> TimeReader::read(std::string_view text, std::size_t line) {
   text = trimmed(text);
   if (given_) return read_given(text);
-  if (const ParsedTime iso = parse_iso_time(text); iso || iso.fault == IsoTimeFault::value)
-    return std::nullopt;
+  const ParsedTime iso = parse_iso_time(text);
+  if (iso) note(true, since_);
+  if (iso || iso.fault == IsoTimeFault::value || text.empty()) return std::nullopt;
+  std::optional<WrittenTime> time = read_written(text, line);
+  if (!time && !may_be_labels()) return no_time(text);
+  note(time.has_value(), since_);
+  return time;
+}
+
+bool TimeReader::is_no_time(std::string_view text, std::size_t line) {
+  const std::optional<WrittenTime> time = read(text, line);
+  return time && time->is_no_time();
+}
+
+/// A time that is not written as ISO 8601 wants it; nothing where it is a label.
+std::optional<WrittenTime> TimeReader::read_written(std::string_view text, std::size_t line) {
   const Formats* formats = formats_of(text);
   if (formats == nullptr) return std::nullopt;
   const ParsedTime first = formats->one.read(text);
@@ -55,6 +77,35 @@ std::optional<WrittenTime> TimeReader::read(std::string_view text, std::size_t l
     return ambiguous(first, second, *formats);
   }
   return read_ordered(text, line, first, second);
+}
+
+void TimeReader::note(bool is_time, Seen& seen) {
+  if (!is_time && seen.times + seen.labels < 2) seen.begins_with_times = false;
+  ++(is_time ? seen.times : seen.labels);
+}
+
+bool TimeReader::may_be_labels() const {
+  if (before_.times + before_.labels > 1)
+    return !before_.begins_with_times || before_.times < 2 || before_.times <= before_.labels;
+  return since_.labels > 0 || since_.times < 3;
+}
+
+WrittenTime TimeReader::no_time(std::string_view text) const {
+  WrittenTime time;
+  time.breaks_format = true;
+  time.fault = " is no time, as those of the other rows are";
+  if (!column_.empty() && text.find_first_of("'\"") == std::string_view::npos) {
+    time.hint = setting("rainfall_where") + " \"\\\"" + column_ + "\\\"<>'" + std::string(text) +
+                "'\" leaves such rows out";
+  } else {
+    time.hint = "take the row out of the file";
+  }
+  return time;
+}
+
+TimeReader::OrderTold TimeReader::order_told() const {
+  if (!told_late_) return {};
+  return {told_by_, told_in_, order_ == Order::day_first};
 }
 
 WrittenTime TimeReader::read_given(std::string_view text) const {

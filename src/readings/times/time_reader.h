@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "rainfall/series/readings.h"
@@ -18,6 +19,11 @@ namespace thiessen {
 /// that leaves no choice (13/1/2010), of those that the table begins with; where none of them does,
 /// a time such as 1/2/2010 is ambiguous, and its fault shows both readings. A time that contradicts
 /// what was found, or the user's format, is a fault of the file.
+///
+/// Times may be mere labels (storm 1). Not so where the table begins with two times of the calendar
+/// and most of its first ones are such: a text that is none is then a fault of the file, such as
+/// Total below the last row. Where nothing but the first time was seen beforehand, three times of
+/// the calendar before the first label tell the same.
 class TimeReader {
  public:
   /// An empty format: none is given. `day_first`: the day of dates comes before their month, as the
@@ -30,8 +36,21 @@ class TimeReader {
   /// where it is to be read as ISO 8601.
   std::optional<WrittenTime> read(std::string_view text, std::size_t line);
 
+  /// Whether a text is no time in a table whose times are none but those of the calendar.
+  bool is_no_time(std::string_view text, std::size_t line);
+
   /// Whether no time may be a mere label.
   bool has_format() const { return given_.has_value(); }
+  /// Says what the column of times is called, for messages; empty where they stand in several.
+  void times_stand_in(std::string column) { column_ = std::move(column); }
+  /// The time that told whether the day or the month comes first, and its line, where times before
+  /// it had left that open; an empty text otherwise.
+  struct OrderTold {
+    std::string by;
+    std::size_t line = 0;
+    bool is_day_first = false;
+  };
+  OrderTold order_told() const;
 
  private:
   enum class Order { unknown, day_first, month_first };
@@ -41,6 +60,17 @@ class TimeReader {
     std::optional<TimeFormat> month_first;
   };
 
+  /// What is known of whether times are labels.
+  struct Seen {
+    std::size_t times = 0;  ///< of the calendar
+    std::size_t labels = 0;
+    bool begins_with_times = true;  ///< none of the first two is a label
+  };
+
+  std::optional<WrittenTime> read_written(std::string_view text, std::size_t line);
+  static void note(bool is_time, Seen& seen);
+  bool may_be_labels() const;
+  WrittenTime no_time(std::string_view text) const;
   WrittenTime read_given(std::string_view text) const;
   WrittenTime read_ordered(std::string_view text, std::size_t line, const ParsedTime& day_first,
                            const ParsedTime& month_first);
@@ -55,6 +85,11 @@ class TimeReader {
   bool is_begun_ = false;  ///< a time with two readings came while the order was not known
   std::string told_by_;    ///< the time that told the order, and its line; empty: the publisher
   std::size_t told_in_ = 0;
+  bool is_left_open_ = false;  ///< whether a time that was seen leaves the order open
+  bool told_late_ = false;     ///< whether times before that one had left the order open
+  Seen before_;                ///< of the times that the table begins with
+  Seen since_;                 ///< of those that were read
+  std::string column_;
   std::vector<Formats> formats_;
 };
 

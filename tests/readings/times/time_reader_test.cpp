@@ -89,5 +89,47 @@ TEST(TimeReader, serial_numbers_have_clocks_where_one_has) {
   EXPECT_EQ(told(hours, "40543"), "2010-12-31T00:00");
 }
 
+TEST(TimeReader, a_text_among_times_is_a_fault_of_the_file) {
+  TimeReader reader = reader_that_saw({"2020-01-01", "2020-01-02", "Total"});
+  EXPECT_EQ(told(reader, "2020-01-01"), "as it is");
+  EXPECT_EQ(told(reader, "Total"), "is no time, as those of the other rows are");
+  EXPECT_EQ(reader.read("Total", 4)->hint.plain(), "take the row out of the file");
+  reader.times_stand_in("day");
+  EXPECT_EQ(reader.read("Total", 4)->hint.plain(),
+            "'rainfall_where' \"\\\"day\\\"<>'Total'\" leaves such rows out");
+  EXPECT_TRUE(reader.is_no_time("42372", 4)) << "a day of a spreadsheet";
+  EXPECT_FALSE(reader.is_no_time("2020-02-30", 4)) << "some calendars have it";
+  TimeReader others = reader_that_saw({"31.12.2019", "01.01.2020", "02.01.2020"});
+  EXPECT_TRUE(others.is_no_time("Mean", 5));
+}
+
+TEST(TimeReader, labels_stay_labels) {
+  TimeReader storms = reader_that_saw({"storm 1", "2020", "2021"});
+  EXPECT_EQ(told(storms, "storm 2"), "as it is");
+  TimeReader steps = reader_that_saw({"998", "999", "1000", "1001", "1002", "1003"});
+  EXPECT_EQ(told(steps, "1"), "as it is") << "numbers of four digits look like years";
+  TimeReader halves = reader_that_saw({"2020-01-01", "2020-01-02", "first", "second"});
+  EXPECT_EQ(told(halves, "third"), "as it is");
+}
+
+TEST(TimeReader, of_a_pipe_three_times_tell_that_none_is_a_label) {
+  TimeReader reader = reader_that_saw({"2020-01-01"});
+  for (const char* text : {"2020-01-01", "2020-01-02", "2020-01-03"})
+    EXPECT_EQ(told(reader, text), "as it is");
+  EXPECT_TRUE(reader.is_no_time("Total", 5));
+  TimeReader labels = reader_that_saw({"2020-01-01"});
+  for (const char* text : {"2020-01-01", "storm 1", "2020-01-02", "2020-01-03", "storm 2"})
+    EXPECT_EQ(told(labels, text), "as it is");
+}
+
+TEST(TimeReader, names_the_time_that_told_the_order_of_others_above_it) {
+  const TimeReader late = reader_that_saw({"1/2/2010", "1/13/2010"});
+  EXPECT_EQ(late.order_told().by, "1/13/2010");
+  EXPECT_EQ(late.order_told().line, 3U);
+  EXPECT_FALSE(late.order_told().is_day_first);
+  EXPECT_EQ(reader_that_saw({"1/13/2010", "1/2/2010"}).order_told().by, "");
+  EXPECT_EQ(reader_that_saw({"1/2/2010", "2/3/2010"}).order_told().by, "");
+}
+
 }  // namespace
 }  // namespace thiessen
