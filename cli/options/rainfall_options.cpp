@@ -101,9 +101,10 @@ void RainfallOptions::declare_rows(OptionGroup& readings) {
 }
 
 void RainfallOptions::declare_amounts(OptionGroup& readings) {
-  readings.add("--from-unit", rain_unit_of(readings_.from_unit),
-               "what the readings are in; else the unit in their column's name (prcp_in) is "
-               "believed");
+  readings.add(
+      "--from-unit", rain_unit_of(readings_.from_unit),
+      "what the readings are in; else the unit in their column's name (prcp_in), below it, in "
+      "a column unit or in a line above the header is believed");
   readings.add("--to-unit", rain_unit_of(readings_.to_unit),
                "what they are brought to where their unit is known; default mm");
   scale_option_ =

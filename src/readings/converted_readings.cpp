@@ -15,6 +15,23 @@ bool is_same(const RainUnit& a, const RainUnit& b) {
   return a.depth == b.depth && a.rate == b.rate;
 }
 
+/// The unit that the lines above a header say.
+std::optional<RainUnit> unit_above(const ValueColumn& column) {
+  std::optional<RainUnit> found;
+  for (const std::string& line : column.lines_above) {
+    const auto unit = unit_in_line(line);
+    if (!unit) continue;
+    if (found && !is_same(*found, *unit)) {
+      throw Error({column.file, column.line,
+                   "the lines above the header say that it is in " + found->name() + " and in " +
+                       unit->name(),
+                   setting("from_unit") + " says what the readings are in"});
+    }
+    found = unit;
+  }
+  return found;
+}
+
 }  // namespace
 
 AmountConversion conversion_from(const RainUnit& unit, const ReadingsOptions& options) {
@@ -25,7 +42,8 @@ AmountConversion conversion_from(const RainUnit& unit, const ReadingsOptions& op
     return conversion;
   }
   RainUnit to = options.to_unit.value_or(millimetre);
-  to.rate = unit.rate;
+  // What falls in a second has no digits in a table of three decimals.
+  to.rate = unit.rate == "/s" ? "/h" : unit.rate;
   conversion.factor = factor_between(unit, to);
   conversion.unit = to.name();
   return conversion;
@@ -34,7 +52,9 @@ AmountConversion conversion_from(const RainUnit& unit, const ReadingsOptions& op
 AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn& column,
                                Warnings& warnings) {
   const std::optional<RainUnit> below = rain_unit(column.unit);
-  const std::optional<RainUnit> named = below ? below : unit_in_name(column.name);
+  std::optional<RainUnit> named = below ? below : unit_in_name(column.name);
+  const bool is_told_above = !named && !options.from_unit && !options.scale;
+  if (is_told_above) named = unit_above(column);
   const std::string called =
       column.name.empty() ? "the table" : "column " + quoted(column.name, 60);
   if (options.scale) {
@@ -67,7 +87,8 @@ AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn
   if (!conversion.factor.is_one()) {
     warnings.add_notice({column.file, column.line,
                          "the readings of " + called + " are converted from " + named->name() +
-                             " to " + conversion.unit,
+                             " to " + conversion.unit +
+                             (is_told_above ? ", as a line above the header says" : ""),
                          ""});
   }
   return conversion;

@@ -29,11 +29,13 @@ struct ValueColumn {
   std::size_t line = 0;  ///< of the header
   std::string name;      ///< empty for a wide table
   std::string unit;      ///< what a row below the header says; empty where there is none
+  std::vector<std::string> lines_above = {};  ///< what stands above the header
 };
 
-/// Settles what is done to readings by what the user says and by the unit below their column's name
-/// or in it, which is believed, and told in a notice where it means a conversion. Throws Error
-/// where another unit is wanted and that of the readings is not known.
+/// Settles what is done to readings by what the user says and by the unit below their column's
+/// name, in it, or else in a line above the header, which is believed, and told in a notice where
+/// it means a conversion. Throws Error where another unit is wanted and that of the readings is not
+/// known, and where lines above the header say several.
 AmountConversion conversion_of(const ReadingsOptions& options, const ValueColumn& column,
                                Warnings& warnings);
 /// The same for readings whose unit is known.

@@ -225,4 +225,16 @@ ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
   return layout;
 }
 
+std::vector<std::size_t> further_values(const Table& table, const ReadingsLayout& layout) {
+  std::vector<std::size_t> further;
+  const auto& header = table.header();
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    if (i == layout.value || i == layout.station || layout.time.has(i)) continue;
+    const bool is_of_values = std::ranges::any_of(
+        known::values, [&](std::string_view name) { return means(header[i], name, true); });
+    if (is_of_values) further.push_back(i);
+  }
+  return further;
+}
+
 }  // namespace thiessen

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "readings/readings_reader.h"
 #include "readings/stations/readings_stations.h"
@@ -28,5 +29,8 @@ struct ReadingsLayout {
 /// is not there, or if the columns of a long table cannot be found.
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
                            const ReadingsOptions& options);
+
+/// The columns of a long table, beside that of its values, that are called as one of values is.
+std::vector<std::size_t> further_values(const Table& table, const ReadingsLayout& layout);
 
 }  // namespace thiessen

@@ -75,6 +75,7 @@ class FormFinder {
     if (hints_.has_names) find_columns_passed();
     find_mark();
     find_blanks();
+    keep_lines_above();
     return form_;
   }
 
@@ -97,6 +98,18 @@ class FormFinder {
     }
     form_.header = at;
     if (remark && hints_.has_names && is_header_of(*remark, at)) form_.header = within(*remark);
+  }
+
+  /// Keeps what may say what is in the table: lines of a usual length.
+  void keep_lines_above() {
+    constexpr std::size_t longest = 200;
+    constexpr std::size_t most = 100;
+    for (std::size_t at = 0; at < form_.header; at = next_line(at)) {
+      const std::string_view line = trimmed(line_at(at));
+      if (line.empty() || line.size() > longest) continue;
+      if (form_.lines_above.size() == most) form_.lines_above.erase(form_.lines_above.begin());
+      form_.lines_above.emplace_back(line);
+    }
   }
 
   static bool names_separator(std::string_view line) {

@@ -27,10 +27,11 @@ struct CsvHints {
 struct CsvForm {
   char separator = ',';
   DecimalMark mark = DecimalMark::point;
-  std::size_t header = 0;       ///< where the header begins
-  std::size_t preamble = 0;     ///< lines before the header that are no remarks, passed over
-  std::size_t rows_passed = 0;  ///< rows below the header that hold units or formats
-  std::string units;            ///< the units in one of these, each once: "mm, degC"
+  std::size_t header = 0;    ///< where the header begins
+  std::size_t preamble = 0;  ///< lines before the header that are no remarks, passed over
+  std::vector<std::string> lines_above;   ///< the last hundred lines before the header, remarks too
+  std::size_t rows_passed = 0;            ///< rows below the header that hold units or formats
+  std::string units;                      ///< the units in one of these, each once: "mm, degC"
   std::vector<std::string> column_units;  ///< the same by column; empty where none stands
   std::size_t columns_passed = 0;         ///< columns at the end without a name and without a value
   bool has_blanks = false;                ///< blanks stand where a field begins or ends

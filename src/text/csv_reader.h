@@ -76,6 +76,7 @@ class CsvReader : public Table {
   std::string unit(std::size_t field) const override {
     return field < form_.column_units.size() ? form_.column_units[field] : std::string();
   }
+  std::vector<std::string> lines_above() const override { return form_.lines_above; }
   bool next(Row& row) override;
   /// A line that has come in part is waited for, but not what follows a line end in quotes, nor
   /// rows of more than 1 MiB.

@@ -40,6 +40,8 @@ class Table {
   virtual DecimalMark decimal_mark() const { return DecimalMark::point; }
   /// What a row of units below the header says of a column; empty where there is none.
   virtual std::string unit(std::size_t /*field*/) const { return {}; }
+  /// What stands above the header, a text a line, as far as it is kept: titles, remarks.
+  virtual std::vector<std::string> lines_above() const { return {}; }
   /// The line on which the header stands, from 1; 0 where there is none.
   virtual std::size_t header_line() const { return 0; }
   /// Whether a row's number is none of a line, for several rows stand in one, or they stand in

@@ -122,5 +122,30 @@ TEST(ConvertedReadings, are_judged_as_millimetres) {
             Texts{"r.csv:4: reading '2000' of station 'A' is more than falls anywhere in a year"});
 }
 
+TEST(AmountConversion, takes_what_falls_in_a_second_to_an_hour) {
+  const Settled rate = settle({}, "rain (mm/s)");
+  EXPECT_EQ(rate.conversion.factor.of(0.001), 3.6);
+  EXPECT_EQ(rate.conversion.unit, "mm/h");
+}
+
+TEST(AmountConversion, believes_a_line_above_the_header_after_all_else) {
+  const auto settled = [](const std::string& column, std::vector<std::string> lines,
+                          Warnings& warnings) {
+    return conversion_of({}, {"r.csv", 3, column, "", std::move(lines)}, warnings);
+  };
+  Warnings warnings;
+  EXPECT_EQ(settled("", {"# station list", "# units: inches"}, warnings).factor.of(1), 25.4);
+  ASSERT_EQ(warnings.notices().size(), 1U);
+  EXPECT_EQ(warnings.notices()[0].sentence(),
+            "r.csv:3: the readings of the table are converted from in to mm, as a line above the "
+            "header says");
+  EXPECT_TRUE(settled("prcp_mm", {"units: inches"}, warnings).factor.is_one());
+  EXPECT_EQ(complaint_of([&] {
+              settled("", {"units: in", "Rain (mm)"}, warnings);
+            }),
+            "r.csv:3: the lines above the header say that it is in in and in mm | 'from_unit' says "
+            "what the readings are in");
+}
+
 }  // namespace
 }  // namespace thiessen

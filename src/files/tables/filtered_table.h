@@ -35,6 +35,8 @@ class FilteredTable : public Table {
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return table_->header(); }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
+  std::string unit(std::size_t field) const override { return table_->unit(field); }
+  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
   std::size_t header_line() const override { return table_->header_line(); }
   bool next(Row& row) override;
   double share_read() const override { return table_->share_read(); }

@@ -59,6 +59,8 @@ class TableOfStation : public Table {
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return header_; }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
+  std::string unit(std::size_t field) const override { return table_->unit(field); }
+  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
   std::size_t header_line() const override { return table_->header_line(); }
   bool numbers_rows() const override { return table_->numbers_rows(); }
   RowPlace place(std::size_t number) const override { return table_->place(number); }
