@@ -81,7 +81,9 @@ std::unique_ptr<Table> known_table(const std::string& file, std::string_view tex
 /// The table that a text is known for, or that the byte asks for; null where it is none.
 std::unique_ptr<Table> table_of(std::size_t wanted, const std::string& file, std::string_view text,
                                 Warnings& warnings) {
-  if (wanted == 0) return std::make_unique<UsgsRdb>(file, [file] { return InputFile(file); });
+  if (wanted == 0)
+    return std::make_unique<UsgsRdb>(
+        file, [file] { return InputFile(file); }, "", warnings);
   if (wanted <= 2) {
     const SwatFile known = swat_file(text);
     if (known == SwatFile::list) return nullptr;  // which names other files

@@ -36,8 +36,9 @@ struct Recognised {
   std::vector<std::string> stations_told = {};
 };
 
-Recognised open_usgs(const std::string& file) {
-  auto table = std::make_unique<UsgsRdb>(file, [file] { return open_text(file); });
+Recognised open_usgs(const std::string& file, const std::string& wanted, Warnings& warnings) {
+  auto table = std::make_unique<UsgsRdb>(
+      file, [file] { return open_text(file); }, wanted, warnings);
   return {std::move(table), &usgs_rdb_format()};
 }
 
@@ -59,7 +60,7 @@ Recognised open_text_format(const Source& rainfall, const std::string& beginning
                             Warnings& warnings) {
   if (!rainfall.layer.empty() || !rainfall.where.empty()) return {};
   const std::string& file = rainfall.file;
-  if (is_usgs_rdb(beginning)) return open_usgs(file);
+  if (is_usgs_rdb(beginning)) return open_usgs(file, {}, warnings);
   if (const SwatFile kind = swat_file(beginning); kind != SwatFile::none)
     return {std::make_unique<SwatRainfall>(file, kind, open_text), &swat_format()};
   if (const ArcSwatFile kind = arcswat_file(beginning); kind != ArcSwatFile::none)
@@ -84,12 +85,45 @@ Recognised open_table_format(const Source& rainfall, const std::string& beginnin
           stations_told(*format, told.text, rainfall.file)};
 }
 
+/// The same where the user names the column of values: a text without a header that names it, or
+/// USGS's, whose sensors have a column each. No table where that column is of no such format.
+Recognised open_text_format_of(const std::string& value, const Source& rainfall,
+                               const std::string& beginning, Warnings& warnings) {
+  if (!rainfall.layer.empty() || !rainfall.where.empty()) return {};
+  if (is_usgs_rdb(beginning) && is_usgs_rain(value))
+    return open_usgs(rainfall.file, value, warnings);
+  const PublishedFormat* format = format_of_rows(beginning);
+  if (format != nullptr && has_published_name(value, format->value))
+    return open_without_header(rainfall.file, *format, rainfall.csv, warnings);
+  return {};
+}
+
+/// A table whose column of values the user names: of its format where that is the format's own. Of
+/// another column nothing is known, and that is said.
+Recognised open_table_format_of(const std::string& value, const Source& rainfall,
+                                const std::string& beginning, Warnings& warnings) {
+  Recognised found = open_table_format(rainfall, beginning, warnings);
+  if (found.format == nullptr || has_published_name(value, found.format->value)) return found;
+  const auto& header = found.table->header();
+  const std::string& rain = header[published_column(header, found.format->value).value()];
+  warnings.add({rainfall.file, 0,
+                "it is " + std::string(found.format->name) + ", whose rain is " + quoted(rain, 60) +
+                    ": what is known of that, its unit, flags and codes, does not count for " +
+                    setting("value_field", value),
+                ""});
+  if (found.format == &ana_format()) return {open_table(rainfall, warnings)};
+  return {std::move(found.table)};
+}
+
 Recognised open_by_content(const Source& rainfall, const ReadingsOptions& options,
                            Warnings& warnings) {
-  if (!options.value_field.empty()) return {open_table(rainfall, warnings)};
   const std::string beginning = beginning_of_text(rainfall.file, csv_beginning_bytes);
-  Recognised found = open_text_format(rainfall, beginning, warnings);
-  return found.table ? std::move(found) : open_table_format(rainfall, beginning, warnings);
+  const std::string& value = options.value_field;
+  Recognised found = value.empty() ? open_text_format(rainfall, beginning, warnings)
+                                   : open_text_format_of(value, rainfall, beginning, warnings);
+  if (found.table) return found;
+  return value.empty() ? open_table_format(rainfall, beginning, warnings)
+                       : open_table_format_of(value, rainfall, beginning, warnings);
 }
 
 /// What to do about a unit that is not known: one of a rate has no name that the option takes.
@@ -149,7 +183,10 @@ RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions&
   }
   if (found.format == nullptr) return {std::move(found.table), options};
   tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
-  ReadingsOptions all = options_of(*found.format, *found.table, options);
+  // A column that the user names is here the format's own, which the table may call otherwise.
+  ReadingsOptions said = options;
+  said.value_field.clear();
+  ReadingsOptions all = options_of(*found.format, *found.table, std::move(said));
   auto table =
       std::make_unique<PublishedTable>(std::move(found.table), *found.format, options, warnings);
   const bool is_of_one = found.format->station.empty() && all.station_field.empty();

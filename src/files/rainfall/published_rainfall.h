@@ -20,8 +20,9 @@ struct RainfallTable {
 };
 
 /// Opens RAINFALL as a table (see open_table). A published format (see PublishedFormat) is known by
-/// its content, and what the file was taken for is told; where the user names the column of values,
-/// the table is read as that says. `warnings` must outlive the result. Throws Error as open_table
+/// its content, and what the file was taken for is told. Where the user names another column of
+/// values than the format's own, nothing that is known of the format counts, with a warning.
+/// `warnings` must outlive the result. Throws Error as open_table
 /// and options_of do, and where values with flags are to be kept of a format that has none.
 RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions& options,
                                   Warnings& warnings);

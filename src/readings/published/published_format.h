@@ -23,6 +23,8 @@ struct PublishedFormat {
   std::string_view kept = {};      ///< ELEMENT=PRCP: the rows that are read, and no others
   std::string_view flags = {};     ///< the column of flags of quality: one means no reading
   std::size_t flag_place = 0;      ///< which of the texts between commas the flag is, from 0
+  std::string_view marks = {};     ///< the column right before the value that is 0 for a usual one;
+                                   ///< values of any other mark count, and are told
   std::string_view period = {};    ///< the column of days that an amount is of, if not of one
   std::string_view source = {};    ///< the column that tells where a value comes from
   std::string_view models = {};    ///< what stands in it where that is no gauge, parted by blanks

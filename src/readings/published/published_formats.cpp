@@ -9,7 +9,7 @@ namespace thiessen {
 namespace {
 
 // Each row is written from the publisher's own description; tests/formats/README.md names it.
-constexpr std::array<PublishedFormat, 28> formats = {{
+constexpr std::array<PublishedFormat, 29> formats = {{
     {.name = "NOAA's Global Summary of the Day",
      .columns = "STATION, DATE, TEMP, DEWP, PRCP, FRSHTT",
      .station = "STATION",
@@ -46,6 +46,12 @@ constexpr std::array<PublishedFormat, 28> formats = {{
      .unit_is_ordered = true},
     {.name = "an order of NOAA's Climate Data Online",
      .columns = "STATION, NAME, DATE, PRCP",
+     .station = "STATION",
+     .time = "DATE",
+     .value = "PRCP",
+     .unit_is_ordered = true},
+    {.name = "an order of NOAA's daily summaries",
+     .columns = "STATION, DATE, PRCP",
      .station = "STATION",
      .time = "DATE",
      .value = "PRCP",
@@ -194,6 +200,7 @@ constexpr std::array<PublishedFormat, 28> formats = {{
      .time = "date",
      .value = "rain",
      .unit = "mm",
+     .marks = "ind",
      .begins = "Station Name:",
      .label = "Station Name:",
      .prefixes = "dly|hly",
@@ -204,6 +211,7 @@ constexpr std::array<PublishedFormat, 28> formats = {{
      .time = "year, month",
      .value = "rain",
      .unit = "mm",
+     .marks = "ind",
      .begins = "Station Name:",
      .label = "Station Name:",
      .prefixes = "mly",
@@ -223,7 +231,7 @@ constexpr std::array<PublishedFormat, 28> formats = {{
      .station = "",
      .time = "Year Mnth Day Hr",
      .value = "PRCP(mm/day)",
-     .unit = "mm",
+     .unit = "mm/day",
      .is_of_basins = true},
     {.name = "CAMELS-GB's series of a basin",
      .columns = "date, precipitation, pet, temperature, discharge_spec, discharge_vol",

@@ -5,6 +5,7 @@
 
 #include "base/utf8.h"
 #include "readings/rain_unit.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -39,6 +40,8 @@ PublishedTable::PublishedTable(std::unique_ptr<Table> table, const PublishedForm
   }
   if (!format.flags.empty() && !options.keep_flagged)
     flags_ = published_column(header(), format.flags);
+  if (!format.marks.empty() && value_ > 0 && has_published_name(header()[value_ - 1], format.marks))
+    marks_ = value_ - 1;
   if (!format.period.empty()) period_ = published_column(header(), format.period);
   if (!format.source.empty()) source_ = published_column(header(), format.source);
 }
@@ -50,6 +53,7 @@ PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Tabl
       value_(other.value_),
       kept_(other.kept_),
       flags_(other.flags_),
+      marks_(other.marks_),
       period_(other.period_),
       source_(other.source_),
       kept_text_(other.kept_text_),
@@ -89,6 +93,7 @@ bool PublishedTable::takes(Row& row) {
   const bool flagged = has_value && flags_ && has_flag(row);
   const bool of_days = has_value && period_ && is_of_days(row);
   if (has_value && source_ && is_of_model(row)) ++of_models_;
+  if (has_value && marks_) note_mark(row);
   if (flagged || of_days) {
     ++(flagged ? flagged_ : of_days_);
     row.fields[value_] = {};
@@ -114,6 +119,14 @@ bool PublishedTable::is_of_model(const Row& row) const {
   return std::ranges::any_of(models, [&](std::string_view model) {
     return row.fields[*source_].find(model) != std::string_view::npos;
   });
+}
+
+void PublishedTable::note_mark(const Row& row) {
+  constexpr std::size_t most = 10;
+  const std::string_view mark = trimmed(row.fields[*marks_]);
+  if (mark.empty() || mark == "0") return;
+  ++marked_;
+  if (marks_seen_.size() < most) marks_seen_.emplace(mark);
 }
 
 /// An order of the same columns may be in millimetres or inches, and these have fractions.
@@ -143,6 +156,14 @@ void PublishedTable::tell() {
              " taken as missing, for nothing tells how much fell on which day",
          ""});
   }
+  if (marked_ > 0) {
+    const std::vector<std::string> marks(marks_seen_.begin(), marks_seen_.end());
+    warnings_.add_notice({file(), 0,
+                          counted(marked_, "a value that counts has", " values that count have") +
+                              " another indicator (" + std::string(format_.marks) +
+                              ") than 0: " + listed(marks) + ", as the publisher's key explains",
+                          ""});
+  }
   if (of_models_ > 0) {
     warnings_.add({file(), 0,
                    counted(of_models_, "a value is", " values are") +
@@ -171,11 +192,14 @@ ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
   options.ids_as_numbers = options.ids_as_numbers || format.ids_as_numbers;
   options.day_first = options.day_first || format.day_first;
   if (unit_is_said(options)) return options;
-  if (format.unit_is_ordered) {
+  const std::size_t value = published_column(header, format.value).value();
+  if (format.unit_is_ordered && !rain_unit(table.unit(value))) {
     throw Error({table.file(), table.header_line(),
                  "it is " + std::string(format.name) +
-                     ", which may be in millimetres or in inches, and it does not say which",
-                 setting("from_unit", "mm") + " or " + setting("from_unit", "in") + " says it"});
+                     ", which may be in millimetres, in tenths of them or in inches, and it does "
+                     "not say which",
+                 setting("from_unit", "mm") + ", " + setting("from_unit", "0.1mm") + " or " +
+                     setting("from_unit", "in") + " says it"});
   }
   if (!format.unit.empty()) options.from_unit = rain_unit(format.unit);
   return options;

@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +19,8 @@ namespace thiessen {
 
 /// The rows of a table of a known format that are readings of rain. Values with a flag of quality,
 /// unless they are kept, and amounts of several days are empty; how many there are is told once the
-/// last row has been read, and of how many it is told that they are a model's. Throws Error where a
-/// value shows that it is in another unit.
+/// last row has been read, and of how many it is told that they are a model's or have a mark.
+/// Throws Error where a value shows that it is in another unit.
 class PublishedTable : public Table {
  public:
   /// Requires a table of this format. `warnings` must outlive the table.
@@ -28,6 +30,8 @@ class PublishedTable : public Table {
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return table_->header(); }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
+  std::string unit(std::size_t field) const override { return table_->unit(field); }
+  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
   std::size_t header_line() const override { return table_->header_line(); }
   bool numbers_rows() const override { return table_->numbers_rows(); }
   RowPlace place(std::size_t number) const override { return table_->place(number); }
@@ -49,6 +53,7 @@ class PublishedTable : public Table {
   bool has_flag(const Row& row) const;
   bool is_of_days(const Row& row) const;
   bool is_of_model(const Row& row) const;
+  void note_mark(const Row& row);
   void require_whole(const Row& row) const;
   void tell();
 
@@ -58,6 +63,7 @@ class PublishedTable : public Table {
   std::size_t value_;
   std::optional<std::size_t> kept_;
   std::optional<std::size_t> flags_;
+  std::optional<std::size_t> marks_;
   std::optional<std::size_t> period_;
   std::optional<std::size_t> source_;
   std::string_view kept_text_;
@@ -65,6 +71,8 @@ class PublishedTable : public Table {
   std::size_t flagged_ = 0;
   std::size_t of_days_ = 0;
   std::size_t of_models_ = 0;
+  std::size_t marked_ = 0;
+  std::set<std::string, std::less<>> marks_seen_;  ///< of marked values
   Row ahead_;  ///< the next row, where it was read to see whether it has come
   bool has_ahead_ = false;
   std::shared_ptr<Told> told_ = std::make_shared<Told>();

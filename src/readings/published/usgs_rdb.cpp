@@ -7,6 +7,7 @@
 
 #include "base/iso_time.h"
 #include "base/utf8.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -66,21 +67,10 @@ bool is_row_of_formats(const std::vector<std::string_view>& fields) {
   });
 }
 
-/// Whether a column holds precipitation: 68487_00045, or of days 68487_00045_00006.
-bool is_of_rain(std::string_view name) {
-  const auto parts = parted(name, '_');
-  return parts.size() >= 2 && parts[1] == precipitation &&
-         (parts.size() == 2 || (parts.size() == 3 && parts[2] != "cd"));
-}
-
-std::optional<std::size_t> rain_among(const std::vector<std::string_view>& names) {
-  std::optional<std::size_t> found;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!is_of_rain(names[i])) continue;
-    if (names[i].ends_with(sum_of_day)) return i;
-    if (!found) found = i;
-  }
-  return found;
+/// What a column of daily values holds of each day, such as 00006 for the sum; empty for others.
+std::string_view statistic_of(std::string_view column) {
+  const auto parts = parted(column, '_');
+  return parts.size() == 3 ? parts[2] : std::string_view();
 }
 
 std::optional<std::size_t> index_of(const std::vector<std::string_view>& names,
@@ -91,6 +81,12 @@ std::optional<std::size_t> index_of(const std::vector<std::string_view>& names,
 }
 
 }  // namespace
+
+bool is_usgs_rain(std::string_view column) {
+  const auto parts = parted(column, '_');
+  return parts.size() >= 2 && parts[1] == precipitation &&
+         (parts.size() == 2 || (parts.size() == 3 && parts[2] != "cd"));
+}
 
 const PublishedFormat& usgs_rdb_format() {
   static constexpr PublishedFormat format = {
@@ -113,11 +109,17 @@ bool is_usgs_rdb(std::string_view beginning) {
   return false;
 }
 
-UsgsRdb::UsgsRdb(std::string file, OpenInput open)
-    : file_(std::move(file)), open_(std::move(open)), lines_(open_()) {}
+UsgsRdb::UsgsRdb(std::string file, OpenInput open, std::string wanted, Warnings& warnings)
+    : file_(std::move(file)),
+      open_(std::move(open)),
+      wanted_(std::move(wanted)),
+      warnings_(warnings),
+      lines_(open_()) {}
 
 std::unique_ptr<Table> UsgsRdb::again() const {
-  return std::make_unique<UsgsRdb>(file_, open_);
+  auto table = std::make_unique<UsgsRdb>(file_, open_, wanted_, warnings_);
+  table->told_ = told_;
+  return table;
 }
 
 bool UsgsRdb::next(Row& row) {
@@ -131,10 +133,53 @@ bool UsgsRdb::next(Row& row) {
       return true;
     }
   }
-  if (header_line_ == 0 && complaints_.empty())
-    complain("no column of precipitation (" + std::string(precipitation) + ") is in the file");
+  if (header_line_ == 0 && complaints_.empty()) {
+    complain(wanted_.empty()
+                 ? "no column of precipitation (" + std::string(precipitation) + ") is in the file"
+                 : "there is no column " + quoted(wanted_, 80));
+  }
   std::exchange(complaints_, {}).throw_if_any();
+  tell_zone();
   return false;
+}
+
+/// The column of precipitation among those of a site. Tells which it is where there are several,
+/// and complains where a day's values are none of rain that fell: a mean or an extreme.
+std::optional<std::size_t> UsgsRdb::rain_among(const std::vector<std::string_view>& names) {
+  if (!wanted_.empty()) return index_of(names, wanted_);
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (is_usgs_rain(names[i])) all.push_back(i);
+  if (all.empty()) return std::nullopt;
+  const auto is_amount = [&](std::size_t i) {
+    const std::string_view statistic = statistic_of(names[i]);
+    return statistic.empty() || statistic == sum_of_day;
+  };
+  const auto found = std::ranges::find_if(all, is_amount);
+  if (found == all.end()) {
+    const std::string first(names[all.front()]);
+    complaints_.add({file_, lines_.line(),
+                     "its daily precipitation " + quoted(first, 80) +
+                         " is no sum of the day: that would be " + std::string(sum_of_day),
+                     setting("value_field", first) + " reads it nonetheless"});
+    return all.front();
+  }
+  if (all.size() > 1 && !std::exchange(told_->columns, true)) {
+    std::vector<std::string> others;
+    for (const std::size_t i : all)
+      if (i != *found) others.emplace_back(names[i]);
+    warnings_.add_notice({file_, lines_.line(),
+                          "of its columns of precipitation " + quoted(names[*found], 80) +
+                              " is read, and not " + listed(others),
+                          setting("value_field") + " names another"});
+  }
+  return *found;
+}
+
+void UsgsRdb::tell_zone() {
+  if (other_zone_.empty() || std::exchange(told_->zone, true)) return;
+  warnings_.add_notice(
+      {file_, 0, "its times in " + other_zone_ + " are brought to " + zone_ + ", as all are", ""});
 }
 
 void UsgsRdb::read_header(const std::vector<std::string_view>& names) {
@@ -176,6 +221,7 @@ bool UsgsRdb::read_time(const std::vector<std::string_view>& fields) {
   }
   const int later = ahead_ - 60 * zone->hours;
   if (later == 0) return true;
+  if (other_zone_.empty()) other_zone_ = name;
   const ParsedTime read = parse_iso_time(text);
   if (!read) {
     complain("the time is none: " + quoted(text, 40));

@@ -26,17 +26,22 @@ const PublishedFormat& usgs_rdb_format();
 /// remarks, and then a header of agency_cd, site_no and datetime. Each site has its own.
 bool is_usgs_rdb(std::string_view beginning);
 
+/// Whether a column of USGS's RDB holds precipitation: 68487_00045, or of days 68487_00045_00006.
+bool is_usgs_rain(std::string_view column);
+
 /// The precipitation (00045, in inches) in a file of USGS's RDB, as a table of site_no, datetime
-/// and precipitation. Each site begins with remarks, a header of its own and a row of formats; the
-/// first column of precipitation is taken, of daily values the one of sums. Times in a zone
-/// (tz_cd) are brought to the standard time of the first row's zone, so that they do not jump in
-/// spring and autumn.
+/// and precipitation. Each site begins with remarks, a header of its own and a row of formats; its
+/// first column of precipitation is taken, of daily values the first of sums, and where there are
+/// several a notice says which. Times in a zone (tz_cd) are brought to the standard time of the
+/// first row's zone, so that they do not jump in spring and autumn; that is told at the end.
 ///
 /// Throws Error at the end with all rows that have too few fields, or a time or a zone that is
-/// none, and where sites begin without a header.
+/// none, where sites begin without a header, and where daily values are no sums.
 class UsgsRdb : public Table {
  public:
-  UsgsRdb(std::string file, OpenInput open);
+  /// `wanted`: the one column that is taken, of whatever statistic; empty: as above. `warnings`
+  /// must outlive this object and those that `again` makes of it.
+  UsgsRdb(std::string file, OpenInput open, std::string wanted, Warnings& warnings);
 
   const std::string& file() const override { return file_; }
   const std::vector<std::string>& header() const override { return header_; }
@@ -56,19 +61,31 @@ class UsgsRdb : public Table {
     std::optional<std::size_t> rain;
   };
 
+  /// What all readers of the file have together.
+  struct Told {
+    bool columns = false;
+    bool zone = false;
+  };
+
   void read_header(const std::vector<std::string_view>& names);
+  std::optional<std::size_t> rain_among(const std::vector<std::string_view>& names);
+  void tell_zone();
   bool read_row(const std::vector<std::string_view>& fields, Row& row);
   bool read_time(const std::vector<std::string_view>& fields);
   void complain(std::string text);
 
   std::string file_;
   OpenInput open_;
+  std::string wanted_;
+  Warnings& warnings_;
+  std::shared_ptr<Told> told_ = std::make_shared<Told>();
   TextLines lines_;
   std::vector<std::string> header_ = {"site_no", "datetime", "precipitation"};
   std::size_t header_line_ = 0;
   Columns columns_;
   std::string zone_;
-  int ahead_ = 0;  ///< of UTC, in minutes, of the standard time of that zone
+  int ahead_ = 0;           ///< of UTC, in minutes, of the standard time of that zone
+  std::string other_zone_;  ///< the first from which a time was brought there
   std::string line_;
   std::string time_;
   Complaints complaints_;

@@ -35,7 +35,9 @@ TEST(PublishedFormats, is_known_by_columns_in_their_order) {
 TEST(PublishedFormats, common_names_in_small_letters_are_no_order) {
   EXPECT_EQ(format_of({"STATION", "NAME", "DATE", "PRCP"}),
             "an order of NOAA's Climate Data Online");
+  EXPECT_EQ(format_of({"STATION", "DATE", "PRCP"}), "an order of NOAA's daily summaries");
   EXPECT_EQ(format_of({"station", "name", "date", "prcp"}), "none");
+  EXPECT_EQ(format_of({"station", "date", "prcp"}), "none");
 }
 
 TEST(PublishedFormats, every_row_names_columns_of_its_own_and_a_unit) {

@@ -98,5 +98,18 @@ TEST_F(PublishedTableTest, the_unit_of_an_order_is_asked_for) {
   EXPECT_EQ(options_of(format, *table_, said).value_field, "PRCP");
 }
 
+TEST_F(PublishedTableTest, tells_values_with_a_mark_that_is_not_the_usual_one) {
+  auto csv = std::make_unique<CsvReader>(
+      folder_.write("m.csv", "date,ind,rain\n1,0,0.1\n2,4,0.2\n3,6,0.3\n4,4,\n5,4,0.5\n"));
+  const PublishedFormat& format =
+      *format_of_header(csv->header(), "Station Name: A\ndate,ind,rain\n");
+  PublishedTable table(std::move(csv), format, {}, warnings_);
+  EXPECT_EQ(values(table, 2), "0.1 0.2 0.3 - 0.5 ") << "they count";
+  ASSERT_EQ(warnings_.notices().size(), 1U);
+  EXPECT_EQ(warnings_.notices()[0].text.plain(),
+            "3 values that count have another indicator (ind) than 0: '4', '6', as the publisher's "
+            "key explains");
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -28,15 +28,23 @@ constexpr const char* two_sites =
 
 class UsgsRdbTest : public testing::Test {
  protected:
-  Rows rows(const std::string& text) {
+  Rows rows(const std::string& text, const std::string& wanted = "") {
     const std::string file = folder_.write("v.txt", text);
-    UsgsRdb rdb(file, [file] { return InputFile(file); });
+    UsgsRdb rdb(
+        file, [file] { return InputFile(file); }, wanted, warnings_);
     Rows all;
     for (Row row; rdb.next(row);) all.emplace_back(row.fields.begin(), row.fields.end());
     return all;
   }
 
+  std::vector<std::string> notices() const {
+    std::vector<std::string> all;
+    for (const Message& notice : warnings_.notices()) all.push_back(notice.text.plain());
+    return all;
+  }
+
   const TemporaryFolder folder_;
+  Warnings warnings_;
 };
 
 TEST_F(UsgsRdbTest, is_known_by_its_header) {
@@ -74,6 +82,41 @@ TEST_F(UsgsRdbTest, names_every_bad_row) {
 TEST_F(UsgsRdbTest, a_file_without_precipitation_is_an_error) {
   EXPECT_EQ(complaint_of([&] { rows("agency_cd\tsite_no\tdatetime\t1_00065\nUSGS\t1\tx\t2\n"); }),
             folder_.path() + "/v.txt:2: no column of precipitation (00045) is in the file");
+}
+
+TEST_F(UsgsRdbTest, tells_the_zone_that_times_are_brought_to) {
+  rows(two_sites);
+  EXPECT_EQ(notices(), std::vector<std::string>{"its times in EDT are brought to EST, as all are"});
+}
+
+constexpr const char* two_sensors =
+    "agency_cd\tsite_no\tdatetime\t1_00045\t1_00045_cd\t2_00045\t2_00045_cd\n"
+    "5s\t15s\t20d\t14n\t10s\t14n\t10s\n"
+    "USGS\t1\t2024-03-10 00:00\t1\tA\t0.5\tA\n";
+
+TEST_F(UsgsRdbTest, of_two_sensors_the_first_is_read_and_told) {
+  EXPECT_EQ(rows(two_sensors), (Rows{{"1", "2024-03-10 00:00", "1"}}));
+  EXPECT_EQ(notices(), std::vector<std::string>{
+                           "of its columns of precipitation '1_00045' is read, and not '2_00045'"});
+}
+
+TEST_F(UsgsRdbTest, a_sensor_that_is_wanted_is_read) {
+  EXPECT_EQ(rows(two_sensors, "2_00045"), (Rows{{"1", "2024-03-10 00:00", "0.5"}}));
+  EXPECT_EQ(notices(), std::vector<std::string>{});
+  EXPECT_EQ(complaint_of([&] { rows(two_sensors, "3_00045"); }),
+            folder_.path() + "/v.txt:3: there is no column '3_00045'");
+}
+
+TEST_F(UsgsRdbTest, a_mean_or_an_extreme_of_a_day_is_no_rain) {
+  const char* text =
+      "agency_cd\tsite_no\tdatetime\t1_00045_00001\t1_00045_00003\n"
+      "5s\t15s\t20d\t14n\t14n\n"
+      "USGS\t1\t2024-03-10\t0.9\t0.1\n";
+  EXPECT_EQ(complaint_of([&] { rows(text); }),
+            folder_.path() +
+                "/v.txt:1: its daily precipitation '1_00045_00001' is no sum of the day: that "
+                "would be 00006 | value_field = 1_00045_00001 reads it nonetheless");
+  EXPECT_EQ(rows(text, "1_00045_00003"), (Rows{{"1", "2024-03-10", "0.1"}}));
 }
 
 }  // namespace
