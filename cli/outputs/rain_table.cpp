@@ -1,9 +1,29 @@
 #include "cli/outputs/rain_table.h"
 
+#include <optional>
+#include <string>
+
 #include "base/iso_time.h"
 #include "rainfall/series/dated_readings.h"
 
 namespace thiessen::cli {
+namespace {
+
+/// A time as ISO 8601 writes it: the end of a day is the beginning of the next, for many that read
+/// ISO 8601 know no hour 24.
+std::string text_of_time(IsoTime time) {
+  if (time.hour == 24) {
+    const ParsedTime next = parse_iso_time(time_text(clock_seconds(time), TimePrecision::instant));
+    if (next) {
+      const std::optional<int> ahead_of_utc = time.ahead_of_utc;
+      time = next.time;
+      time.ahead_of_utc = ahead_of_utc;
+    }
+  }
+  return iso_text(time);
+}
+
+}  // namespace
 
 RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const RainFormat& format,
                      const std::optional<Totalling>& totalling, const std::string& rainfall,
@@ -24,8 +44,8 @@ RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const R
 
 void RainTable::prepare(RainStep& step) const {
   if (iso_times_) {
-    step.time =
-        iso_text(time_of_step(step.time, TimePrecision::year, rainfall_, step.line, step.written));
+    step.time = text_of_time(
+        time_of_step(step.time, TimePrecision::year, rainfall_, step.line, step.written));
     step.written.reset();
   }
   if (steps_ && !has_patterns_) step.text = steps_->text_of(step);
