@@ -283,7 +283,30 @@ std::string times_section() {
              "A time with a clock begins its step, or with --stamp end ends it: then midnight "
              "belongs to the day before it, and the bounds in a .nc lie before their times. A date "
              "without a clock is the whole day either way. --from and --to are about times as they "
-             "are written.");
+             "are written.") +
+         ".PP\n" +
+         roff_paragraph(
+             "Any other text is a label, whose step has no place in the calendar. But where the "
+             "file begins with times and most of its first ones are such, a text among them (Total "
+             "below the last row) is an error; a row that has neither a time nor a reading is "
+             "passed over with a notice.");
+}
+
+std::string units_section() {
+  return ".SH UNITS AND RATES\n" +
+         roff_paragraph(
+             "A unit is believed that stands below the name of the column of values, in it, in a "
+             "column called unit, uom or the like, or else in a line above the header (Units: "
+             "inches; Daily rainfall in mm); rows of several units are an error. Rates are depths "
+             "by a time: mm/h, mm h-1, inches per day, mm/15min, kg m-2 s-1; those by the second "
+             "are taken to the hour.") +
+         ".PP\n" +
+         roff_paragraph(
+             "Totals (--every) of rates count each value times the length of its step, which is "
+             "that of the file's regular steps, months and years as the calendar has them, and a "
+             "notice says so. Where there is none, or RAINFALL is a pipe, that is an error: "
+             "--scale "
+             "makes depths of rates, and --from-unit mm says that they are depths.");
 }
 
 /// What is known of a published format, as the manual says it.
@@ -309,8 +332,10 @@ std::string formats_section() {
   std::string text =
       ".SH PUBLISHED FORMATS\n" +
       roff_paragraph(
-          "These are known by their content and read without an option, unless --value-field "
-          "names the column of values; a notice says what a file was taken for. As STATIONS "
+          "These are known by their content and read without an option; a notice says what a file "
+          "was taken for. Where --value-field names another column of values than the format's "
+          "own, "
+          "what is known of the format does not count, with a warning. As STATIONS "
           "GHCN-Daily's and DWD's lists of stations and SWAT's files are known, and USGS's sites "
           "by the names of their columns. Where a file is of one station that no column tells, the "
           "lines above its header or its name do, of a single file too.");
@@ -377,7 +402,7 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + study_file_section() + csv_section() + files_section() +
-         feed_section() + database_section() + times_section() + names_section() +
+         feed_section() + database_section() + times_section() + units_section() + names_section() +
          formats_section() + status_section() + examples_section(commands);
 }
 
