@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "map/ink/contrast.h"
 #include "map/ink/ink.h"
 
 namespace thiessen {
@@ -17,6 +18,27 @@ double basin_line_width(int em) {
 
 double isohyet_line_width(int em) {
   return std::max(1.2, 0.085 * em);
+}
+
+Stroke cell_stroke(int em, Colour ground) {
+  constexpr int dark = 200;
+  constexpr int light = 140;  // as plain on the darkest ground as the other is on the palest
+  const double by_dark = contrast(blended(ground, ink::cell_edge, dark), ground);
+  const double by_light = contrast(blended(ground, ink::white, light), ground);
+  const double width = cell_line_width(em);
+  return by_light > by_dark ? Stroke{ink::white, width, light}
+                            : Stroke{ink::cell_edge, width, dark};
+}
+
+Stroke basin_rim(int em, double width) {
+  constexpr int alpha = 190;
+  const double both_sides = std::min(width, 1.2 * cell_line_width(em));
+  return {ink::white, width + both_sides, alpha};
+}
+
+bool hides_basin_edge(Colour ground) {
+  constexpr double plain = 2;
+  return contrast(ink::basin_edge, ground) < plain;
 }
 
 double gauge_radius(int em, std::size_t gauges, double pixels) {

@@ -34,7 +34,7 @@ LabelCount draw_map(Canvas& canvas, const Page& page, const Picture& picture, St
   Annotation annotation(canvas, page, picture, view, type);
   const LabelImage cells = cell_labels(view, page.panel, sight);
   draw_cells(canvas, page.panel, sight, picture, view, cells, classes, page.style.em);
-  draw_outlines(canvas, page, view, sight, detail);
+  draw_outlines(canvas, page, sight, picture, view, classes, detail);
   draw_isohyets(canvas, page, picture, view, sight);
   if (detail.has_gauges) annotation.draw_gauges();
   if (!page.style.bare) annotation.draw_levels();

@@ -90,13 +90,42 @@ std::string_view id_of(const Picture& picture, std::size_t gauge) {
                                        : std::string_view();
 }
 
+void add_lines(const MapShape& shape, std::vector<Polyline>& lines) {
+  for (const MapPart& part : shape) lines.insert(lines.end(), part.lines.begin(), part.lines.end());
+}
+
 std::vector<Polyline> lines_of(const std::vector<MapShape>& shapes) {
   std::vector<Polyline> lines;
-  for (const MapShape& shape : shapes) {
-    for (const MapPart& part : shape)
-      lines.insert(lines.end(), part.lines.begin(), part.lines.end());
-  }
+  for (const MapShape& shape : shapes) add_lines(shape, lines);
   return lines;
+}
+
+/// The colours of the ground under outlines. Ground by station is pale and has none.
+std::vector<Colour> grounds_of(const Picture& picture, const RainfallClasses& classes) {
+  if (!picture.by_rainfall) return {};
+  if (picture.bands.empty()) return rainfall_colours(picture, classes);
+  std::vector<Colour> colours;
+  for (const PictureBand& band : picture.bands) colours.push_back(classes.colour(band.rainfall));
+  return colours;
+}
+
+/// Draws the outlines of cells at this strength of at most 1. Light ones come first, so that
+/// between dark and pale ground there is the dark line.
+void draw_cell_outlines(Canvas& canvas, const StudyView& view, const std::vector<Colour>& grounds,
+                        int em, double strength, const Window& window) {
+  std::vector<Polyline> on_dark;
+  std::vector<Polyline> on_pale;
+  const auto is_light = [&](std::size_t cell) {
+    return cell < grounds.size() && cell_stroke(em, grounds[cell]).colour == ink::white;
+  };
+  for (std::size_t i = 0; i < view.cells.size(); ++i)
+    add_lines(view.cells[i], is_light(i) ? on_dark : on_pale);
+  const auto draw = [&](const std::vector<Polyline>& lines, Stroke stroke) {
+    stroke.alpha = static_cast<int>(stroke.alpha * strength);
+    canvas.lines(lines, stroke, window);
+  };
+  if (!on_dark.empty()) draw(on_dark, cell_stroke(em, {0, 0, 0}));
+  draw(on_pale, cell_stroke(em, ink::white));
 }
 
 }  // namespace
@@ -188,8 +217,8 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
   canvas.areas(areas, hatching(em), window_of(panel, sight));
 }
 
-void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight,
-                   const MapDetail& detail) {
+void draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight, const Picture& picture,
+                   const StudyView& view, const RainfallClasses& classes, const MapDetail& detail) {
   constexpr double ample = 14;  // pixels: the side of a cell that no line hides anything of
   constexpr int basin_alpha = 230;
   constexpr double line_to_side = 0.09;
@@ -198,22 +227,26 @@ void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, cons
   const double pixels = static_cast<double>(panel.width) * panel.height;
   const double cell = side_of_each(view.cells.size(), pixels);
   const double basin = side_of_each(view.basins.size(), pixels);
-  const auto faded = [&](double alpha, double side) {
-    return static_cast<int>(alpha * std::clamp(side / ample, 0.3, 1.0));
-  };
-  const double alpha = std::clamp(70 + 160 * cell / em, 70.0, 200.0);
+  const auto faded = [&](double side) { return std::clamp(side / ample, 0.3, 1.0); };
+  const double strength = std::clamp(0.35 + 0.8 * cell / em, 0.35, 1.0);
+  const std::vector<Colour> grounds = grounds_of(picture, classes);
   const Group group(canvas, {"outlines"});
   const Window window = window_of(panel, sight);
-  if (view.bands.empty() && detail.has_cell_outlines) {
-    canvas.lines(lines_of(view.cells), {ink::cell_edge, cell_line_width(em), faded(alpha, cell)},
-                 window);
-  }
+  if (view.bands.empty() && detail.has_cell_outlines)
+    draw_cell_outlines(canvas, view, grounds, em, strength * faded(cell), window);
   if (!detail.has_basin_outlines) return;
   constexpr std::size_t many = 200;
   const double thinner = view.basins.size() > many ? 0.6 : 1.0;
   const double wide = std::max(1.2, basin_line_width(em) * thinner);
   const double width = std::min(wide, std::max(0.8, line_to_side * basin));
-  canvas.lines(lines_of(view.basins), {ink::basin_edge, width, faded(basin_alpha, basin)}, window);
+  const std::vector<Polyline> lines = lines_of(view.basins);
+  if (std::any_of(grounds.begin(), grounds.end(), hides_basin_edge)) {
+    Stroke rim = basin_rim(em, width);
+    rim.alpha = static_cast<int>(rim.alpha * faded(basin));
+    canvas.lines(lines, rim, window);
+  }
+  const int alpha = static_cast<int>(basin_alpha * faded(basin));
+  canvas.lines(lines, {ink::basin_edge, width, alpha}, window);
 }
 
 void draw_isohyets(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,

@@ -42,8 +42,9 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
                 const RainfallClasses& classes, int em);
 
 /// Draws the outlines of cells, unless a surface is shown, and those of basins over them, fainter
-/// where these are small, as far as there is room for them.
-void draw_outlines(Canvas& canvas, const Page& page, const StudyView& view, const PixelBox& sight,
-                   const MapDetail& detail);
+/// where these are small, as far as there is room for them. On dark ground cells have light
+/// outlines, and where there is such ground those of basins have a light rim.
+void draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight, const Picture& picture,
+                   const StudyView& view, const RainfallClasses& classes, const MapDetail& detail);
 
 }  // namespace thiessen

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "map/ink/contrast.h"
 #include "map/ink/ink.h"
+#include "map/ink/signs.h"
 #include "map/opencv/pixel_canvas.h"
+#include "map/sheet/palette.h"
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
@@ -149,6 +153,66 @@ TEST(MapPanel, cells_by_station_differ_from_their_neighbours_and_not_among_one_g
   picture.cells[1].gauge = 0;
   canvas = drawn(picture);
   EXPECT_EQ(at(canvas, 20, 20), at(canvas, 36, 20));
+}
+
+// The line has twice or half of the light of the ground that it runs over, whatever that is.
+TEST(MapPanel, the_outline_of_a_cell_is_told_from_every_colour_of_every_palette) {
+  for (const Palette palette :
+       {Palette::viridis, Palette::blues, Palette::browns, Palette::greys}) {
+    for (std::size_t count = 1; count <= 14; ++count) {
+      for (std::size_t i = 0; i < count; ++i) {
+        const Colour ground = sequential_colour(palette, i, count);
+        const Stroke line = cell_stroke(20, ground);
+        EXPECT_GE(contrast(blended(ground, line.colour, line.alpha), ground), 2)
+            << static_cast<int>(palette) << ' ' << i << " of " << count;
+      }
+    }
+  }
+}
+
+/// A basin of two cells of these readings, drawn with its outlines.
+PixelCanvas outlined(double west, double east, const ClassRule& rule) {
+  Picture picture = row_of_cells({west, east});
+  const RainfallClasses classes({0.5, 10}, rule);
+  Page page;
+  page.style.em = 20;
+  page.panel = {0, 0, 400, 200};
+  StudyView view;
+  view.cells = {box(40.5, 40.5, 200.5, 160.5), box(200.5, 40.5, 360.5, 160.5)};
+  view.basins = {box(40.5, 40.5, 360.5, 160.5)};
+  PixelCanvas canvas(400, 200);
+  draw_cells(canvas, page.panel, page.panel, picture, view,
+             cell_labels(view, page.panel, page.panel), classes, page.style.em);
+  draw_outlines(canvas, page, page.panel, picture, view, classes, MapDetail());
+  return canvas;
+}
+
+TEST(MapPanel, outlines_are_light_between_dark_cells_and_dark_between_pale_ones) {
+  ClassRule rule;
+  rule.kind = ClassRule::Kind::breaks;
+  rule.breaks = {1, 2, 3, 4};
+  PixelCanvas dark = outlined(0.5, 0.5, rule);
+  EXPECT_GE(contrast(at(dark, 200, 100), at(dark, 150, 100)), 2);
+  EXPECT_GT(at(dark, 200, 100).green, at(dark, 150, 100).green);
+  PixelCanvas pale = outlined(9, 9, rule);
+  EXPECT_GE(contrast(at(pale, 200, 100), at(pale, 150, 100)), 2);
+  EXPECT_LT(at(pale, 200, 100).green, at(pale, 150, 100).green);
+  PixelCanvas both = outlined(0.5, 9, rule);
+  EXPECT_LT(at(both, 200, 100).green, at(both, 250, 100).green) << "one line, and not a light one";
+}
+
+TEST(MapPanel, the_outline_of_a_basin_has_a_light_rim_where_the_ground_is_as_dark) {
+  ClassRule rule;
+  rule.kind = ClassRule::Kind::breaks;
+  rule.breaks = {1, 2, 3, 4};
+  rule.palette = Palette::greys;
+  const auto lightest_beside = [](PixelCanvas canvas) {
+    int green = 0;
+    for (int x = 41; x < 46; ++x) green = std::max<int>(green, at(canvas, x, 100).green);
+    return green - at(canvas, 100, 100).green;
+  };
+  EXPECT_GT(lightest_beside(outlined(9, 9, rule)), 60) << "on the darkest grey";
+  EXPECT_LE(lightest_beside(outlined(1.5, 1.5, rule)), 0) << "on the second lightest";
 }
 
 }  // namespace
