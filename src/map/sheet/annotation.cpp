@@ -160,7 +160,7 @@ int Annotation::halo_width() const {
 }
 
 void Annotation::draw_levels() {
-  const int size = std::max(9, page_.style.ems(0.72));
+  const int size = std::max({9, page_.style.least_type, page_.style.ems(0.72)});
   for (std::size_t i = 0; i < view_.isohyets.size(); ++i) draw_level(i, size);
 }
 
@@ -197,14 +197,14 @@ void Annotation::draw_basin_names(const LabelImage& basins) {
       50, 40, 60, 30, 70, 20, 80};  // places to try, in percent of the height, the middle first
   const std::vector<Rows> rows = rows_of_basins(basins, picture_.basins.size());
   const int rim = halo_width();
+  const int size = std::max(page_.style.least_type, page_.style.ems(0.85));
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (picture_.basins[i].name.empty()) continue;
     ++count_.to_name;
     const int height = rows[i].bottom - rows[i].top + 1;
     if (height < page_.style.em) continue;
     const auto basin = static_cast<std::int32_t>(i);
-    const SetText text =
-        type_.set(picture_.basins[i].name, page_.style.ems(0.85), Weight::bold, 40);
+    const SetText text = type_.set(picture_.basins[i].name, size, Weight::bold, 40);
     if (text.width() == 0) continue;
     for (const int share : shares) {
       const int row = rows[i].top + height * share / 100;
@@ -225,7 +225,8 @@ void Annotation::draw_labels(const std::vector<std::size_t>& pixels) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return pixels[a] > pixels[b]; });
-  const int size = std::max(9, page_.style.ems(label_size(count_.in_sight)));
+  const int size =
+      std::max({9, page_.style.least_type, page_.style.ems(label_size(count_.in_sight))});
   const int rim = halo_width();
   const double outer = gauge_reach(radius_);
   // Half a letter between a label and another gauge's dot, so that it is not read as that gauge's.

@@ -72,7 +72,7 @@ void draw_lower(Canvas& canvas, const Page& page, const Coordinate& value, Frame
                 Typesetter& type) {
   const PageStyle& style = page.style;
   const PixelBox& panel = page.panel;
-  const int size = std::max(8, style.ems(0.6));
+  const int size = std::max(style.least_type, style.ems(0.6));
   const int length = std::max(2, style.ems(0.25));
   int free_from = panel.x - style.em;
   for (const FrameTick& tick :
@@ -91,7 +91,7 @@ void draw_left(Canvas& canvas, const Page& page, const Coordinate& value, FrameA
                Typesetter& type) {
   const PageStyle& style = page.style;
   const PixelBox& panel = page.panel;
-  const int size = std::max(8, style.ems(0.6));
+  const int size = std::max(style.least_type, style.ems(0.6));
   const int length = std::max(2, style.ems(0.25));
   int free_below = panel.bottom() + style.em;
   for (const FrameTick& tick :

@@ -37,10 +37,12 @@ MapDetail detail_of(const MultiplesPage& layout, const StudyView& view) {
   const MapGrid& grid = layout.grid;
   const double pixels = static_cast<double>(grid.width) * grid.height;
   const int em = layout.style.em;
+  // Labels are 0.6 of an em at least, and never smaller than the page's least type.
+  const double label_em = std::max<double>(em, layout.style.least_type / 0.6);
   const std::size_t gauges = gauges_within(view);
   const auto labels = static_cast<double>(std::max(gauges, view.basins.size()));
   MapDetail detail{gauge_radius(em, gauges, pixels) >= smallest_dot,
-                   labels * room_of_label * em * em <= pixels};
+                   labels * room_of_label * label_em * label_em <= pixels};
   thin_out(detail, view.bands.empty() ? view.cells.size() : 0, view.basins.size(), pixels);
   return detail;
 }
@@ -74,8 +76,9 @@ struct Sheet {
 void draw_heading(Canvas& canvas, Sheet& sheet, std::size_t map) {
   const PageStyle& style = sheet.layout.page.style;
   const PixelBox& box = sheet.layout.maps[map];
-  const SetText text = sheet.type.fit(sheet.maps[map].subtitle, style.ems(0.85), style.ems(0.5),
-                                      box.width, Weight::bold);
+  const SetText text =
+      sheet.type.fit(sheet.maps[map].subtitle, style.ems(0.85),
+                     std::max(style.least_type, style.ems(0.5)), box.width, Weight::bold);
   canvas.text(text, box.x, box.y - style.ems(0.45) - text.baseline, {ink::text, 0, {"heading"}});
 }
 

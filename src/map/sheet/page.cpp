@@ -81,6 +81,9 @@ PageStyle page_style(int width, int height, int dots_to_the_inch) {
   }
   style.em = std::max(smallest_em, static_cast<int>(std::lround(em)));
   style.hairline = std::max(1, style.ems(0.06));
+  constexpr double least_type = 5.0 / 72;  // inches
+  style.least_type =
+      std::max(style.least_type, static_cast<int>(std::ceil(least_type * dots_to_the_inch)));
   style.bare = width < style.ems(24) || tall < style.ems(16);
   return style;
 }

@@ -17,6 +17,8 @@ struct PageStyle {
   int em = 16;        ///< the ordinary text size, in pixels
   int hairline = 1;   ///< width of borders and ticks, in pixels
   bool bare = false;  ///< too small for any text: the map alone
+  /// The least size of type in pixels: five points where the picture's density is known.
+  int least_type = 8;
 
   int ems(double count) const { return static_cast<int>(std::lround(em * count)); }
 };

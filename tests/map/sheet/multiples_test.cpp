@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
@@ -74,6 +78,38 @@ TEST(Multiples, of_hundreds_of_gauges_leave_out_dots_and_names_and_say_so) {
   EXPECT_EQ(count_of(text, ">rain gauge</text>"), 0u);
   EXPECT_EQ(count_of(text, "not drawn: the 2002 gauges"), 1u);
   EXPECT_EQ(count_of(drawn(three_maps(), PictureFormat::svg), "class=\"label\""), 6u);
+}
+
+/// The smallest size of type in an SVG, in pixels.
+double least_type(const std::string& svg) {
+  const std::string attribute = "font-size=\"";
+  double least = HUGE_VAL;
+  for (std::size_t at = svg.find(attribute); at != std::string::npos;
+       at = svg.find(attribute, at + 1))
+    least = std::min(least, std::stod(svg.substr(at + attribute.size(), 8)));
+  return least;
+}
+
+// A4 at 300 dots to the inch, on which five points are 20.8 dots.
+TEST(Multiples, on_paper_have_no_type_below_five_points_and_no_names_where_these_have_no_room) {
+  std::vector<double> rainfall(25, 3);
+  rainfall.back() = 8;
+  std::vector<Picture> maps(24, row_of_cells(rainfall));
+  for (Picture& map : maps) {
+    map.subtitle = "2017-03-25T06:00:00Z";
+    map.width = 3508;
+    map.height = 2480;
+    map.dots_to_the_inch = 300;
+    map.isohyets = {{"4", {{{0, 0.5}, {8, 0.5}}}}};
+  }
+  const std::string many = drawn(maps, PictureFormat::svg);
+  EXPECT_GE(least_type(many), 20.8);
+  EXPECT_EQ(count_of(many, "class=\"label\""), 0U);
+  EXPECT_EQ(count_of(many, ">not labelled: too many for small maps</text>"), 1U);
+  maps.resize(2);
+  const std::string two = drawn(maps, PictureFormat::svg);
+  EXPECT_GE(least_type(two), 20.8);
+  EXPECT_GT(count_of(two, "class=\"label\""), 10U);
 }
 
 }  // namespace

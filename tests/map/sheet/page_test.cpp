@@ -143,5 +143,12 @@ TEST(Page, at_a_known_density_has_type_that_can_be_read_on_paper) {
   EXPECT_FALSE(page_style(800, 600, 300).bare) << "but a heading has room";
 }
 
+// Five points are 20.8 dots at 300 to the inch.
+TEST(PageStyle, has_no_type_below_five_points_where_the_density_is_known) {
+  EXPECT_EQ(page_style(3508, 2480, 300).least_type, 21);
+  EXPECT_EQ(page_style(3508, 2480, 0).least_type, 8);
+  EXPECT_EQ(page_style(800, 600, 72).least_type, 8);
+}
+
 }  // namespace
 }  // namespace thiessen
