@@ -36,6 +36,11 @@ const char* meaning(Legend::Sign sign) {
   return "";
 }
 
+/// The height of a sign's line where there is little room.
+int narrow_line(int em) {
+  return em * 23 / 20;
+}
+
 /// The line by which a sign is shown.
 Stroke stroke_of(Legend::Sign sign, int em) {
   if (sign == Legend::Sign::isohyet) return {ink::isohyet, isohyet_line_width(em)};
@@ -142,72 +147,95 @@ int Legend::heading_height() const {
   return heading_.empty() ? 0 : em_ * 3 / 2 + static_cast<int>(heading_.size() - 1) * em_ * 5 / 4;
 }
 
-int Legend::bar_height(std::size_t classes, int step) const {
-  return classes == 0 ? 0 : static_cast<int>(classes) * step + em_ * 3 / 2;
+int Legend::least_step() const {
+  return (em_ * 9 + 9) / 10;
 }
 
-int Legend::bar_height(const PixelBox& box, const RainfallClasses& classes) const {
-  return bar_height(classes.count(), step_of(box, classes));
+int Legend::round_bar() const {
+  return ticks_.empty() ? 0 : em_ * 3 / 2;
 }
 
 int Legend::height() const {
   const int heading = heading_.empty() ? 0 : heading_height() + em_ / 4;
-  const std::size_t classes = ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1;
-  return heading + bar_height(classes, em_ * 5 / 4) +
+  return heading + static_cast<int>(class_count()) * em_ * 5 / 4 + round_bar() +
          static_cast<int>(entries_.size()) * em_ * 3 / 2;
 }
 
-int Legend::step_of(const PixelBox& box, const RainfallClasses& classes) const {
-  const int n = std::max(1, static_cast<int>(classes.count()));
-  return std::clamp((box.height - em_ * 3 / 2) / n, 2, em_ * 7 / 4);
+int Legend::least_height() const {
+  return heading_height() + static_cast<int>(class_count()) * least_step() + round_bar() +
+         static_cast<int>(entries_.size()) * narrow_line(em_);
 }
 
-PixelBox Legend::bar_box(const PixelBox& column) const {
-  const int top = column.y + (column.height < em_ * 3 / 2 ? 0 : heading_height());
-  const int below = static_cast<int>(entries_.size()) * em_ * 3 / 2;
-  return {column.x, top, column.width, column.bottom() - top - below};
-}
-
-std::size_t Legend::signs_in(const PixelBox& column, int top) const {
-  const int room = (column.bottom() + em_ / 2 - top) / (em_ * 3 / 2);
-  return std::min(entries_.size(), static_cast<std::size_t>(std::max(room, 0)));
-}
-
-std::string Legend::left_out(const Page& page, const RainfallClasses& classes) const {
-  const PixelBox& column = page.legend;
-  const PixelBox bar = bar_box(column);
-  const std::size_t shown = signs_in(column, bar.y + bar_height(bar, classes));
-  const bool is_cut = std::any_of(heading_.begin(), heading_.end(),
-                                  [](const SetText& line) { return line.is_shortened; });
-  std::string text = is_cut ? "the end of the legend's heading" : "";
-  if (shown < entries_.size()) {
-    text += (text.empty() ? "" : ", ") + std::to_string(entries_.size() - shown) +
-            " of the legend's " + std::to_string(entries_.size()) + " signs";
+Legend::Layout Legend::layout(const PixelBox& column) const {
+  const int n = static_cast<int>(class_count());
+  Layout result;
+  result.top = column.y + (column.height < em_ * 3 / 2 ? 0 : heading_height());
+  const int room = column.bottom() - result.top - round_bar();
+  const int beside_bar = room - n * least_step();
+  const int wide_line = em_ * 3 / 2;
+  result.line = wide_line;
+  if (!entries_.empty()) {
+    result.line =
+        std::clamp(beside_bar / static_cast<int>(entries_.size()), narrow_line(em_), wide_line);
   }
+  // The last line needs none of the distance to a next one.
+  const int lines = (beside_bar + result.line / 4) / result.line;
+  result.signs = std::min(entries_.size(), static_cast<std::size_t>(std::max(lines, 0)));
+  if (n > 0) {
+    const int for_bar = room - static_cast<int>(result.signs) * result.line;
+    result.step = std::clamp(for_bar / n, 2, em_ * 7 / 4);
+    result.every = (least_step() + result.step - 1) / result.step;
+  }
+  result.signs_top = result.top + n * result.step + round_bar();
+  return result;
+}
+
+std::string Legend::left_out(const Page& page) const {
+  const Layout places = layout(page.legend);
+  std::vector<std::string> things;
+  const auto share = [](std::size_t some, std::size_t all) {
+    return std::to_string(some) + " of the legend's " + std::to_string(all);
+  };
+  if (std::any_of(heading_.begin(), heading_.end(),
+                  [](const SetText& line) { return line.is_shortened; })) {
+    things.emplace_back("the end of the legend's heading");
+  }
+  std::size_t bounds = 0;
+  std::size_t written = 0;
+  for (std::size_t i = 0; i < ticks_.size(); ++i) {
+    if (ticks_[i].width() == 0) continue;
+    ++bounds;
+    if (i % static_cast<std::size_t>(places.every) == 0) ++written;
+  }
+  if (written < bounds) things.push_back(share(bounds - written, bounds) + " bounds of classes");
+  if (places.signs < entries_.size())
+    things.push_back(share(entries_.size() - places.signs, entries_.size()) + " signs");
+  std::string text;
+  for (const std::string& thing : things) text += (text.empty() ? "" : ", ") + thing;
   return text;
 }
 
-void Legend::draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const {
+void Legend::draw_bar(Canvas& canvas, const PixelBox& column, const Layout& places,
+                      const RainfallClasses& classes) const {
   const std::size_t count = classes.count();
   if (count == 0) return;
   const int n = static_cast<int>(count);
-  const int step = step_of(box, classes);
+  const int step = places.step;
   const int bar_width = em_ * 5 / 4;
-  const int top = box.y + em_ / 2;
+  const int top = places.top + em_ / 2;
   for (int i = 0; i < n; ++i) {
     const Colour colour = classes.class_colour(count - 1 - static_cast<std::size_t>(i));
-    canvas.fill({box.x, top + i * step, bar_width, step}, colour);
+    canvas.fill({column.x, top + i * step, bar_width, step}, colour);
   }
-  canvas.border({box.x, top, bar_width, n * step}, ink::border, std::max(1, em_ / 16));
-  const int every = std::max(1, (em_ + step - 1) / step);
-  for (int i = 0; i < static_cast<int>(ticks_.size()); i += every) {
+  canvas.border({column.x, top, bar_width, n * step}, ink::border, std::max(1, em_ / 16));
+  for (int i = 0; i < static_cast<int>(ticks_.size()); i += places.every) {
     const SetText& text = ticks_[static_cast<std::size_t>(i)];
     const int y = ticks_.size() == 1 ? top + step / 2 : top + (n - i) * step;
     if (text.width() == 0) continue;  // the class has no end
     if (ticks_.size() > 1) {
-      canvas.fill({box.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
+      canvas.fill({column.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
     }
-    canvas.text(text, box.x + em_ * 2, y - text.height() / 2, {ink::text});
+    canvas.text(text, column.x + em_ * 2, y - text.height() / 2, {ink::text});
   }
 }
 
@@ -250,15 +278,14 @@ void Legend::draw(Canvas& canvas, const Page& page, const RainfallClasses& class
                 {ink::text, 0, mark});
     y += em_ * 5 / 4;
   }
-  const PixelBox bar = bar_box(column);
-  draw_bar(canvas, bar, classes);
-  y = bar.y + bar_height(bar, classes);
-  const std::size_t shown = signs_in(column, y);
-  for (std::size_t i = 0; i < shown; ++i) {
-    draw_entry(canvas, {column.x, y + (line - em_) / 2, em_ * 5 / 4, em_}, entries_[i].sign);
+  const Layout places = layout(column);
+  draw_bar(canvas, column, places, classes);
+  y = places.signs_top;
+  for (std::size_t i = 0; i < places.signs; ++i) {
+    draw_entry(canvas, {column.x, y + (places.line - em_) / 2, em_ * 5 / 4, em_}, entries_[i].sign);
     const SetText& text = entries_[i].text;
-    canvas.text(text, column.x + em_ * 2, y + line / 2 - text.height() / 2, {ink::text});
-    y += line;
+    canvas.text(text, column.x + em_ * 2, y + places.line / 2 - text.height() / 2, {ink::text});
+    y += places.line;
   }
 }
 

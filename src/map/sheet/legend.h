@@ -32,27 +32,38 @@ class Legend {
 
   int width() const { return width_; }
   int height() const;
+  /// The height in which all of it has room, with lines close to each other.
+  int least_height() const;
   void draw(Canvas& canvas, const Page& page, const RainfallClasses& classes) const;
   /// What of the legend has no room on the page, in words; empty where all has.
-  std::string left_out(const Page& page, const RainfallClasses& classes) const;
+  std::string left_out(const Page& page) const;
 
  private:
   struct Entry {
     Sign sign;
     SetText text;
   };
+  /// How the parts of the legend share the height of its column: the bar comes before the signs,
+  /// for without it no colour means anything.
+  struct Layout {
+    int top = 0;    ///< of the bar, with half a line of text over it
+    int step = 0;   ///< the height of a class
+    int every = 1;  ///< one tick in so many has its text
+    int signs_top = 0;
+    int line = 0;           ///< the height of a sign's line
+    std::size_t signs = 0;  ///< how many have room
+  };
 
   void set_heading(const Picture& picture, const PageStyle& style, int most, Typesetter& type);
   int heading_height() const;
-  int bar_height(std::size_t classes, int step) const;
-  /// The height that the bar takes of a box, with the distance to what stands below it.
-  int bar_height(const PixelBox& box, const RainfallClasses& classes) const;
-  /// The part of the column in which the bar stands.
-  PixelBox bar_box(const PixelBox& column) const;
-  /// How many of the signs have room below the bar.
-  std::size_t signs_in(const PixelBox& column, int top) const;
-  int step_of(const PixelBox& box, const RainfallClasses& classes) const;
-  void draw_bar(Canvas& canvas, const PixelBox& box, const RainfallClasses& classes) const;
+  std::size_t class_count() const { return ticks_.size() < 2 ? ticks_.size() : ticks_.size() - 1; }
+  /// The height of a class at which each tick has room for its text.
+  int least_step() const;
+  /// The height of the bar beside its classes.
+  int round_bar() const;
+  Layout layout(const PixelBox& column) const;
+  void draw_bar(Canvas& canvas, const PixelBox& column, const Layout& places,
+                const RainfallClasses& classes) const;
   void draw_entry(Canvas& canvas, const PixelBox& sign, Sign kind) const;
 
   int em_;

@@ -131,7 +131,7 @@ LeftOut draw(Canvas& canvas, Sheet& sheet) {
   draw_head(canvas, page);
   if (sheet.legend.width() > 0) {
     sheet.legend.draw(canvas, page, sheet.classes);
-    left_out.add(sheet.legend.left_out(page, sheet.classes));
+    left_out.add(sheet.legend.left_out(page));
   }
   const double scale = PanelTransform(sheet.view.extent, page.panel).scale();
   for (const std::string& lost :

@@ -24,14 +24,32 @@ std::string_view words_that_fit(std::string_view text, int size, int room, Types
   return text.substr(0, end);
 }
 
+/// The sizes of a head's type, and the distances between its baselines and edges, in ems.
+struct HeadSizes {
+  double title;
+  double title_in_lines;  ///< of a title that has no room on one
+  double subtitle;
+  double above;
+  double rise;  ///< of the title over its baseline
+  double below_title;
+  double subtitle_rise;
+  double below_subtitle;
+  double below;
+};
+
+HeadSizes sizes_of(Head head) {
+  return head == Head::large ? HeadSizes{1.5, 1.2, 1.0, 0.8, 1.3, 0.5, 0.9, 0.4, 0.4}
+                             : HeadSizes{1.1, 1.0, 0.8, 0.5, 0.9, 0.3, 0.75, 0.25, 0.3};
+}
+
 /// Sets the title on one line, smaller where it is somewhat too long, else on up to three. What the
 /// last has no room for ends in an ellipsis.
-std::vector<SetText> title_lines(std::string_view title, const PageStyle& style, int room,
-                                 Typesetter& type) {
+std::vector<SetText> title_lines(std::string_view title, const PageStyle& style,
+                                 const HeadSizes& sizes, int room, Typesetter& type) {
   constexpr std::size_t most = 3;
-  const int size = style.ems(1.2);
+  const int size = style.ems(sizes.title_in_lines);
   std::vector<SetText> lines;
-  SetText line = type.fit(title, style.ems(1.5), size, room, Weight::bold);
+  SetText line = type.fit(title, style.ems(sizes.title), size, room, Weight::bold);
   while (line.is_shortened && lines.size() + 1 < most) {
     const std::string_view first = words_that_fit(title, size, room, type);
     if (first.size() == title.size()) break;
@@ -95,22 +113,25 @@ double panel_aspect(const Extent& extent) {
   return std::clamp(extent.width() / extent.height(), tallest, widest);
 }
 
-int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type) {
+int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type,
+             Head head) {
   const PageStyle& style = page.style;
+  const HeadSizes sizes = sizes_of(head);
   const int room = page.width - 2 * style.em;
-  int y = style.ems(0.8);
-  for (SetText& text : title_lines(title, style, room, type)) {
-    const int baseline = y + std::max(style.ems(1.3), text.baseline);
-    y = baseline + std::max(style.ems(0.5), text.height() - text.baseline);
+  page.title.clear();
+  int y = style.ems(sizes.above);
+  for (SetText& text : title_lines(title, style, sizes, room, type)) {
+    const int baseline = y + std::max(style.ems(sizes.rise), text.baseline);
+    y = baseline + std::max(style.ems(sizes.below_title), text.height() - text.baseline);
     page.title.push_back({std::move(text), baseline});
   }
-  page.subtitle = type.fit(subtitle, style.em, style.ems(0.8), room);
+  page.subtitle = type.fit(subtitle, style.ems(sizes.subtitle), style.ems(0.8), room);
   if (page.subtitle.width() > 0) {
-    page.subtitle_baseline = y + std::max(style.ems(0.9), page.subtitle.baseline);
+    page.subtitle_baseline = y + std::max(style.ems(sizes.subtitle_rise), page.subtitle.baseline);
     const int descent = page.subtitle.height() - page.subtitle.baseline;
-    y = page.subtitle_baseline + std::max(style.ems(0.4), descent);
+    y = page.subtitle_baseline + std::max(style.ems(sizes.below_subtitle), descent);
   }
-  return y + style.ems(0.4);
+  return y + style.ems(sizes.below);
 }
 
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type) {
@@ -119,18 +140,21 @@ Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend,
   Page page;
   page.style = style;
   page.width = picture.width;
-  const int top = set_head(picture.title, picture.subtitle, page, type);
+  int top = set_head(picture.title, picture.subtitle, page, type);
   const int margin = style.em;
   const int column = legend.width() == 0 ? 0 : legend.width() + margin;
   const int foot = style.ems(3.4);
   const int coordinates = style.ems(1.1);  // their height below the map
   const int left = style.ems(3.4);         // and the room for them beside it
+  if (picture.height > 0 && picture.height - top - foot < legend.least_height())
+    top = set_head(picture.title, picture.subtitle, page, type, Head::small);
   const int width = picture.width - left - margin - column;
   const int least = std::max(legend.height(), style.ems(9));
   const int height = panel_height(picture, extent, width, least, top + coordinates + foot);
   page.height = top + height + coordinates + foot;
   page.panel = {left, top, width, height};
-  page.legend = {left + width + margin, top, legend.width(), height};
+  // To the right of the map nothing stands beside its coordinates.
+  page.legend = {left + width + margin, top, legend.width(), height + coordinates};
   page.footer = {left, top + height + coordinates, width + column, foot};
   return page;
 }

@@ -43,14 +43,19 @@ struct Page {
   PixelBox footer;
 };
 
+/// How large a title is: `small` leaves more of a low page to what stands below it.
+enum class Head { large, small };
+
 /// Sets the title, and the subtitle unless it is empty, at the upper end of the page, which
 /// has its width and style already. Returns the height that they take.
-int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type);
+int set_head(const std::string& title, const std::string& subtitle, Page& page, Typesetter& type,
+             Head head = Head::large);
 
 /// The width of a map that suits the extent, divided by its height.
 double panel_aspect(const Extent& extent);
 
-/// Lays the page out for a study area of the given extent. A height of 0 is chosen so that the map
+/// Lays the page out for a study area of the given extent. The title is small where the legend has
+/// no room beside the map else. A height of 0 is chosen so that the map
 /// fits the extent, unless the extent is too long or too tall for a page.
 Page lay_out(const Picture& picture, const Extent& extent, const Legend& legend, Typesetter& type);
 

@@ -60,7 +60,7 @@ LeftOut draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
   draw_head(canvas, page);
   if (sheet.legend.width() > 0) {
     sheet.legend.draw(canvas, page, sheet.classes);
-    left_out.add(sheet.legend.left_out(page, sheet.classes));
+    left_out.add(sheet.legend.left_out(page));
   }
   for (const std::string& lost :
        draw_footer(canvas, page, view, transform.scale(), picture.north_is_up, note, sheet.type))

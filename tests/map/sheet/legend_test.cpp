@@ -6,6 +6,7 @@
 #include "map/opencv/pixel_canvas.h"
 #include "map/sheet/page.h"
 #include "map/sheet/row_of_cells.h"
+#include "map/svg/svg_canvas.h"
 
 namespace thiessen {
 namespace {
@@ -96,6 +97,72 @@ TEST(Legend, is_drawn_within_its_column) {
     }
   }
   EXPECT_GT(inked, 1000u);
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++count;
+  return count;
+}
+
+/// What a legend of five classes shows and leaves out in a column of this height.
+struct InColumn {
+  explicit InColumn(int height) {
+    Picture picture = row_of_cells({1, 2, none});
+    picture.classes.kind = ClassRule::Kind::breaks;
+    picture.classes.breaks = {11, 22, 33, 44};
+    const Drawn drawn(picture);
+    Page page;
+    page.style = drawn.style;
+    page.legend = {30, 40, drawn.legend.width(), height};
+    SvgCanvas canvas(300, 800);
+    drawn.legend.draw(canvas, page, drawn.classes);
+    svg = canvas.document("", "", {});
+    left_out = drawn.legend.left_out(page);
+    wanted = drawn.legend.height();
+    least = drawn.legend.least_height();
+  }
+  /// How many bounds of classes, of 0, 11, 22, 33 and 44, have their text.
+  std::size_t bounds() const {
+    std::size_t count = 0;
+    for (const char* bound : {">0</text>", ">11</text>", ">22</text>", ">33</text>", ">44</text>"})
+      count += count_of(svg, bound);
+    return count;
+  }
+  std::size_t signs() const {
+    std::size_t count = 0;
+    for (const char* sign : {"no reading", "rain gauge", "silent gauge", "cell", "basin"})
+      count += count_of(svg, std::string(">") + sign + "</text>");
+    return count;
+  }
+
+  std::string svg;
+  std::string left_out;
+  int wanted = 0;
+  int least = 0;
+};
+
+TEST(Legend, has_all_of_it_in_its_least_height_and_nothing_to_say) {
+  const InColumn first(500);
+  EXPECT_LT(first.least, first.wanted);
+  for (const int height : {first.least, (first.least + first.wanted) / 2, first.wanted, 500}) {
+    const InColumn column(height);
+    EXPECT_EQ(column.bounds(), 5U) << height;
+    EXPECT_EQ(column.signs(), 5U) << height;
+    EXPECT_EQ(column.left_out, "") << height;
+  }
+}
+
+TEST(Legend, gives_up_signs_before_bounds_of_classes_and_tells_of_both) {
+  const InColumn lower(InColumn(500).least - 60);
+  EXPECT_EQ(lower.bounds(), 5U);
+  EXPECT_EQ(lower.signs(), 2U) << "60 less than five lines of 23 have room for two";
+  EXPECT_EQ(lower.left_out, "3 of the legend's 5 signs");
+  const InColumn lowest(110);
+  EXPECT_EQ(lowest.signs(), 0U);
+  EXPECT_EQ(lowest.bounds(), 3U) << "0, 22 and 44";
+  EXPECT_EQ(lowest.left_out, "2 of the legend's 5 bounds of classes, 5 of the legend's 5 signs");
 }
 
 TEST(Hatching, is_of_stripes_that_leave_most_of_the_ground_free) {

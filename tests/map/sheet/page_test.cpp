@@ -143,6 +143,29 @@ TEST(Page, at_a_known_density_has_type_that_can_be_read_on_paper) {
   EXPECT_FALSE(page_style(800, 600, 300).bare) << "but a heading has room";
 }
 
+// 100 by 60 mm. The legend wants more height than the map has beside a large title.
+TEST(Page, has_a_smaller_title_where_the_legend_would_have_no_room) {
+  Typesetter type;
+  Picture picture = row_of_cells({1, 2, none});
+  picture.width = 1181;
+  picture.dots_to_the_inch = 300;
+  picture.subtitle = "2020-01-02";
+  picture.classes.kind = ClassRule::Kind::breaks;
+  picture.classes.breaks = {1, 2, 3, 4};
+  const auto laid_out = [&](int height) {
+    picture.height = height;
+    const RainfallClasses classes = classes_of(picture);
+    const Legend legend(picture, classes, page_style(1181, height, 300), type);
+    return lay_out(picture, {0, 0, 3, 2}, legend, type);
+  };
+  const Page low = laid_out(709);
+  const Page high = laid_out(1181);
+  EXPECT_LT(low.title.front().text.size, high.title.front().text.size);
+  EXPECT_LT(low.panel.y, high.panel.y);
+  EXPECT_EQ(low.legend.bottom(), low.footer.y);
+  EXPECT_GE(low.subtitle.size, low.style.least_type);
+}
+
 // Five points are 20.8 dots at 300 to the inch.
 TEST(PageStyle, has_no_type_below_five_points_where_the_density_is_known) {
   EXPECT_EQ(page_style(3508, 2480, 300).least_type, 21);
