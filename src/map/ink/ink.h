@@ -16,7 +16,7 @@ inline constexpr Colour voronoi{205, 24, 36};
 inline constexpr Colour delaunay{28, 84, 196};
 inline constexpr Colour white{255, 255, 255};
 inline constexpr Colour no_reading{238, 238, 236};
-inline constexpr Colour dry{234, 234, 234};
+inline constexpr Colour dry{240, 240, 240};
 inline constexpr Colour hatch{190, 190, 187};
 
 }  // namespace thiessen::ink

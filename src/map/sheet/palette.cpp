@@ -16,12 +16,13 @@ constexpr std::array<Colour, 9> viridis{{{68, 1, 84},
                                          {92, 200, 99},
                                          {170, 220, 50},
                                          {253, 231, 37}}};
+// The palest of these three are so much darker than dry ground that grey print shows it.
 constexpr std::array<Colour, 5> blues{
-    {{222, 235, 247}, {166, 203, 229}, {96, 159, 206}, {38, 104, 172}, {10, 44, 104}}};
+    {{178, 208, 232}, {116, 168, 211}, {62, 129, 186}, {25, 86, 150}, {10, 44, 104}}};
 constexpr std::array<Colour, 5> browns{
-    {{247, 234, 212}, {227, 191, 138}, {193, 136, 74}, {140, 84, 32}, {76, 38, 8}}};
+    {{232, 200, 152}, {204, 154, 93}, {167, 111, 52}, {121, 70, 24}, {76, 38, 8}}};
 constexpr std::array<Colour, 5> greys{
-    {{208, 208, 208}, {164, 164, 164}, {120, 120, 120}, {76, 76, 76}, {32, 32, 32}}};
+    {{204, 204, 204}, {161, 161, 161}, {118, 118, 118}, {75, 75, 75}, {32, 32, 32}}};
 
 std::span<const Colour> anchors_of(Palette palette) {
   switch (palette) {

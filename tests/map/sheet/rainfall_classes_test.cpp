@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "map/ink/contrast.h"
 #include "map/ink/ink.h"
 
 namespace thiessen {
@@ -93,6 +94,7 @@ TEST(RainfallClasses, law_3_zero_is_dry_in_every_palette) {
     EXPECT_TRUE(classes.has_dry());
     EXPECT_EQ(classes.colour(0), ink::dry);
     for (std::size_t i = 0; i < classes.count(); ++i) EXPECT_NE(classes.class_colour(i), ink::dry);
+    EXPECT_GE(contrast(classes.class_colour(0), ink::dry), 1.4) << "in a grey print too";
   }
 }
 
