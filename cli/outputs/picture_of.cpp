@@ -42,8 +42,8 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   picture.geographic = study.metric == Metric::geodesic || (study.crs && study.crs->geographic());
   picture.metres_per_unit =
       study.metres_per_unit.value_or(std::numeric_limits<double>::quiet_NaN());
-  picture.north_is_up = picture.geographic || !study.crs ||
-                        north_is_up(*study.crs, inputs.weighing().frame().centre());
+  picture.north_is_up =
+      picture.geographic || !study.crs || north_is_up(*study.crs, inputs.weighing().frame());
   picture.has_basins = inputs.has_basins();
   picture.by_rainfall = readings != nullptr;
   picture.classes = view.colours.rule;

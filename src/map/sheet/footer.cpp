@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "map/ink/ink.h"
@@ -79,6 +80,20 @@ int draw_north_arrow(Canvas& canvas, const Page& page, int x, Typesetter& type) 
   return x + width;
 }
 
+/// Whether north is up on all of the map, more or less. Where the pole lies on it, it is not.
+bool has_north_above(const StudyView& view, bool north_is_up) {
+  constexpr double radian = std::numbers::pi / 180;
+  switch (view.projection.kind()) {
+    case MapProjection::Kind::plane:
+      return north_is_up;
+    case MapProjection::Kind::stereographic:
+      return (90 - std::abs(view.projection.centre().y)) * radian > view.radius;
+    case MapProjection::Kind::plate_carree:
+      return true;
+  }
+  return true;
+}
+
 }  // namespace
 
 ScaleBar scale_bar(double pixels_per_unit, double metres_per_unit, double longest) {
@@ -102,11 +117,8 @@ std::vector<std::string> draw_footer(Canvas& canvas, const Page& page, const Stu
   const PageStyle& style = page.style;
   if (page.footer.height == 0) return {};
   int left = draw_scale_bar(canvas, page, view, pixels_per_unit, type) + style.ems(1.5);
-  constexpr double nearly_pole = 89;
-  const bool is_plane = view.projection.kind() == MapProjection::Kind::plane;
-  const bool has_north =
-      is_plane ? north_is_up : std::abs(view.projection.centre().y) < nearly_pole;
-  if (has_north) left = draw_north_arrow(canvas, page, left, type) + style.ems(1.5);
+  if (has_north_above(view, north_is_up))
+    left = draw_north_arrow(canvas, page, left, type) + style.ems(1.5);
   const int right = page.footer.x + page.footer.width;
   int baseline = page.footer.y + style.ems(1.3);
   std::vector<std::string> without_room;

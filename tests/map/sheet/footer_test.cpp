@@ -43,10 +43,11 @@ TEST(ScaleBar, there_is_none_where_no_length_can_be_had) {
 /// A footer of 800 by 68 pixels, and what is drawn into it.
 struct Drawn {
   Drawn(const MapProjection& projection, bool north_is_up, const std::string& note,
-        PixelBox footer = {20, 30, 800, 68}) {
+        PixelBox footer = {20, 30, 800, 68}, double radius = 0) {
     page.style.em = 20;
     page.footer = footer;
     view.projection = projection;
+    view.radius = radius;
     draw_footer(canvas, page, view, 1, north_is_up, note, type);
   }
   /// How many pixels of the box are dark.
@@ -88,6 +89,16 @@ TEST(Footer, has_no_arrow_round_a_pole_where_north_is_every_way) {
   const MapProjection plane = MapProjection::plane({}, polar.metres_per_unit());
   const PixelBox left = {0, 0, 450, 120};  // the name of the projection stands on the right
   EXPECT_EQ(Drawn(polar, true, "").dark(left), Drawn(plane, false, "").dark(left));
+}
+
+// 85 degrees north, 5 degrees or 0.0873 radians from the pole.
+TEST(Footer, has_no_arrow_where_the_pole_lies_on_the_map) {
+  const MapProjection projection = MapProjection::stereographic({10, 85});
+  const PixelBox left = {0, 0, 450, 120};
+  const auto ink_of = [&](double radius) {
+    return Drawn(projection, true, "", {20, 30, 800, 68}, radius).dark(left);
+  };
+  EXPECT_GT(ink_of(0.08), ink_of(0.09) + 100);
 }
 
 TEST(Footer, leaves_out_a_note_that_finds_no_room_and_all_where_it_has_no_height) {
