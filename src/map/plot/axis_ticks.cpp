@@ -24,14 +24,25 @@ std::string tick_text(const RoundValue& value) {
   return scientific.size() < plain.size() ? scientific : plain;
 }
 
+/// The texts of an axis, all with as many decimals unless one is better written with an exponent.
+std::vector<std::string> tick_texts(const std::vector<RoundValue>& values) {
+  std::vector<std::string> own;
+  bool all_plain = true;
+  for (const RoundValue& value : values) {
+    own.push_back(tick_text(value));
+    all_plain = all_plain && own.back() == value.text();
+  }
+  return all_plain ? texts_of(values) : own;
+}
+
 /// The round values from low to high, each less by `shift`.
 std::vector<AxisTicks::Tick> ticks_between(double low, double high, int most, double shift) {
+  std::vector<RoundValue> values = round_scale(low, high, most + 1);
+  std::erase_if(values, [&](const RoundValue& v) { return v.value() < low || v.value() > high; });
+  const std::vector<std::string> texts = tick_texts(values);
   std::vector<AxisTicks::Tick> ticks;
-  for (const RoundValue& value : round_scale(low, high, most + 1)) {
-    const double coordinate = value.value();
-    if (coordinate < low || coordinate > high) continue;
-    ticks.push_back({coordinate - shift, tick_text(value)});
-  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    ticks.push_back({values[i].value() - shift, texts[i]});
   return ticks;
 }
 

@@ -39,9 +39,16 @@ TEST(AxisTicks, of_a_narrow_range_are_counted_from_a_base) {
 TEST(AxisTicks, take_an_exponent_where_that_is_much_shorter) {
   EXPECT_EQ(texts(axis_ticks(0, 0, 2.4e-6, 3)), (std::vector<std::string>{"0", "1e-6", "2e-6"}));
   EXPECT_EQ(texts(axis_ticks(0, -1.3e-7, -1e-7, 3)).front(), "-1.3e-7");
-  EXPECT_EQ(texts(axis_ticks(0, 0.001, 0.002, 2)).front(), "0.001");
+  EXPECT_EQ(texts(axis_ticks(0, 0.001, 0.002, 2)).front(), "0.0010");
   EXPECT_EQ(texts(axis_ticks(0, 1.1e8, 1.7e8, 3)).front(), "120000000");
   EXPECT_EQ(texts(axis_ticks(0, 1.1e10, 1.7e10, 3)).front(), "1.2e10");
+}
+
+TEST(AxisTicks, have_as_many_decimals_as_each_other) {
+  EXPECT_EQ(texts(axis_ticks(0, 1.75, 2.3, 4)), (std::vector<std::string>{"1.8", "2.0", "2.2"}));
+  EXPECT_EQ(texts(axis_ticks(0, -0.55, 0.55, 4)), (std::vector<std::string>{"-0.5", "0.0", "0.5"}));
+  EXPECT_EQ(texts(axis_ticks(4000000, 0.9, 2.2, 3)),
+            (std::vector<std::string>{"1.0", "1.5", "2.0"}));
 }
 
 TEST(AxisTicks, of_any_range_are_few) {
