@@ -95,7 +95,7 @@ void RainfallClasses::lay_between_ticks(const std::vector<RoundValue>& ticks) {
   if (ticks.size() == 1) {
     // One text stands for the class, so that it has no ends to be opened.
     count_ = 1;
-    ticks_ = texts_of(ticks);
+    ticks_ = texts_of({few_digits(ticks.front().value())});
     return;
   }
   lay({ticks.begin() + 1, ticks.end() - 1}, {ticks.front(), ticks.back()});
@@ -104,7 +104,10 @@ void RainfallClasses::lay_between_ticks(const std::vector<RoundValue>& ticks) {
 void RainfallClasses::lay_quantiles(std::vector<double> sorted) {
   if (round_scale(sorted.front(), sorted.back(), most_classes).size() == 1)
     return lay_between_ticks({nine_digits(sorted.back())});
-  const Ends ends{round_down(sorted.front(), 1), round_up(sorted.back(), 2)};
+  Ends ends{round_down(sorted.front(), 1), round_up(sorted.back(), 2)};
+  // A trace, as a surface has beside dry ground, would give all bounds its many decimals.
+  constexpr double hardly_any = 0.01;
+  if (no_negative_ && sorted.front() < hardly_any * quantile(sorted, 0.2)) ends.low = RoundValue{};
   std::vector<RoundValue> bounds = rounded_quantiles(sorted, *ends.low, *ends.high);
   if (bounds.empty()) {
     // Most readings are the same: the others have to tell.

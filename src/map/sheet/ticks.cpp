@@ -104,6 +104,18 @@ RoundValue nine_digits(double value) {
   return {digits, exponent};
 }
 
+RoundValue few_digits(double value) {
+  constexpr int decimals = 2;
+  constexpr int significant = 3;
+  if (value == 0) return {};
+  const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const int last = std::min(-decimals, exponent - significant + 1);
+  const double digits = value / power_of_ten(1, last);
+  constexpr double most_digits = 1e15;  // beyond which a double has no decimals to be rounded
+  if (!(std::abs(digits) < most_digits)) return nine_digits(value);
+  return {std::llround(digits), last};
+}
+
 RoundValue round_down(double value, int digits) {
   if (value == 0) return {};
   const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)))) - digits + 1;

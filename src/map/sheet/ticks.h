@@ -25,6 +25,10 @@ std::vector<std::string> texts_of(const std::vector<RoundValue>& values);
 /// The value rounded to at most nine significant digits.
 RoundValue nine_digits(double value);
 
+/// The value as a reader wants it: to two decimals, or to three significant digits where these are
+/// more.
+RoundValue few_digits(double value);
+
 /// The largest value of so many significant digits that is not above `value`, and the smallest that
 /// is not below it. Both require a finite value.
 RoundValue round_down(double value, int digits);

@@ -112,7 +112,15 @@ TEST(RainfallClasses, of_equal_readings_are_one_with_one_text) {
     EXPECT_EQ(classes.count(), 1u);
     EXPECT_EQ(classes.ticks(), (Texts{"4"}));
     EXPECT_EQ(classes.colour(4), classes.class_colour(0));
+    EXPECT_EQ(RainfallClasses({20.8 / 3}, rule_of(kind)).ticks(), (Texts{"6.93"}))
+        << "a mean of three readings";
   }
+}
+
+TEST(RainfallClasses, with_a_trace_begin_at_0_and_not_at_its_many_decimals) {
+  const RainfallClasses classes({0, 1e-7, 3, 4, 5, 6, 50}, rule_of(ClassRule::Kind::quantiles));
+  EXPECT_EQ(classes.ticks().front().substr(0, 1), "0");
+  for (const std::string& tick : classes.ticks()) EXPECT_LE(tick.size(), 4U) << tick;
 }
 
 TEST(RainfallClasses, of_negative_values_have_no_dry_one) {

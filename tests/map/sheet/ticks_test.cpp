@@ -105,5 +105,18 @@ TEST(Roundest, is_a_multiple_of_the_largest_step_that_has_one_there) {
   EXPECT_EQ(roundest(0, 0, 0).text(), "0");
 }
 
+TEST(FewDigits, are_two_decimals_or_three_significant_digits) {
+  const auto text = [](double value) { return few_digits(value).text(); };
+  EXPECT_EQ(text(20.8 / 3), "6.93");
+  EXPECT_EQ(text(12.34), "12.34");
+  EXPECT_EQ(text(250), "250");
+  EXPECT_EQ(text(1234.5678), "1234.57");
+  EXPECT_EQ(text(-2.0 / 3), "-0.667");
+  EXPECT_EQ(text(0.0123456), "0.0123");
+  EXPECT_EQ(text(0), "0");
+  EXPECT_EQ(text(1e-9 / 3), "3.33e-10");
+  EXPECT_EQ(text(1e20), "1e20");
+}
+
 }  // namespace
 }  // namespace thiessen
