@@ -199,10 +199,13 @@ class MapCommand : public Command {
     } else {
       GeoTiffGrid grid(output, steps.times);
       fill_grid(inputs, steps, output, grid, warnings);
-      std::vector<EncodedFile> files = grid.finish();
-      const RainfallClasses classes(steps.sample.values(), view_.colours.rule);
+      const std::vector<double> values = steps.sample.values();
+      const RainfallClasses classes(values, view_.colours.rule);
       warn_of_outside(classes, false, warnings);
-      files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
+      const RainfallStyle style(classes, values, output.made_by.unit);
+      grid.set_classes(style.classes());
+      std::vector<EncodedFile> files = grid.finish();
+      files.push_back(style.file(output.path));
       append_files(outputs, *file, files);
     }
     outputs.commit();

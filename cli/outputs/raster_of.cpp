@@ -109,10 +109,16 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
       for (const float value : some) sample.add(value);
       return some;
     };
-    std::vector<EncodedFile> files = rainfall_geotiff(output, sampled_rows, text, {});
-    const RainfallClasses classes(sample.values(), shown.classes);
-    warn_of_outside(classes, false, warnings);
-    files.push_back(RainfallStyle(classes, output.made_by.unit).file(output.path));
+    std::optional<RainfallStyle> style;
+    const auto classes_of_sample = [&] {
+      const RainfallClasses classes(sample.values(), shown.classes);
+      warn_of_outside(classes, false, warnings);
+      style.emplace(classes, sample.values(), output.made_by.unit);
+      return style->classes();
+    };
+    std::vector<EncodedFile> files =
+        rainfall_geotiff(output, sampled_rows, text, classes_of_sample);
+    files.push_back(style.value().file(output.path));
     return files;
   }
   const std::vector<double> values_shown = shown_values(inputs, *readings, output.threads);
@@ -127,7 +133,8 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
       values.push_back(by_number[static_cast<std::size_t>(owner)]);
     return values;
   };
-  std::vector<EncodedFile> files = rainfall_geotiff(output, value_rows, text, style.classes());
+  std::vector<EncodedFile> files =
+      rainfall_geotiff(output, value_rows, text, [&] { return style.classes(); });
   files.push_back(style.file(output.path));
   return files;
 }

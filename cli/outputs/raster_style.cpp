@@ -23,13 +23,15 @@ std::string short_text(double value) {
   return {text.data(), end.ptr};
 }
 
-/// The largest value below a bound that a raster of floats holds: QGIS has a class reach up to its
-/// value, and one that equals the bound is of the class above.
+/// A value as a raster of floats holds it.
+double held(double value) {
+  return static_cast<double>(static_cast<float>(value));
+}
+
+/// The largest value of a raster of floats below a bound: QGIS and GDAL have a class reach up to
+/// its value, and one that equals the bound is of the class above, as the raster holds either.
 double just_below(double bound) {
-  const auto nearest = static_cast<float>(bound);
-  return static_cast<double>(nearest) < bound
-             ? static_cast<double>(nearest)
-             : static_cast<double>(std::nextafter(nearest, -HUGE_VALF));
+  return static_cast<double>(std::nextafter(static_cast<float>(bound), -HUGE_VALF));
 }
 
 }  // namespace
@@ -82,52 +84,52 @@ EncodedFile StationStyle::file(const std::string& path) const {
   return {style_path(path), style_of_values(entries)};
 }
 
-RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::span<const double> readings,
+RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::span<const double> values,
                              std::string unit)
     : unit_(std::move(unit)) {
-  std::vector<double> sorted;
-  for (const double reading : readings) {
-    if (std::isfinite(reading)) sorted.push_back(reading);
+  double least = HUGE_VAL;
+  double largest = -HUGE_VAL;
+  bool any = false;
+  for (const double value : values) {
+    if (!std::isfinite(value)) continue;
+    any = true;
+    if (classes.has_dry() && value == 0) continue;
+    least = std::min(least, value);
+    largest = std::max(largest, value);
   }
-  std::sort(sorted.begin(), sorted.end());
-  for (const double reading : sorted) {
-    const Colour colour = classes.colour(reading);
-    const auto held = static_cast<double>(static_cast<float>(reading));
-    if (classes_.empty() || classes_.back().colour != colour) {
-      classes_.push_back({held, held, colour});
-    }
-    classes_.back().high = held;
-  }
-  if (classes.bounds().empty()) {
-    for (const RasterClass& c : classes_) entries_.push_back(entry(c));
-  } else {
-    lay_entries(classes);
+  if (any) lay_classes(classes, least, largest);
+  lay_entries(classes);
+}
+
+void RainfallStyle::lay_classes(const RainfallClasses& classes, double least, double largest) {
+  const std::vector<double>& bounds = classes.bounds();
+  if (classes.has_dry()) classes_.push_back({0, 0, classes.colour(0)});
+  for (std::size_t i = 0; i < classes.count(); ++i) {
+    const double low =
+        i > 0 ? held(bounds[i - 1]) : held(std::min(least, classes.low_end().value_or(least)));
+    const double high = i < bounds.size()
+                            ? just_below(bounds[i])
+                            : held(std::max(largest, classes.high_end().value_or(largest)));
+    classes_.push_back({low, high, classes.class_colour(i)});
   }
 }
 
-RainfallStyle::RainfallStyle(const RainfallClasses& classes, std::string unit)
-    : unit_(std::move(unit)) {
-  lay_entries(classes);
+std::string RainfallStyle::label_of(const RainfallClasses& classes, std::size_t index) const {
+  const std::vector<double>& bounds = classes.bounds();
+  if (bounds.empty()) return classes.ticks().front();
+  if (index == 0) return "below " + short_text(bounds.front());
+  if (index == bounds.size()) return "from " + short_text(bounds.back());
+  return short_text(bounds[index - 1]) + " to " + short_text(bounds[index]);
 }
 
 void RainfallStyle::lay_entries(const RainfallClasses& classes) {
   const std::vector<double>& bounds = classes.bounds();
   if (classes.has_dry()) entries_.push_back({0, "dry", classes.colour(0)});
   for (std::size_t i = 0; i < classes.count(); ++i) {
-    const std::string high = i < bounds.size() ? short_text(bounds[i]) : "";
-    const std::string text = bounds.empty() ? "rainfall"
-                             : i == 0       ? "below " + high
-                             : high.empty() ? "from " + short_text(bounds[i - 1])
-                                            : short_text(bounds[i - 1]) + " to " + high;
+    const std::string text = label_of(classes, i);
     const double value = i < bounds.size() ? just_below(bounds[i]) : HUGE_VAL;
     entries_.push_back({value, unit_.empty() ? text : text + " " + unit_, classes.class_colour(i)});
   }
-}
-
-StyleEntry RainfallStyle::entry(const RasterClass& c) const {
-  const std::string range =
-      c.low == c.high ? short_text(c.low) : short_text(c.low) + " to " + short_text(c.high);
-  return {c.high, unit_.empty() ? range : range + " " + unit_, c.colour};
 }
 
 EncodedFile RainfallStyle::file(const std::string& path) const {

@@ -50,21 +50,23 @@ class StationStyle {
 /// The colours of rainfall in a raster: those that a picture of the same readings has.
 class RainfallStyle {
  public:
-  /// The style of cells, whose `readings` are by station, NaN where there is none.
-  RainfallStyle(const RainfallClasses& classes, std::span<const double> readings, std::string unit);
-  /// The style of a surface, whose values lie anywhere between the readings; no value is of one
-  /// class alone.
-  RainfallStyle(const RainfallClasses& classes, std::string unit);
+  /// `values` are readings, or a sample of a surface's or a series' values with the least and the
+  /// largest; NaN is none.
+  RainfallStyle(const RainfallClasses& classes, std::span<const double> values, std::string unit);
 
-  /// The readings of one colour lie between a class's ends, as a raster of floats holds them.
+  /// The classes from the lowest to the highest, each up to where the next begins, as a raster of
+  /// floats holds values. The outer ones reach over all values. None where there is no value.
   const std::vector<RasterClass>& classes() const { return classes_; }
   /// The style for QGIS of the raster at `path`.
   EncodedFile file(const std::string& path) const;
 
  private:
+  /// Classes between the bounds; the outer ones reach at least from `least` to `largest`.
+  void lay_classes(const RainfallClasses& classes, double least, double largest);
   /// Entries by the classes' bounds, so that the style fits the rasters of a series alike.
   void lay_entries(const RainfallClasses& classes);
-  StyleEntry entry(const RasterClass& c) const;
+  /// What the legend says of class `index`.
+  std::string label_of(const RainfallClasses& classes, std::size_t index) const;
 
   std::vector<RasterClass> classes_;
   std::vector<StyleEntry> entries_;

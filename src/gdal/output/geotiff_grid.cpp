@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "gdal/output/raster_tables.h"
 
 namespace thiessen {
 namespace {
@@ -35,6 +36,10 @@ void GeoTiffGrid::add(std::span<const float> pixels) {
         static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
     writer_.write(bands_, row, std::min(step, grid.rows - row), pixels.subspan(before).data());
   }
+}
+
+void GeoTiffGrid::set_classes(std::span<const RasterClass> classes) {
+  if (!classes.empty()) writer_.set_table(table_of(classes));
 }
 
 }  // namespace thiessen

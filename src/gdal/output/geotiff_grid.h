@@ -7,6 +7,7 @@
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/geotiff_writer.h"
 #include "gdal/output/grid_file.h"
+#include "gdal/output/raster_colours.h"
 
 namespace thiessen {
 
@@ -18,6 +19,8 @@ class GeoTiffGrid : public GridFile {
   GeoTiffGrid(const RasterOutput& output, std::span<const std::string> times);
 
   void add(std::span<const float> pixels) override;
+  /// Sets what the values of the first band mean, as a table of its classes.
+  void set_classes(std::span<const RasterClass> classes);
   /// Ends the file, and gives it with its side files. Requires a band for each time.
   std::vector<EncodedFile> finish() { return writer_.finish(); }
 

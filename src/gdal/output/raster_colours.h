@@ -18,4 +18,8 @@ struct RasterClass {
   Colour colour;
 };
 
+/// Gives the classes of a raster's values, from the lowest on. It is asked once, when all pixels
+/// have been given.
+using RasterClasses = std::function<std::vector<RasterClass>()>;
+
 }  // namespace thiessen

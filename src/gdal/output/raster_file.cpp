@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "gdal/output/geotiff_writer.h"
+#include "gdal/output/raster_tables.h"
 
 namespace thiessen {
 namespace {
@@ -34,20 +35,6 @@ void note_owners(std::span<const std::int32_t> owners, std::vector<bool>& is_own
   }
 }
 
-void add_colour_columns(GDALDefaultRasterAttributeTable& table) {
-  table.CreateColumn("red", GFT_Integer, GFU_Red);
-  table.CreateColumn("green", GFT_Integer, GFU_Green);
-  table.CreateColumn("blue", GFT_Integer, GFU_Blue);
-}
-
-/// Sets the colour in the columns from the third on.
-void set_colour(GDALDefaultRasterAttributeTable& table, int row, const Colour& colour) {
-  constexpr int red = 2;
-  table.SetValue(row, red, int{colour.red});
-  table.SetValue(row, red + 1, int{colour.green});
-  table.SetValue(row, red + 2, int{colour.blue});
-}
-
 /// `colours` is empty or has the colour of each station.
 GDALDefaultRasterAttributeTable table_of(const std::vector<std::string>& ids,
                                          const std::vector<bool>& is_owner,
@@ -63,23 +50,6 @@ GDALDefaultRasterAttributeTable table_of(const std::vector<std::string>& ids,
     table.SetValue(row, 0, static_cast<int>(i) + 1);
     table.SetValue(row, 1, ids[i].c_str());
     if (!colours.empty()) set_colour(table, row, colours[i]);
-    ++row;
-  }
-  return table;
-}
-
-GDALDefaultRasterAttributeTable table_of(std::span<const RasterClass> classes) {
-  GDALDefaultRasterAttributeTable table;
-  table.SetTableType(GRTT_ATHEMATIC);
-  table.CreateColumn("low", GFT_Real, GFU_Min);
-  table.CreateColumn("high", GFT_Real, GFU_Max);
-  add_colour_columns(table);
-  int row = 0;
-  for (const RasterClass& c : classes) {
-    table.SetRowCount(row + 1);
-    table.SetValue(row, 0, c.low);
-    table.SetValue(row, 1, c.high);
-    set_colour(table, row, c.colour);
     ++row;
   }
   return table;
@@ -103,12 +73,12 @@ std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerR
 }
 
 std::vector<EncodedFile> rainfall_geotiff(const RasterOutput& output, const ValueRows& values,
-                                          const BandText& text,
-                                          std::span<const RasterClass> classes) {
+                                          const BandText& text, const RasterClasses& classes) {
   GeoTiffWriter writer(output, GeoTiffWriter::Pixels::rainfall, 1);
   writer.describe(1, text);
   write_band(writer, output.grid, values);
-  if (!classes.empty()) writer.set_table(table_of(classes));
+  const std::vector<RasterClass> found = classes ? classes() : std::vector<RasterClass>();
+  if (!found.empty()) writer.set_table(table_of(found));
   return writer.finish();
 }
 

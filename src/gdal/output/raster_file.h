@@ -34,7 +34,6 @@ std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerR
 /// a raster attribute table of the classes where there are any. The errors
 /// and the order of rows are those of owners_geotiff.
 std::vector<EncodedFile> rainfall_geotiff(const RasterOutput& output, const ValueRows& values,
-                                          const BandText& text,
-                                          std::span<const RasterClass> classes = {});
+                                          const BandText& text, const RasterClasses& classes = {});
 
 }  // namespace thiessen

@@ -84,8 +84,14 @@ void RainfallClasses::lay_over(std::vector<double> readings, const ClassRule& ru
 void RainfallClasses::lay(std::vector<RoundValue> bounds, const Ends& ends) {
   count_ = bounds.size() + 1;
   for (const RoundValue& bound : bounds) bounds_.push_back(bound.value());
-  if (ends.low) bounds.insert(bounds.begin(), *ends.low);
-  if (ends.high) bounds.push_back(*ends.high);
+  if (ends.low) {
+    low_end_ = ends.low->value();
+    bounds.insert(bounds.begin(), *ends.low);
+  }
+  if (ends.high) {
+    high_end_ = ends.high->value();
+    bounds.push_back(*ends.high);
+  }
   ticks_ = texts_of(bounds);
   if (!ends.low) ticks_.insert(ticks_.begin(), "");
   if (!ends.high) ticks_.emplace_back();

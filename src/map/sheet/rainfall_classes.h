@@ -48,6 +48,9 @@ class RainfallClasses {
   std::size_t outside() const { return outside_; }
   /// The values at which classes meet, ascending; 0, where it is a class of its own, is none.
   const std::vector<double>& bounds() const { return bounds_; }
+  /// Where the lowest class begins and the highest ends; none where they have no end.
+  std::optional<double> low_end() const { return low_end_; }
+  std::optional<double> high_end() const { return high_end_; }
   /// The texts at the ends of classes, from the lowest to the highest, one more than classes, with
   /// equal decimals; empty where a class has no end. Where all readings are equal there is one
   /// class and one text.
@@ -77,6 +80,8 @@ class RainfallClasses {
   bool has_dry_ = false;
   bool no_negative_ = true;
   std::vector<double> bounds_;  ///< between the classes
+  std::optional<double> low_end_;
+  std::optional<double> high_end_;
   std::vector<std::string> ticks_;
 };
 

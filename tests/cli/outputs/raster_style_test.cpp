@@ -4,6 +4,8 @@
 
 #include <limits>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace thiessen::cli {
 namespace {
@@ -51,19 +53,62 @@ TEST(StationStyle, of_thousands_follows_their_numbers) {
   EXPECT_NE(some.file("map.tif").bytes.find("paletted"), std::string::npos);
 }
 
-TEST(RainfallStyle, classes_hold_all_readings_of_one_colour) {
+ClassRule breaks_of(std::vector<double> breaks) {
+  ClassRule rule;
+  rule.kind = ClassRule::Kind::breaks;
+  rule.breaks = std::move(breaks);
+  return rule;
+}
+
+// As a raster of floats holds them: the float before 2, and before 5.
+TEST(RainfallStyle, classes_reach_from_bound_to_bound_without_gaps) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<double> readings{8, none, 0.25, 0.1, 3};
-  const RainfallStyle style(RainfallClasses(readings, {}), readings, "mm");
-  const auto classes = style.classes();
-  ASSERT_GE(classes.size(), 2u);
-  EXPECT_EQ(classes.front().low, static_cast<double>(0.1F)) << "as the raster holds it";
-  EXPECT_EQ(classes.back().high, 8);
-  for (std::size_t i = 1; i < classes.size(); ++i) {
-    EXPECT_GT(classes[i].low, classes[i - 1].high);
+  const std::vector<double> readings{8, none, 0, 0.25, 3};
+  const RainfallStyle style(RainfallClasses(readings, breaks_of({2, 5, 7})), readings, "mm");
+  const auto& classes = style.classes();
+  ASSERT_EQ(classes.size(), 5u) << "dry, and four of which one has no reading";
+  EXPECT_EQ(classes[0].low, 0);
+  EXPECT_EQ(classes[0].high, 0);
+  EXPECT_EQ(classes[1].low, 0);
+  EXPECT_EQ(classes[1].high, 1.9999998807907104);
+  EXPECT_EQ(classes[2].low, 2);
+  EXPECT_EQ(classes[2].high, 4.999999523162842);
+  EXPECT_EQ(classes[3].low, 5);
+  EXPECT_EQ(classes[4].low, 7);
+  EXPECT_EQ(classes[4].high, 8) << "the largest, for the class has no end";
+  for (std::size_t i = 1; i < classes.size(); ++i)
     EXPECT_TRUE(differ(classes[i].colour, classes[i - 1].colour));
-  }
-  EXPECT_NE(style.file("map.tif").bytes.find("label=\"from "), std::string::npos);
+}
+
+TEST(RainfallStyle, classes_of_quantiles_and_of_a_range_reach_over_all_values) {
+  ClassRule range;
+  range.range = ClassRule::Range{10, 20};
+  const std::vector<double> readings{4, 12, 18, 26};
+  const auto of_range = RainfallStyle(RainfallClasses(readings, range), readings, "").classes();
+  EXPECT_EQ(of_range.front().low, 4);
+  EXPECT_EQ(of_range.back().high, 26);
+  const std::vector<double> skewed{1.3, 1.4, 2.5, 3.6, 99.5};
+  const auto of_skewed = RainfallStyle(RainfallClasses(skewed, {}), skewed, "").classes();
+  EXPECT_EQ(of_skewed.front().low, 1) << "where the legend begins";
+  EXPECT_EQ(of_skewed.back().high, 100);
+}
+
+// The float nearest to 0.7 is less than 0.7, and is what the raster holds of a reading of 0.7.
+TEST(RainfallStyle, a_reading_at_a_bound_is_of_the_class_above_as_the_raster_holds_it) {
+  const std::vector<double> readings{0.5, 0.7, 1};
+  const auto classes =
+      RainfallStyle(RainfallClasses(readings, breaks_of({0.7})), readings, "mm").classes();
+  ASSERT_EQ(classes.size(), 2u);
+  EXPECT_LT(classes[0].high, static_cast<double>(0.7F));
+  EXPECT_EQ(classes[1].low, static_cast<double>(0.7F));
+}
+
+TEST(RainfallStyle, one_value_has_few_digits) {
+  const std::vector<double> reading{20.8 / 3};
+  const RainfallStyle style(RainfallClasses(reading, {}), reading, "mm");
+  ASSERT_EQ(style.classes().size(), 1u);
+  EXPECT_EQ(style.classes()[0].low, style.classes()[0].high);
+  EXPECT_NE(style.file("map.tif").bytes.find("label=\"6.93 mm\""), std::string::npos);
 }
 
 TEST(RainfallStyle, of_no_readings_has_no_classes) {
@@ -72,17 +117,15 @@ TEST(RainfallStyle, of_no_readings_has_no_classes) {
 }
 
 TEST(RainfallStyle, takes_the_classes_and_colours_that_are_asked_for) {
-  ClassRule rule;
-  rule.kind = ClassRule::Kind::breaks;
-  rule.breaks = {2, 5};
+  ClassRule rule = breaks_of({2, 5});
   rule.palette = Palette::greys;
   const std::vector<double> readings{0, 1, 2, 4, 9};
   const RainfallClasses classes(readings, rule);
   const RainfallStyle cells(classes, readings, "mm");
   ASSERT_EQ(cells.classes().size(), 4u) << "dry, below 2, 2 to 5, 5 and more";
   EXPECT_EQ(cells.classes()[2].low, 2);
-  EXPECT_EQ(cells.classes()[2].high, 4);
-  const std::string surface = RainfallStyle(classes, "mm").file("map.tif").bytes;
+  const std::string surface =
+      RainfallStyle(classes, std::vector<double>{3}, "mm").file("map.tif").bytes;
   for (const char* label :
        {"label=\"dry\"", "label=\"below 2 mm\"", "label=\"2 to 5 mm\"", "label=\"from 5 mm\""})
     EXPECT_NE(surface.find(label), std::string::npos) << label;

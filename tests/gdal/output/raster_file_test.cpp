@@ -115,8 +115,8 @@ TEST(RasterFile, rainfall_has_its_classes_and_their_colours) {
   const std::vector<float> rainfall(600, 2.5F);
   const TemporaryFolder folder;
   const std::vector<RasterClass> classes{{0, 2, {1, 2, 3}}, {2.5, 7.25, {4, 5, 6}}};
-  const auto files =
-      rainfall_geotiff(output_to(folder.path("map.tif")), rows_of(rainfall, 300), {}, classes);
+  const auto files = rainfall_geotiff(output_to(folder.path("map.tif")), rows_of(rainfall, 300), {},
+                                      [&] { return classes; });
   ASSERT_EQ(files.size(), 2U);
   const std::string info = info_of(folder, files);
   EXPECT_TRUE(contains(info, "tableType=\"athematic\"")) << info;
