@@ -173,6 +173,21 @@ void Typesetter::add_word(std::u32string_view word, const FontList& fonts,
   }
 }
 
+void Typesetter::note_coarse(std::u32string_view word, const std::vector<Piece>& line,
+                             std::size_t first, const FontList& fonts) {
+  constexpr std::size_t most = 3;
+  bool is_coarse = false;
+  for (std::size_t i = first; i < line.size(); ++i) {
+    if (!fonts.has_pixels(line[i].font)) continue;
+    is_coarse = true;
+    note(line[i].text, coarse_);
+  }
+  const std::u32string text(word);
+  const auto is_known = std::find(coarse_words_.begin(), coarse_words_.end(), text);
+  if (is_coarse && coarse_words_.size() < most && is_known == coarse_words_.end())
+    coarse_words_.push_back(text);
+}
+
 void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::vector<Piece>& out) {
   std::vector<Piece> words;
   if (fonts.covers(preferred, run)) {
@@ -180,12 +195,13 @@ void Typesetter::add_run(std::u32string_view run, const FontList& fonts, std::ve
   } else {
     for (std::size_t i = 0; i < run.size();) {
       const std::size_t end = end_of_word(run, i);
+      const std::size_t before = words.size();
       add_word(run.substr(i, end - i), fonts, words);
+      note_coarse(trimmed(run.substr(i, end - i)), words, before, fonts);
       i = end;
     }
   }
   for (Piece& word : words) {
-    if (fonts.has_pixels(word.font)) note(word.text, coarse_);
     if (!out.empty() && out.back().font == word.font) {
       out.back().text += word.text;
     } else {

@@ -37,6 +37,8 @@ class Typesetter {
   /// The characters set so far that only a font of bitmaps shows, likewise; blanks may be among
   /// them.
   const std::u32string& coarse() const { return coarse_; }
+  /// The first few words with such characters, whole and as they are read.
+  const std::vector<std::u32string>& coarse_words() const { return coarse_words_; }
 
  private:
   struct Fonts;
@@ -49,6 +51,9 @@ class Typesetter {
   static std::optional<std::size_t> font_for(std::u32string_view text, const FontList& fonts,
                                              const std::vector<Piece>& line);
   void add_word(std::u32string_view word, const FontList& fonts, std::vector<Piece>& line);
+  /// Takes note of a word whose pieces are those from `first` on, where one is of bitmaps.
+  void note_coarse(std::u32string_view word, const std::vector<Piece>& line, std::size_t first,
+                   const FontList& fonts);
   void add_run(std::u32string_view run, const FontList& fonts, std::vector<Piece>& out);
   SetText set_line(std::u32string_view text, int size, Weight weight);
 
@@ -56,6 +61,7 @@ class Typesetter {
   std::unique_ptr<Fonts> bold_;
   std::u32string missing_;
   std::u32string coarse_;
+  std::vector<std::u32string> coarse_words_;
 };
 
 }  // namespace thiessen

@@ -3,19 +3,34 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "map/ink/unicode.h"
 
 namespace thiessen {
 namespace {
 
+/// A few characters, apart from each other: side by side they would look like a garbled word.
 std::string some_of(std::u32string_view characters) {
   constexpr std::size_t listed = 5;
-  std::u32string some;
+  std::size_t count = 0;
+  std::string some;
   for (const char32_t c : characters) {
-    if (some.size() < listed && c != U' ' && !is_attached(c)) some.push_back(c);
+    if (count == listed || c == U' ' || is_attached(c)) continue;
+    some += (count == 0 ? "" : ", ") + to_utf8({&c, 1});
+    ++count;
   }
-  return to_utf8(some);
+  return some;
+}
+
+/// Words as they stand in the picture; long ones, as whole lines without spaces are, by their
+/// beginning.
+std::string words_of(const std::vector<std::u32string>& words) {
+  constexpr std::size_t longest = 20;
+  std::string text;
+  for (const std::u32string& word : words)
+    text += (text.empty() ? "" : ", ") + to_utf8(shortened(word, longest));
+  return text;
 }
 
 /// Debian's packages of fonts with the outlines of these characters.
@@ -43,11 +58,10 @@ void warn_of_fonts(const Typesetter& type, Warnings& warnings) {
                   "install fonts for their script, such as fonts-noto-core, fonts-noto-cjk or "
                   "fonts-unifont"});
   }
-  const std::string coarse = some_of(type.coarse());
-  if (coarse.empty()) return;
+  if (type.coarse_words().empty()) return;
   warnings.add_notice({{},
                        0,
-                       "some of the picture's characters, such as " + coarse +
+                       "some of the picture's words, such as " + words_of(type.coarse_words()) +
                            ", are drawn from bitmaps, whose letters do not join",
                        "install a font with their outlines: " + packages_for(type.coarse())});
 }

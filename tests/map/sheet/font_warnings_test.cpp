@@ -41,7 +41,7 @@ TEST(FontWarnings, name_five_of_many_and_how_many_there_are) {
   EXPECT_EQ(
       sentences_of(warnings_of(type)),
       std::vector<std::string>{"no installed font shows 7 of the picture's characters, such as "
-                               "\U0010F127\U0010F126\U0010F125\U0010F124\U0010F123"});
+                               "\U0010F127, \U0010F126, \U0010F125, \U0010F124, \U0010F123"});
 }
 
 /// The notice of characters of bitmaps, with its hint; empty where an installed font has outlines.
@@ -58,10 +58,17 @@ std::string notice_of(const std::string& text) {
   return notice.sentence() + " | " + notice.hint.plain();
 }
 
+// The name of a country, with vowel signs and a virama, and a letter that comes twice.
+TEST(FontWarnings, of_bitmaps_quote_words_as_they_are_written) {
+  const std::string notice = notice_of("ଓଡ଼ିଶା ବର୍ଷା ଓଡ଼ିଶା");
+  if (notice.empty()) GTEST_SKIP() << "the fonts of this machine have outlines";
+  EXPECT_TRUE(contains(notice, "words, such as ଓଡ଼ିଶା, ବର୍ଷା, are drawn")) << notice;
+}
+
 TEST(FontWarnings, of_bitmaps_name_the_package_of_a_better_font) {
   const std::string east_asian = notice_of("雨");
   const std::string other = notice_of("ଵ");
-  const std::string before = "some of the picture's characters, such as ";
+  const std::string before = "some of the picture's words, such as ";
   const std::string after =
       ", are drawn from bitmaps, whose letters do not join | install a font with their outlines: ";
   if (east_asian.empty() && other.empty())
@@ -73,7 +80,7 @@ TEST(FontWarnings, of_bitmaps_name_the_package_of_a_better_font) {
     EXPECT_EQ(other, before + "ଵ" + after + "fonts-noto-core");
   }
   if (!east_asian.empty() && !other.empty()) {
-    EXPECT_EQ(notice_of("雨 ଵ"), before + "雨ଵ" + after + "fonts-noto-cjk and fonts-noto-core");
+    EXPECT_EQ(notice_of("雨 ଵ"), before + "雨, ଵ" + after + "fonts-noto-cjk and fonts-noto-core");
   }
 }
 
