@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "map/ink/unicode.h"
 
 namespace thiessen {
 namespace {
@@ -22,6 +25,22 @@ std::string_view words_that_fit(std::string_view text, int size, int room, Types
     end = next;
   }
   return text.substr(0, end);
+}
+
+/// The first letters of a word, as many as fit into the room; at least one, with its marks.
+std::string_view letters_that_fit(std::string_view word, int size, int room, Typesetter& type) {
+  std::vector<std::size_t> ends;
+  std::size_t end = 0;
+  for (const char32_t letter : decoded(word)) {
+    if (end > 0 && !is_attached(letter)) ends.push_back(end);
+    end += to_utf8({&letter, 1}).size();
+  }
+  const auto fits = [&](std::size_t length) {
+    return type.set(word.substr(0, length), size, Weight::bold).width() <= room;
+  };
+  const auto beyond = std::partition_point(ends.begin(), ends.end(), fits);
+  if (ends.empty()) return word;
+  return word.substr(0, beyond == ends.begin() ? ends.front() : *std::prev(beyond));
 }
 
 /// The sizes of a head's type, and the distances between its baselines and edges, in ems.
@@ -42,8 +61,9 @@ HeadSizes sizes_of(Head head) {
                              : HeadSizes{1.1, 1.0, 0.8, 0.5, 0.9, 0.3, 0.75, 0.25, 0.3};
 }
 
-/// Sets the title on one line, smaller where it is somewhat too long, else on up to three. What the
-/// last has no room for ends in an ellipsis.
+/// Sets the title on one line, smaller where it is somewhat too long, else on up to three, parted
+/// between words, and within one that is wider than the page. What the last has no room for ends in
+/// an ellipsis.
 std::vector<SetText> title_lines(std::string_view title, const PageStyle& style,
                                  const HeadSizes& sizes, int room, Typesetter& type) {
   constexpr std::size_t most = 3;
@@ -51,10 +71,13 @@ std::vector<SetText> title_lines(std::string_view title, const PageStyle& style,
   std::vector<SetText> lines;
   SetText line = type.fit(title, style.ems(sizes.title), size, room, Weight::bold);
   while (line.is_shortened && lines.size() + 1 < most) {
-    const std::string_view first = words_that_fit(title, size, room, type);
+    std::string_view first = words_that_fit(title, size, room, type);
+    if (type.set(first, style.em, Weight::bold).width() > room)
+      first = letters_that_fit(first, size, room, type);
     if (first.size() == title.size()) break;
     if (!first.empty()) lines.push_back(type.fit(first, size, style.em, room, Weight::bold));
-    title.remove_prefix(first.size() + 1);
+    title.remove_prefix(first.size());
+    if (title.starts_with(' ')) title.remove_prefix(1);
     line = type.fit(title, size, size, room, Weight::bold);
   }
   if (line.is_shortened) line = type.fit(title, size, style.em, room, Weight::bold);
