@@ -57,7 +57,9 @@ bool is_of_gauges(Legend::Sign sign) {
 bool is_drawn(Legend::Sign sign, const MapDetail& detail) {
   if (is_of_gauges(sign)) return detail.has_gauges;
   if (sign == Legend::Sign::cell) return detail.has_cell_outlines;
-  return sign != Legend::Sign::basin || detail.has_basin_outlines;
+  if (sign == Legend::Sign::basin || sign == Legend::Sign::study_area)
+    return detail.has_basin_outlines && detail.has_basin_edges;
+  return true;
 }
 
 /// The signs of one map, beside that of dry ground.
@@ -74,7 +76,9 @@ std::vector<Legend::Sign> signs_of(const Picture& picture) {
     signs.push_back(picture.by_rainfall ? Sign::gauge : Sign::point);
   if (!std::all_of(gauges.begin(), gauges.end(), reports)) signs.push_back(Sign::silent_gauge);
   if (!picture.isohyets.empty()) signs.push_back(Sign::isohyet);
-  if (!picture.cells.empty() && picture.bands.empty()) signs.push_back(Sign::cell);
+  // The edges of one cell alone are those of its basin, which cover them.
+  if (picture.cells.size() > picture.basins.size() && picture.bands.empty())
+    signs.push_back(Sign::cell);
   if (!picture.basins.empty()) signs.push_back(picture.has_basins ? Sign::basin : Sign::study_area);
   return signs;
 }

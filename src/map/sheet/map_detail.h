@@ -10,6 +10,7 @@ struct MapDetail {
   bool has_labels = true;  ///< of gauges and of basins
   bool has_cell_outlines = true;
   bool has_basin_outlines = true;
+  bool has_basin_edges = true;  ///< that are drawn: all of the Earth has none
 };
 
 /// The side in pixels of one of so many shapes that share a map.

@@ -173,4 +173,11 @@ MapShape map_shape(const MultiPolygon& shape, const MapProjection& projection,
   return result;
 }
 
+bool has_lines(const std::vector<MapShape>& shapes) {
+  const auto is_drawn = [](const MapPart& part) { return !part.lines.empty(); };
+  return std::any_of(shapes.begin(), shapes.end(), [&](const MapShape& shape) {
+    return std::any_of(shape.begin(), shape.end(), is_drawn);
+  });
+}
+
 }  // namespace thiessen

@@ -17,6 +17,9 @@ struct MapPart {
 
 using MapShape = std::vector<MapPart>;
 
+/// Whether any of the shapes has an edge that is drawn.
+bool has_lines(const std::vector<MapShape>& shapes);
+
 /// A box of the map's plane that grows to hold what is added; empty at first.
 struct Extent {
   double west = 1;

@@ -44,6 +44,7 @@ MapDetail detail_of(const MultiplesPage& layout, const StudyView& view) {
   MapDetail detail{gauge_radius(em, gauges, pixels) >= smallest_dot,
                    labels * room_of_label * label_em * label_em <= pixels};
   thin_out(detail, view.bands.empty() ? view.cells.size() : 0, view.basins.size(), pixels);
+  detail.has_basin_edges = has_lines(view.basins);
   return detail;
 }
 

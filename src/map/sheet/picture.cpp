@@ -35,6 +35,7 @@ struct Sheet {
     const double pixels = static_cast<double>(page.panel.width) * page.panel.height;
     if (dots_would_cover(gauges_within(view), pixels)) detail = {false, false};
     thin_out(detail, view.bands.empty() ? view.cells.size() : 0, view.basins.size(), pixels);
+    detail.has_basin_edges = has_lines(view.basins);
     if (!page.style.bare) legend = Legend({&picture, 1}, detail, classes, page.style, type);
   }
 

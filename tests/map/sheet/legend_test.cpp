@@ -59,6 +59,16 @@ TEST(Legend, names_what_is_there) {
   EXPECT_GT(Drawn(picture).legend.width(), of_basins) << "study area in place of basin";
 }
 
+TEST(Legend, leaves_out_what_cannot_be_made_out) {
+  Picture picture = row_of_cells({2});
+  picture.by_rainfall = false;
+  EXPECT_EQ(Drawn(picture).legend.height(), 2 * 30) << "gauge and basin: the cell is all of it";
+  Typesetter type;
+  const Legend whole_earth({&picture, 1}, {.has_basin_edges = false}, classes_of(picture),
+                           {.em = 20}, type);
+  EXPECT_EQ(whole_earth.height(), 30) << "the gauge";
+}
+
 TEST(Legend, of_several_maps_has_what_any_of_them_shows) {
   const std::vector<Picture> maps = {row_of_cells({1, 2}), row_of_cells({0, none})};
   Typesetter type;
