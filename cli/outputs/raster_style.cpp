@@ -28,6 +28,20 @@ double held(double value) {
   return static_cast<double>(static_cast<float>(value));
 }
 
+/// The ends of a class that begins or ends at a value, which the raster may hold as a little less
+/// or more. GDAL writes 16 digits of them, and one in the last must not leave the value out.
+constexpr double sixteenth_digit = 1e-15;
+
+double beginning_at(double value) {
+  const double in_raster = held(value);
+  return in_raster < value ? in_raster - std::abs(in_raster) * sixteenth_digit : value;
+}
+
+double ending_at(double value) {
+  const double in_raster = held(value);
+  return in_raster > value ? in_raster + std::abs(in_raster) * sixteenth_digit : value;
+}
+
 /// The largest value of a raster of floats below a bound: QGIS and GDAL have a class reach up to
 /// its value, and one that equals the bound is of the class above, as the raster holds either.
 double just_below(double bound) {
@@ -106,10 +120,10 @@ void RainfallStyle::lay_classes(const RainfallClasses& classes, double least, do
   if (classes.has_dry()) classes_.push_back({0, 0, classes.colour(0)});
   for (std::size_t i = 0; i < classes.count(); ++i) {
     const double low =
-        i > 0 ? held(bounds[i - 1]) : held(std::min(least, classes.low_end().value_or(least)));
+        beginning_at(i > 0 ? bounds[i - 1] : std::min(least, classes.low_end().value_or(least)));
     const double high = i < bounds.size()
                             ? just_below(bounds[i])
-                            : held(std::max(largest, classes.high_end().value_or(largest)));
+                            : ending_at(std::max(largest, classes.high_end().value_or(largest)));
     classes_.push_back({low, high, classes.class_colour(i)});
   }
 }

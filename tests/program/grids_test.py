@@ -2,6 +2,7 @@
 """Grids of time steps: every band is the raster of its step alone, and GDAL, xarray and R's terra read the right times."""
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -151,6 +152,11 @@ print(*grid.rainfall.sel(time="2020-02-29").values.ravel())
         self.assertEqual((ran.returncode, ran.stderr), (0, ""))
         labels = [line.split('"')[3] for line in (self.folder / "g.qml").read_text().splitlines() if "<item" in line]
         self.assertEqual(labels, ["below 2 mm/d", "2 to 5 mm/d", "from 5 mm/d"])
+        rows = re.findall("<Row .*?<F>(.*?)</F>.*?<F>(.*?)</F>", (self.folder / "g.tif.aux.xml").read_text(), re.DOTALL)
+        lows = [float(low) for low, _ in rows]
+        highs = [float(high) for _, high in rows]
+        self.assertEqual(lows, [0, 2, 5])
+        self.assertEqual([round(high, 6) for high in highs], [2, 5, 6], "up to the next class, and to the largest reading")
         ran = self.textbook_grid("g.tif", "--overwrite", "--range", "2,8")
         self.assertIn("some of the rainfall lies outside the range of the colours", ran.stderr)
 
@@ -199,7 +205,7 @@ print(*grid.rainfall.sel(time="2020-02-29").values.ravel())
                 bytes_.add((self.folder / output).read_bytes())
             self.assertEqual(len(bytes_), 1, output)
         names = sorted(path.name for path in self.folder.iterdir())
-        self.assertEqual(names, ["b.csv", "g.nc", "g.qml", "g.tif", "r.csv", "s.csv"])
+        self.assertEqual(names, ["b.csv", "g.nc", "g.qml", "g.tif", "g.tif.aux.xml", "r.csv", "s.csv"])
 
 
 if __name__ == "__main__":

@@ -43,6 +43,13 @@ class SurfacesTest(thiessen.ProgramTest):
         self.assertGreaterEqual(len(bounds), 3)
         self.assertTrue(all(4 < bound < 6 for bound in bounds), bounds)
         self.assertNotIn("dry", style)
+        table = (self.folder / "s.tif.aux.xml").read_text()
+        rows = [(float(low), float(high))
+                for low, high in re.findall("<Row .*?<F>(.*?)</F>.*?<F>(.*?)</F>", table, re.DOTALL)]
+        self.assertEqual(len(rows), len(bounds) + 1)
+        for (_, high), (low, _) in zip(rows, rows[1:]):
+            self.assertAlmostEqual(low, high, delta=1e-6, msg="no gap between classes")
+        self.assertTrue(rows[0][0] <= 4.05 and rows[-1][1] >= 5.95, "the outer pixels")
         self.output("map", "g.csv", "q.csv", "p.csv", "--metric", "planar", "--method", "linear", "-o", "s.svg", "-q")
         picture = (self.folder / "s.svg").read_text()
         self.assertNotIn(">dry</text>", picture)

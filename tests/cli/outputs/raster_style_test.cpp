@@ -93,21 +93,27 @@ TEST(RainfallStyle, classes_of_quantiles_and_of_a_range_reach_over_all_values) {
   EXPECT_EQ(of_skewed.back().high, 100);
 }
 
-// The float nearest to 0.7 is less than 0.7, and is what the raster holds of a reading of 0.7.
+// The float nearest to 0.7 is less than 0.7, and is what the raster holds of a reading of 0.7; that
+// nearest to 0.3 is more.
 TEST(RainfallStyle, a_reading_at_a_bound_is_of_the_class_above_as_the_raster_holds_it) {
-  const std::vector<double> readings{0.5, 0.7, 1};
+  const std::vector<double> readings{0.1, 0.3, 0.7, 1};
   const auto classes =
-      RainfallStyle(RainfallClasses(readings, breaks_of({0.7})), readings, "mm").classes();
-  ASSERT_EQ(classes.size(), 2u);
-  EXPECT_LT(classes[0].high, static_cast<double>(0.7F));
-  EXPECT_EQ(classes[1].low, static_cast<double>(0.7F));
+      RainfallStyle(RainfallClasses(readings, breaks_of({0.3, 0.7})), readings, "mm").classes();
+  ASSERT_EQ(classes.size(), 3u);
+  EXPECT_LT(classes[0].high, static_cast<double>(0.3F));
+  EXPECT_EQ(classes[1].low, 0.3);
+  EXPECT_LT(classes[1].high, static_cast<double>(0.7F));
+  EXPECT_GT(classes[2].low, classes[1].high);
+  EXPECT_NEAR(classes[2].low, static_cast<double>(0.7F), 1e-14);
+  EXPECT_LT(classes[2].low, static_cast<double>(0.7F)) << "by more than GDAL's digits leave out";
 }
 
 TEST(RainfallStyle, one_value_has_few_digits) {
   const std::vector<double> reading{20.8 / 3};
   const RainfallStyle style(RainfallClasses(reading, {}), reading, "mm");
   ASSERT_EQ(style.classes().size(), 1u);
-  EXPECT_EQ(style.classes()[0].low, style.classes()[0].high);
+  EXPECT_LE(style.classes()[0].low, static_cast<double>(static_cast<float>(reading[0])));
+  EXPECT_GT(style.classes()[0].high, static_cast<double>(static_cast<float>(reading[0])));
   EXPECT_NE(style.file("map.tif").bytes.find("label=\"6.93 mm\""), std::string::npos);
 }
 
