@@ -89,6 +89,16 @@ TEST(MapShape, an_edge_along_a_pole_is_no_outline) {
   }
 }
 
+TEST(MapShape, of_all_of_the_earth_has_no_line_and_of_a_part_it_has) {
+  const MapProjection project = MapProjection::plate_carree({}, 0);
+  const MultiPolygon earth{{{{-180, -90}, {180, -90}, {180, 90}, {-180, 90}}, {}}};
+  const MultiPolygon part{{{{-20, -9}, {20, -9}, {20, 9}, {-20, 9}}, {}}};
+  const MapShape whole = map_shape(earth, project, {}, 1e-3);
+  EXPECT_FALSE(has_lines({}));
+  EXPECT_FALSE(has_lines({whole}));
+  EXPECT_TRUE(has_lines({whole, map_shape(part, project, {}, 1e-3)}));
+}
+
 TEST(MapShape, is_repeated_where_the_map_repeats_and_it_reaches_over_its_edge) {
   const MapProjection project = MapProjection::plate_carree({}, 0);
   const auto parts = [&](double west, double east) {
