@@ -37,7 +37,7 @@ Stroke basin_rim(int em, double width) {
 }
 
 bool hides_basin_edge(Colour ground) {
-  constexpr double plain = 2;
+  constexpr double plain = 1.6;
   return contrast(ink::basin_edge, ground) < plain;
 }
 

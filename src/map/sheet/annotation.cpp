@@ -257,6 +257,8 @@ LabelCount& LabelCount::operator+=(const LabelCount& other) {
   named += other.named;
   isohyets += other.isohyets;
   levelled += other.levelled;
+  cells += other.cells;
+  outlined += other.outlined;
   return *this;
 }
 

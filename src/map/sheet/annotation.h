@@ -14,7 +14,7 @@
 
 namespace thiessen {
 
-/// How many gauges a map, or several, have, and how many of these find room.
+/// How many gauges, names and lines a map, or several, have, and how many of these find room.
 struct LabelCount {
   std::size_t gauges = 0;
   std::size_t in_sight = 0;
@@ -24,6 +24,8 @@ struct LabelCount {
   std::size_t named = 0;
   std::size_t isohyets = 0;  ///< that have a line
   std::size_t levelled = 0;  ///< of these, whose level is written somewhere
+  std::size_t cells = 0;
+  std::size_t outlined = 0;  ///< of these, which are large enough for a line round them
 
   LabelCount& operator+=(const LabelCount& other);
 };

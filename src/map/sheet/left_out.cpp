@@ -5,6 +5,15 @@
 
 namespace thiessen {
 
+namespace {
+
+/// Some cells that basins cut small are no matter: their neighbours have outlines.
+bool is_much(std::size_t some, std::size_t all) {
+  return 3 * some > all;
+}
+
+}  // namespace
+
 LeftOut::LeftOut(const Page& page, const LabelCount& count, const MapDetail& detail) {
   const auto is_cut = [](const TitleLine& line) { return line.text.is_shortened; };
   if (std::any_of(page.title.begin(), page.title.end(), is_cut) || page.subtitle.is_shortened)
@@ -17,7 +26,12 @@ LeftOut::LeftOut(const Page& page, const LabelCount& count, const MapDetail& det
     add("the levels of " + std::to_string(count.isohyets - count.levelled) + " of " +
         std::to_string(count.isohyets) + " isohyets");
   }
-  if (!detail.has_cell_outlines) add("the outlines of cells");
+  if (!detail.has_cell_outlines) {
+    add("the outlines of cells");
+  } else if (count.outlined > 0 && is_much(count.cells - count.outlined, count.cells)) {
+    add("the outlines of " + std::to_string(count.cells - count.outlined) + " of " +
+        std::to_string(count.cells) + " cells");
+  }
   if (!detail.has_basin_outlines) add("the outlines of basins");
 }
 

@@ -34,7 +34,8 @@ LabelCount draw_map(Canvas& canvas, const Page& page, const Picture& picture, St
   Annotation annotation(canvas, page, picture, view, type);
   const LabelImage cells = cell_labels(view, page.panel, sight);
   draw_cells(canvas, page.panel, sight, picture, view, cells, classes, page.style.em);
-  draw_outlines(canvas, page, sight, picture, view, classes, detail);
+  const std::size_t outlined =
+      draw_outlines(canvas, page, sight, picture, view, cells, classes, detail);
   draw_isohyets(canvas, page, picture, view, sight);
   if (detail.has_gauges) annotation.draw_gauges();
   if (!page.style.bare) annotation.draw_levels();
@@ -46,7 +47,10 @@ LabelCount draw_map(Canvas& canvas, const Page& page, const Picture& picture, St
     if (!names_first) annotation.draw_basin_names(basins);
   }
   canvas.border(page.panel, ink::border, page.style.hairline);
-  return annotation.count();
+  LabelCount count = annotation.count();
+  count.cells = view.cells.size();
+  count.outlined = outlined;
+  return count;
 }
 
 }  // namespace thiessen

@@ -1,6 +1,7 @@
 #include "map/sheet/map_panel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 #include <utility>
@@ -109,23 +110,76 @@ std::vector<Colour> grounds_of(const Picture& picture, const RainfallClasses& cl
   return colours;
 }
 
-/// Draws the outlines of cells at this strength of at most 1. Light ones come first, so that
-/// between dark and pale ground there is the dark line.
-void draw_cell_outlines(Canvas& canvas, const StudyView& view, const std::vector<Colour>& grounds,
-                        int em, double strength, const Window& window) {
-  std::vector<Polyline> on_dark;
-  std::vector<Polyline> on_pale;
-  const auto is_light = [&](std::size_t cell) {
-    return cell < grounds.size() && cell_stroke(em, grounds[cell]).colour == ink::white;
-  };
-  for (std::size_t i = 0; i < view.cells.size(); ++i)
-    add_lines(view.cells[i], is_light(i) ? on_dark : on_pale);
-  const auto draw = [&](const std::vector<Polyline>& lines, Stroke stroke) {
-    stroke.alpha = static_cast<int>(stroke.alpha * strength);
-    canvas.lines(lines, stroke, window);
-  };
-  if (!on_dark.empty()) draw(on_dark, cell_stroke(em, {0, 0, 0}));
-  draw(on_pale, cell_stroke(em, ink::white));
+/// The outlines of basins in which there is ground as dark as these: of a surface, of all.
+std::vector<Polyline> lines_on_dark(const Picture& picture, const StudyView& view,
+                                    const std::vector<Colour>& grounds) {
+  std::vector<bool> is_dark(view.basins.size(), false);
+  for (std::size_t i = 0; i < grounds.size(); ++i) {
+    if (!hides_basin_edge(grounds[i])) continue;
+    if (!picture.bands.empty()) return lines_of(view.basins);
+    const std::size_t basin = picture.cells[i].basin;
+    if (basin < is_dark.size()) is_dark[basin] = true;
+  }
+  std::vector<Polyline> lines;
+  for (std::size_t i = 0; i < view.basins.size(); ++i) {
+    if (is_dark[i]) add_lines(view.basins[i], lines);
+  }
+  return lines;
+}
+
+constexpr double ample = 14;  // pixels: the side of a shape that no line hides anything of
+
+/// The share of its opacity that the line round shapes of this side in pixels has.
+double faded(double side) {
+  return std::clamp(side / ample, 0.3, 1.0);
+}
+
+/// Draws outlines as strongly as suits cells of this side in pixels.
+void draw(Canvas& canvas, const std::vector<Polyline>& outlines, double side, Stroke stroke, int em,
+          const Window& window) {
+  if (outlines.empty()) return;
+  stroke.alpha =
+      static_cast<int>(stroke.alpha * faded(side) * std::clamp(0.35 + 0.8 * side / em, 0.35, 1.0));
+  canvas.lines(outlines, stroke, window);
+}
+
+std::vector<std::size_t> pixels_of_cells(const LabelImage& labels, std::size_t count) {
+  std::vector<std::size_t> pixels(count, 0);
+  for (const std::int32_t cell : labels.labels()) {
+    if (cell >= 0) ++pixels[static_cast<std::size_t>(cell)];
+  }
+  return pixels;
+}
+
+/// Draws the outlines of cells that are more than a few pixels wide, and returns how many these
+/// are. No line is stronger than suits the cells of middling size. Light ones come first, so that
+/// between dark and pale ground there is the dark line, and faint ones of small cells before those
+/// of larger ones beside them.
+std::size_t draw_cell_outlines(Canvas& canvas, const StudyView& view, const LabelImage& labels,
+                               const std::vector<Colour>& grounds, int em, const Window& window) {
+  constexpr double least = 5 * 5;  // pixels
+  const std::vector<std::size_t> pixels = pixels_of_cells(labels, view.cells.size());
+  std::array<std::vector<Polyline>, 2> on_dark;  // of small cells, and of those of ample size
+  std::array<std::vector<Polyline>, 2> on_pale;
+  std::array<std::size_t, 2> count{};
+  std::array<double, 2> sum{};  // of pixels
+  for (std::size_t i = 0; i < view.cells.size(); ++i) {
+    const auto size = static_cast<double>(pixels[i]);
+    if (size < least && view.cells.size() > 1) continue;
+    const bool is_dark = i < grounds.size() && cell_stroke(em, grounds[i]).colour == ink::white;
+    const std::size_t group = size < ample * ample ? 0 : 1;
+    add_lines(view.cells[i], (is_dark ? on_dark : on_pale)[group]);
+    ++count[group];
+    sum[group] += size;
+  }
+  const std::size_t all = count[0] + count[1];
+  const std::array<double, 2> sides{side_of_each(count[0], sum[0]),
+                                    side_of_each(all, sum[0] + sum[1])};
+  for (std::size_t group = 0; group < 2; ++group)
+    draw(canvas, on_dark[group], sides[group], cell_stroke(em, {0, 0, 0}), em, window);
+  for (std::size_t group = 0; group < 2; ++group)
+    draw(canvas, on_pale[group], sides[group], cell_stroke(em, ink::white), em, window);
+  return all;
 }
 
 }  // namespace
@@ -217,36 +271,35 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
   canvas.areas(areas, hatching(em), window_of(panel, sight));
 }
 
-void draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight, const Picture& picture,
-                   const StudyView& view, const RainfallClasses& classes, const MapDetail& detail) {
-  constexpr double ample = 14;  // pixels: the side of a cell that no line hides anything of
+std::size_t draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight,
+                          const Picture& picture, const StudyView& view, const LabelImage& cells,
+                          const RainfallClasses& classes, const MapDetail& detail) {
   constexpr int basin_alpha = 230;
   constexpr double line_to_side = 0.09;
   const PixelBox& panel = page.panel;
   const int em = page.style.em;
   const double pixels = static_cast<double>(panel.width) * panel.height;
-  const double cell = side_of_each(view.cells.size(), pixels);
   const double basin = side_of_each(view.basins.size(), pixels);
-  const auto faded = [&](double side) { return std::clamp(side / ample, 0.3, 1.0); };
-  const double strength = std::clamp(0.35 + 0.8 * cell / em, 0.35, 1.0);
   const std::vector<Colour> grounds = grounds_of(picture, classes);
   const Group group(canvas, {"outlines"});
   const Window window = window_of(panel, sight);
+  std::size_t outlined = 0;
   if (view.bands.empty() && detail.has_cell_outlines)
-    draw_cell_outlines(canvas, view, grounds, em, strength * faded(cell), window);
-  if (!detail.has_basin_outlines) return;
+    outlined = draw_cell_outlines(canvas, view, cells, grounds, em, window);
+  if (!detail.has_basin_outlines) return outlined;
   constexpr std::size_t many = 200;
   const double thinner = view.basins.size() > many ? 0.6 : 1.0;
   const double wide = std::max(1.2, basin_line_width(em) * thinner);
   const double width = std::min(wide, std::max(0.8, line_to_side * basin));
-  const std::vector<Polyline> lines = lines_of(view.basins);
-  if (std::any_of(grounds.begin(), grounds.end(), hides_basin_edge)) {
+  const std::vector<Polyline> on_dark = lines_on_dark(picture, view, grounds);
+  if (!on_dark.empty()) {
     Stroke rim = basin_rim(em, width);
     rim.alpha = static_cast<int>(rim.alpha * faded(basin));
-    canvas.lines(lines, rim, window);
+    canvas.lines(on_dark, rim, window);
   }
   const int alpha = static_cast<int>(basin_alpha * faded(basin));
-  canvas.lines(lines, {ink::basin_edge, width, alpha}, window);
+  canvas.lines(lines_of(view.basins), {ink::basin_edge, width, alpha}, window);
+  return outlined;
 }
 
 void draw_isohyets(Canvas& canvas, const Page& page, const Picture& picture, const StudyView& view,

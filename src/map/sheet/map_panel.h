@@ -42,9 +42,11 @@ void draw_cells(Canvas& canvas, const PixelBox& panel, const PixelBox& sight,
                 const RainfallClasses& classes, int em);
 
 /// Draws the outlines of cells, unless a surface is shown, and those of basins over them, fainter
-/// where these are small, as far as there is room for them. On dark ground cells have light
-/// outlines, and where there is such ground those of basins have a light rim.
-void draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight, const Picture& picture,
-                   const StudyView& view, const RainfallClasses& classes, const MapDetail& detail);
+/// where these are small, as far as there is room for them, and returns how many cells have one:
+/// `cells` tells how large each is in pixels, and those of a few have none. On dark ground cells
+/// have light outlines, and those of basins with such ground have a light rim.
+std::size_t draw_outlines(Canvas& canvas, const Page& page, const PixelBox& sight,
+                          const Picture& picture, const StudyView& view, const LabelImage& cells,
+                          const RainfallClasses& classes, const MapDetail& detail);
 
 }  // namespace thiessen

@@ -29,5 +29,16 @@ TEST(LeftOut, is_told_in_one_line) {
             "levels of 2 of 9 isohyets, the outlines of cells and the note \"labelled: 3 of 9\"");
 }
 
+TEST(LeftOut, tells_of_cells_without_an_outline_where_they_are_more_than_a_third) {
+  const auto told = [](std::size_t outlined) {
+    Warnings warnings;
+    LeftOut(Page(), {.cells = 50, .outlined = outlined}, {}).tell(warnings);
+    return warnings.notices().empty() ? "" : warnings.notices()[0].text.plain();
+  };
+  EXPECT_EQ(told(50), "");
+  EXPECT_EQ(told(34), "");
+  EXPECT_EQ(told(33), "the picture has no room for the outlines of 17 of 50 cells");
+}
+
 }  // namespace
 }  // namespace thiessen

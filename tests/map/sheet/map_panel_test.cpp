@@ -181,9 +181,9 @@ PixelCanvas outlined(double west, double east, const ClassRule& rule) {
   view.cells = {box(40.5, 40.5, 200.5, 160.5), box(200.5, 40.5, 360.5, 160.5)};
   view.basins = {box(40.5, 40.5, 360.5, 160.5)};
   PixelCanvas canvas(400, 200);
-  draw_cells(canvas, page.panel, page.panel, picture, view,
-             cell_labels(view, page.panel, page.panel), classes, page.style.em);
-  draw_outlines(canvas, page, page.panel, picture, view, classes, MapDetail());
+  const LabelImage cells = cell_labels(view, page.panel, page.panel);
+  draw_cells(canvas, page.panel, page.panel, picture, view, cells, classes, page.style.em);
+  draw_outlines(canvas, page, page.panel, picture, view, cells, classes, MapDetail());
   return canvas;
 }
 
@@ -199,6 +199,39 @@ TEST(MapPanel, outlines_are_light_between_dark_cells_and_dark_between_pale_ones)
   EXPECT_LT(at(pale, 200, 100).green, at(pale, 150, 100).green);
   PixelCanvas both = outlined(0.5, 9, rule);
   EXPECT_LT(at(both, 200, 100).green, at(both, 250, 100).green) << "one line, and not a light one";
+}
+
+// Rows of cells 100, 10 and 3 pixels wide.
+TEST(MapPanel, cells_of_a_few_pixels_have_no_outline_beside_larger_ones_that_have) {
+  Picture picture;
+  StudyView view;
+  const auto add_row = [&](double top, double side, int count) {
+    for (int i = 0; i < count; ++i) {
+      const double left = i * side + 0.5;  // the middle of a pixel
+      view.cells.push_back(box(left, top + 0.5, left + side, top + side + 0.5));
+      picture.cells.push_back({{}, 0});
+    }
+  };
+  add_row(0, 100, 3);
+  add_row(100, 10, 5);
+  add_row(150, 3, 20);
+  Page page;
+  page.style.em = 20;
+  page.panel = {0, 0, 400, 200};
+  PixelCanvas canvas(400, 200);
+  const LabelImage cells = cell_labels(view, page.panel, page.panel);
+  EXPECT_EQ(draw_outlines(canvas, page, page.panel, picture, view, cells, RainfallClasses({}, {}),
+                          MapDetail()),
+            8U);
+  const auto darkest = [&](int left, int right, int y) {
+    int green = 255;
+    for (int x = left; x < right; ++x) green = std::min<int>(green, at(canvas, x, y).green);
+    return green;
+  };
+  EXPECT_LT(darkest(98, 103, 50), 150);
+  EXPECT_LT(darkest(8, 13, 105), 225);
+  EXPECT_GT(darkest(8, 13, 105), darkest(98, 103, 50)) << "fainter";
+  EXPECT_EQ(darkest(2, 60, 152), 255);
 }
 
 TEST(MapPanel, the_outline_of_a_basin_has_a_light_rim_where_the_ground_is_as_dark) {
