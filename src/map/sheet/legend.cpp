@@ -186,7 +186,9 @@ Legend::Layout Legend::layout(const PixelBox& column) const {
   const int lines = (beside_bar + result.line / 4) / result.line;
   result.signs = std::min(entries_.size(), static_cast<std::size_t>(std::max(lines, 0)));
   if (n > 0) {
-    const int for_bar = room - static_cast<int>(result.signs) * result.line;
+    // Signs find room beside a bar with all of its texts only.
+    const int least = result.signs > 0 ? n * least_step() : 0;
+    const int for_bar = std::max(least, room - static_cast<int>(result.signs) * result.line);
     result.step = std::clamp(for_bar / n, 2, em_ * 7 / 4);
     result.every = (least_step() + result.step - 1) / result.step;
   }

@@ -175,6 +175,13 @@ TEST(Legend, gives_up_signs_before_bounds_of_classes_and_tells_of_both) {
   EXPECT_EQ(lowest.left_out, "2 of the legend's 5 bounds of classes, 5 of the legend's 5 signs");
 }
 
+TEST(Legend, has_no_sign_in_a_column_in_which_a_bound_of_classes_has_no_text) {
+  for (int height = 60; height < 400; height += 3) {
+    const InColumn column(height);
+    EXPECT_TRUE(column.signs() == 0 || column.bounds() == 5) << height;
+  }
+}
+
 TEST(Hatching, is_of_stripes_that_leave_most_of_the_ground_free) {
   for (const int em : {11, 20, 60}) {
     EXPECT_GE(hatching(em).width, 1);
