@@ -170,6 +170,7 @@ void OutputFile::finish() {
     copy_spool(spool_, [&](std::string_view text) { write_whole(file_.number(), text, name_); });
   if (care_ == Care::synced) sync_to_disk(file_.number(), name_);
   if (!file_.close()) throw system_error(name_, "cannot close", errno);
+  buffer_ = {};  // who writes ten thousand files has all of them until the end
 }
 
 void OutputFile::discard() {
