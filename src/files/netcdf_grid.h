@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "files/netcdf_writer.h"
 #include "gdal/output/grid_file.h"
 #include "gdal/output/raster_output.h"
 #include "rainfall/series/stamp.h"
@@ -29,7 +31,6 @@ class NetcdfGrid : public GridFile {
   /// Begins the file. `file` is where it is written, `output.path` its name in messages. `output`
   /// must outlive the grid. Throws Error where the compression is ZSTD.
   NetcdfGrid(const std::string& file, const RasterOutput& output, const GridTimes& times);
-  ~NetcdfGrid() override;
   NetcdfGrid(const NetcdfGrid&) = delete;
   NetcdfGrid& operator=(const NetcdfGrid&) = delete;
 
@@ -43,14 +44,11 @@ class NetcdfGrid : public GridFile {
   void define_mapping();
   void define_rainfall(int time, int south, int east, bool has_bounds);
   void define_times(int time, const GridTimes& times);
-  int variable(const char* name, int type, std::span<const int> dimensions);
-  void put_text(int variable, const char* name, const std::string& text);
   void put_centres(int variable, bool is_east);
   void put_times(const GridTimes& times);
-  void check(int status) const;
 
   const RasterOutput& output_;
-  int file_ = -1;
+  std::optional<NetcdfWriter> to_;
   int rainfall_ = -1;
   int time_ = -1;
   int time_bounds_ = -1;  ///< -1: there are none

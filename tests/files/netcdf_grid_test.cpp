@@ -1,7 +1,6 @@
 #include "files/netcdf_grid.h"
 
 #include <gtest/gtest.h>
-#include <netcdf.h>
 
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
+#include "files/netcdf_reading.h"
 
 namespace thiessen {
 namespace {
@@ -25,52 +25,6 @@ RasterOutput output_in(const char* crs) {
   return output;
 }
 
-/// A file as the library reads it.
-class Reading {
- public:
-  explicit Reading(const std::string& path) { nc_open(path.c_str(), NC_NOWRITE, &file_); }
-  ~Reading() { nc_close(file_); }
-  Reading(const Reading&) = delete;
-  Reading& operator=(const Reading&) = delete;
-
-  std::vector<double> numbers(const char* name, std::size_t count) const {
-    std::vector<double> values(count);
-    EXPECT_EQ(nc_get_var_double(file_, variable(name), values.data()), NC_NOERR) << name;
-    return values;
-  }
-  std::string text(const char* name, const char* attribute) const {
-    std::size_t length = 0;
-    if (nc_inq_attlen(file_, variable(name), attribute, &length) != NC_NOERR) return "none";
-    std::string text(length, '\0');
-    nc_get_att_text(file_, variable(name), attribute, text.data());
-    return text;
-  }
-  std::string dimensions(const char* name) const {
-    std::array<int, 4> ids{};
-    int count = 0;
-    nc_inq_varndims(file_, variable(name), &count);
-    nc_inq_vardimid(file_, variable(name), ids.data());
-    std::string names;
-    for (int i = 0; i < count; ++i) {
-      std::array<char, NC_MAX_NAME + 1> one{};
-      nc_inq_dimname(file_, ids.at(static_cast<std::size_t>(i)), one.data());
-      names += std::string(i == 0 ? "" : " ") + one.data();
-    }
-    return names;
-  }
-
- private:
-  int variable(const char* name) const {
-    int id = NC_GLOBAL;
-    if (*name != '\0') {
-      EXPECT_EQ(nc_inq_varid(file_, name, &id), NC_NOERR) << name;
-    }
-    return id;
-  }
-
-  int file_ = -1;
-};
-
 using Numbers = std::vector<double>;
 
 TEST(NetcdfGrid, holds_steps_with_times_and_places) {
@@ -80,7 +34,7 @@ TEST(NetcdfGrid, holds_steps_with_times_and_places) {
   grid.add(std::array{1.0F, 2.0F, 3.0F, 4.0F, 5.0F, none});
   grid.add(std::array{0.5F, none, none, none, none, none});
   grid.close();
-  const Reading found(folder.path("a.nc"));
+  const NetcdfReading found(folder.path("a.nc"));
   EXPECT_EQ(found.dimensions("rainfall"), "time lat lon");
   EXPECT_EQ(found.dimensions("time_bnds"), "time nv");
   EXPECT_EQ(found.numbers("time", 2), (Numbers{86400, 90000}));
@@ -106,14 +60,14 @@ TEST(NetcdfGrid, in_a_projection_or_a_plane_of_its_own_has_y_and_x) {
   const TemporaryFolder folder;
   RasterOutput output = output_in("EPSG:32633");
   NetcdfGrid(folder.path("a.nc"), output, {{{0, 1}}, false}).close();
-  const Reading projected(folder.path("a.nc"));
+  const NetcdfReading projected(folder.path("a.nc"));
   EXPECT_EQ(projected.dimensions("rainfall"), "time y x");
   EXPECT_EQ(projected.text("x", "standard_name"), "projection_x_coordinate");
   EXPECT_EQ(projected.text("x", "units"), "m");
   EXPECT_EQ(projected.text("time", "units"), "seconds since 1970-01-01 00:00:00");
   output.crs.reset();
   NetcdfGrid(folder.path("b.nc"), output, {{{0, 1}}, false}).close();
-  const Reading plane(folder.path("b.nc"));
+  const NetcdfReading plane(folder.path("b.nc"));
   EXPECT_EQ(plane.text("rainfall", "grid_mapping"), "none");
   EXPECT_EQ(plane.text("y", "standard_name"), "none");
 }
@@ -125,10 +79,10 @@ TEST(NetcdfGrid, of_a_rate_is_a_mean_over_time_and_of_a_moment_neither) {
     output.made_by.unit = rate;
     const std::string path = folder.path(std::string(1, rate[3]) + ".nc");
     NetcdfGrid(path, output, {{{0, 1}}, false}).close();
-    EXPECT_EQ(Reading(path).text("rainfall", "cell_methods"), "time: mean") << rate;
+    EXPECT_EQ(NetcdfReading(path).text("rainfall", "cell_methods"), "time: mean") << rate;
   }
   NetcdfGrid(folder.path("moment.nc"), output, {{{5, 5}}, false}).close();
-  const Reading moment(folder.path("moment.nc"));
+  const NetcdfReading moment(folder.path("moment.nc"));
   EXPECT_EQ(moment.text("rainfall", "cell_methods"), "none");
   EXPECT_EQ(moment.text("time", "bounds"), "none");
   EXPECT_EQ(moment.numbers("time", 1), (Numbers{5}));
