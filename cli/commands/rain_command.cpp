@@ -9,11 +9,13 @@
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/inputs/summed_rates.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
 #include "cli/options/method_options.h"
+#include "cli/options/model_options.h"
 #include "cli/options/option_values.h"
 #include "cli/options/output_options.h"
 #include "cli/options/period_options.h"
@@ -21,10 +23,13 @@
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/outputs/grown_table.h"
+#include "cli/outputs/model_files.h"
+#include "cli/outputs/model_table.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/rain_table.h"
 #include "cli/terminal/messages.h"
 #include "cli/terminal/progress.h"
+#include "files/basin_centroids.h"
 #include "files/rainfall/rainfall_file.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
@@ -42,6 +47,7 @@ class RainCommand : public Command {
     gaps_.declare(options());
     declare_errors();
     format_.declare(options());
+    model_.declare(options());
     periods_.declare(options());
     output_.declare(options(), Need::optional, "rain.csv",
                     "where the series goes, PG:... is a database (as --long); default standard "
@@ -59,7 +65,8 @@ class RainCommand : public Command {
            "samples/textbook/rainfall.csv --metric planar";
   }
   void check() const override {
-    periods_.check();
+    periods_.check(model_.model().has_value());
+    model_.check(options(), output_.output, method_.methods().size());
     format_.check(periods_.totalling().has_value());
     method_.check();
     if ((method_.methods().size() > 1 || method_.has_isohyets()) && !weights_log_.empty()) {
@@ -84,7 +91,7 @@ class RainCommand : public Command {
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
     if (errors_) require_two_readings();
-    if (!output_.is_database()) require_table_name(output_.output);
+    if (!output_.is_database() && !model_.is_named()) require_table_name(output_.output);
     require_table_name(weights_log_);
     const bool is_fed = may_pass_on();
     if (is_fed) rainfall_.want_steps_as_they_come();
@@ -95,8 +102,11 @@ class RainCommand : public Command {
     if (is_fed) outputs.pass_on_at_once();
     std::optional<DatabaseTable> table;
     std::optional<GrownTable> grown;
+    std::optional<ModelFiles> model;
     OutputFile* file = nullptr;
-    if (output_.is_database()) {
+    if (model_.model()) {
+      model.emplace(*model_.model(), output_.output, outputs, rules);
+    } else if (output_.is_database()) {
       file = &table.emplace(output_.table()).rows();
     } else if (output_.appends()) {
       grown.emplace(output_.output, rules, is_fed);
@@ -114,8 +124,10 @@ class RainCommand : public Command {
     if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
-    RainTable series(*file, inputs.basins(), format, totalling, rainfall_.name(),
-                     grown ? grown->growth() : nullptr);
+    const auto series =
+        model ? model_table(*model, inputs, unit_of_values(readings->unit(), totalling), totalling)
+              : std::make_unique<RainTable>(*file, inputs.basins(), format, totalling,
+                                            rainfall_.name(), grown ? grown->growth() : nullptr);
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
     GaugePatterns patterns;
@@ -126,16 +138,16 @@ class RainCommand : public Command {
       work.when_handed_on = [&] { grown ? pass_on(*grown, warnings) : pass_on(*file, warnings); };
     }
     for_each_step(
-        *readings, *rainfall, work, [&](RainStep& step) { series.prepare(step); },
+        *readings, *rainfall, work, [&](RainStep& step) { series->prepare(step); },
         [&](const RainStep& step) {
           GaugePatterns::Pattern pattern{0, false};
           if (log) pattern = patterns.of(step.readings);
           if (pattern.is_fresh)
             log->add(pattern.number, step.time, rainfall->weights_at(step.readings));
-          series.add(step, pattern.number);
+          series->add(step, pattern.number);
           progress.advance();
         });
-    series.finish(warnings);
+    series->finish(warnings);
     if (grown) grown->finish(warnings);
     outputs.commit();
     if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
@@ -196,6 +208,25 @@ class RainCommand : public Command {
     return format;
   }
 
+  /// The series as a model reads it, in the unit that RAINFALL is known to be in, if it is.
+  std::unique_ptr<RainOutput> model_table(ModelFiles& files, const Inputs& inputs,
+                                          const std::string& unit,
+                                          const std::optional<Totalling>& totalling) const {
+    ModelSubject subject;
+    for (const Basin& basin : inputs.basins()) subject.basins.push_back(basin.id);
+    subject.centroids = centroids_on_earth(inputs.study()).value_or(std::vector<Point>());
+    subject.unit = unit_shown(unit, model_.units, model_.are_units_given(), rainfall_.name());
+    subject.decimals = format_.format().decimals;
+    subject.made_by = provenance_of(inputs, study_, nullptr, "");
+    subject.made_by.method = name_of(method_.methods().front());
+    subject.made_by.unit = subject.unit;
+    subject.stamp = periods_.stamp();
+    subject.rainfall = rainfall_.name();
+    subject.output = output_.output == "-" ? "" : output_.output;
+    return std::make_unique<ModelTable>(files.series(inputs, std::move(subject), errors_),
+                                        model_.name(), totalling, rainfall_.name());
+  }
+
   std::optional<Totalling> totals(bool is_fed) const {
     std::optional<Totalling> totalling = periods_.totalling();
     if (!totalling) return totalling;
@@ -221,7 +252,8 @@ class RainCommand : public Command {
   /// Whether rows are handed over as they are computed, for RAINFALL is a pipe and they go where
   /// somebody sees them.
   bool may_pass_on() const {
-    return rainfall_.is_fed() && (output_.appends() || goes_to_stream(output_.output));
+    return rainfall_.is_fed() && !model_.model() &&
+           (output_.appends() || goes_to_stream(output_.output));
   }
 
   /// Tells what is odd about a series so far, which may have no end.
@@ -275,6 +307,7 @@ class RainCommand : public Command {
   MethodOptions method_;
   GapOptions gaps_;
   RainFormatOptions format_;
+  RainModelOptions model_;
   PeriodOptions periods_;
   OutputOptions output_;
   std::string weights_log_;

@@ -8,11 +8,13 @@
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
+#include "cli/options/model_options.h"
 #include "cli/options/output_options.h"
 #include "cli/options/period_options.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
 #include "cli/options/what_if_options.h"
+#include "cli/outputs/model_files.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/terminal/progress.h"
 #include "rainfall/influence/influence.h"
@@ -42,6 +44,7 @@ class WeightsCommand : public Command {
     output_.declare(options(), Need::optional, "weights.csv",
                     "where the table goes, PG:... is a database; default standard output");
     output_.declare_table(options(), "weights");
+    model_.declare(options());
     common_.declare(options());
   }
 
@@ -63,6 +66,7 @@ class WeightsCommand : public Command {
     changes_.check();
     range_.check();
     study_.check();
+    model_.check(rainfall_.given(), changes_.given(), output_.is_database());
     output_.check();
   }
 
@@ -72,7 +76,7 @@ class WeightsCommand : public Command {
     std::optional<DatabaseTable> table;
     if (output_.is_database()) {
       table.emplace(output_.table());
-    } else {
+    } else if (!model_.is_named()) {
       require_table_name(output_.output);
     }
     OutputFile& file = table ? table->rows() : outputs.add(output_.output);
@@ -88,6 +92,8 @@ class WeightsCommand : public Command {
       const auto after = inputs.weighing().weights(change.after(), threads());
       change.warn_of_no_effect(before, after, warnings);
       write_changed_weights(file, inputs.weighing(), before, after, inputs.area_unit());
+    } else if (model_.model()) {
+      write_model(file, inputs, warnings);
     } else {
       write_weights(file, inputs.weighing(),
                     inputs.weighing().weights(inputs.all_report(), threads()), inputs.area_unit());
@@ -121,6 +127,17 @@ class WeightsCommand : public Command {
     }
   }
 
+  void write_model(OutputFile& file, const Inputs& inputs, Warnings& warnings) const {
+    const auto weights = inputs.weighing().weights(inputs.all_report(), threads());
+    weights_format(*model_.model())
+        ->write(file, {inputs.weighing(), weights, provenance_of(inputs, study_, nullptr, "")},
+                warnings);
+    warnings.add_notice({output_.output == "-" ? "" : output_.output, 0,
+                         "these weights are those of all stations in every step; where some are "
+                         "silent, rain gives their ground to others",
+                         ""});
+  }
+
   std::vector<std::vector<GaugeInfluence>> influence(Inputs& inputs,
                                                      const std::optional<StepTimes>& times,
                                                      Warnings& warnings) const {
@@ -141,6 +158,7 @@ class WeightsCommand : public Command {
   WhatIfOptions changes_;
   PeriodOptions range_;
   GapOptions gaps_;
+  WeightsModelOptions model_;
   OutputOptions output_;
   CommonOptions common_;
 };

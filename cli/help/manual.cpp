@@ -258,6 +258,58 @@ std::string feed_section() {
              "values may differ from those of the whole series.");
 }
 
+std::string models_section() {
+  const auto entry = [](const char* name, const char* text) {
+    return ".TP\n" + roff_bold(name) + "\n" + roff_paragraph(text);
+  };
+  return ".SH FILES FOR MODELS\n" +
+         roff_paragraph(
+             "--format writes weights or a series as the next model reads it, under any name. "
+             "What a format cannot hold is an error, and what has to be assumed is said: times "
+             "that are none of the calendar, steps of no one length or of months (but in NetCDF "
+             "and PI-XML), times that go back (but in NetCDF), ids that the model cannot read. "
+             "Steps that lack between others are written as missing, with a warning; --decimals "
+             "counts for values as text. A series is written when all of RAINFALL has been read, "
+             "from a pipe too; steps wait in a temporary file, or are in the NetCDF already.") +
+         entry("weights --format hms",
+               "A whole .met of HEC-HMS of Weighted Gages: gages are called as the stations, "
+               "subbasins as the basins, and a gage's weight counts for depth and for time. It "
+               "goes into a project as a further meteorologic model; its basin model is chosen "
+               "there. The weights are those of all stations, as HEC-HMS has one set of them, "
+               "whatever gauges are silent.") +
+         entry(
+             "weights --format raven",
+             "Raven's :GaugeWeightTable, a row a basin with the weight of every station, 0 too, "
+             "in the order of the files: so have the HRUs and the gauges of the model to stand.") +
+         entry("rain --format netcdf",
+               "Time series by CF 1.8 (featureType = timeSeries): rainfall(basin, time), "
+               "basin_id, lat and lon of the basins' centroids (x and y in a plane without a "
+               "CRS), time with time_bnds by --stamp, and with --error standard_error beside it. "
+               "--units says what readings of no known unit are in.") +
+         entry("rain --format hype",
+               "HYPE's Pobs.txt in mm a step, dated by its beginning; ids are whole numbers, "
+               "missing values -9999.") +
+         entry("rain --format swat",
+               "SWAT+: -o is a folder with pcp.cli and BASIN.pcp, in mm a day, with latitude and "
+               "longitude of the basin's centroid and an elevation of 0, for it is not known; "
+               "missing values are -99.0. Shorter steps are summed with --every day.") +
+         entry("rain --format swmm",
+               "A rain file of SWMM, ID year month day hour minute value, dated by the step's "
+               "beginning; a step without a line is dry, so that a missing value is an error. "
+               "What [RAINGAGES] has to say of it is told in a notice.") +
+         entry("rain --format pi-xml",
+               "Delft-FEWS's PI-XML: a series a basin, location the basin's id, parameter P, with "
+               "events at the end of each step, timeZone that of the times, else 0, and missVal "
+               "-999.0. Times in several zones are brought to the first one's.") +
+         ".PP\n" +
+         roff_paragraph(
+             "Not written are HEC-DSS, .xlsx and MIKE's dfs0, whose libraries are no part of this "
+             "program. HEC-DSSVue imports rain.csv; ogr2ogr -f XLSX rain.xlsx rain.csv makes a "
+             "spreadsheet, which opens rain.csv too; MIKE Zero's time series editor imports text, "
+             "and the Python package mikeio makes a dfs0 of what --format netcdf writes, read by "
+             "xarray.");
+}
+
 std::string times_section() {
   return ".SH TIMES\n" +
          roff_paragraph(
@@ -402,8 +454,9 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + study_file_section() + csv_section() + files_section() +
-         feed_section() + database_section() + times_section() + units_section() + names_section() +
-         formats_section() + status_section() + examples_section(commands);
+         feed_section() + database_section() + models_section() + times_section() +
+         units_section() + names_section() + formats_section() + status_section() +
+         examples_section(commands);
 }
 
 }  // namespace thiessen::cli

@@ -61,4 +61,9 @@ void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& stud
                        ""});
 }
 
+std::string unit_of_values(const std::string& unit, const std::optional<Totalling>& totalling) {
+  const std::optional<RainUnit> known = rain_unit(unit);
+  return totalling && totalling->depths && known ? std::string(known->depth) : unit;
+}
+
 }  // namespace thiessen::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/inputs/inputs.h"
@@ -13,5 +14,9 @@ namespace thiessen::cli {
 /// can be read only once.
 void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
                   const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings);
+
+/// The unit of the values that are written of readings in `unit`: where totals of rates are, that
+/// of their depths.
+std::string unit_of_values(const std::string& unit, const std::optional<Totalling>& totalling);
 
 }  // namespace thiessen::cli

@@ -60,12 +60,12 @@ void PeriodOptions::declare(OptionList& options) {
                   "it is empty; default 0");
 }
 
-void PeriodOptions::check() const {
+void PeriodOptions::check(bool has_bounds) const {
   if (allowed_missing_option_ != nullptr && allowed_missing_option_->is_given() && !every_) {
     throw UsageError{"--allow-missing is about totals, and there is no --every",
                      "give --every day, month or year, or leave it out"};
   }
-  if (every_option_ != nullptr && stamp_option() != nullptr && !every_) {
+  if (every_option_ != nullptr && stamp_option() != nullptr && !every_ && !has_bounds) {
     throw UsageError{"--stamp is about totals, and there is no --every",
                      "give --every day, month or year, or leave it out"};
   }

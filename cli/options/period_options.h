@@ -28,8 +28,9 @@ class PeriodOptions : public OptionBlock {
   const Option* stamp_option() const {
     return stamp_option_ != nullptr && stamp_option_->is_given() ? stamp_option_ : nullptr;
   }
-  /// Throws UsageError for options that contradict each other.
-  void check() const;
+  /// Throws UsageError for options that contradict each other. `has_bounds`: what is written says
+  /// when its steps begin and end.
+  void check(bool has_bounds = false) const;
   /// What is required of the times of steps: their range, and how precise totals need them; none
   /// where nothing is required.
   std::optional<StepTimes> times() const;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/outputs/rain_output.h"
 #include "rainfall/series/rain_periods.h"
 #include "results/rain_file.h"
 #include "results/rain_growth.h"
@@ -15,7 +16,7 @@
 namespace thiessen::cli {
 
 /// Writes rain.csv as the options want it: the steps, or their totals over periods.
-class RainTable {
+class RainTable : public RainOutput {
  public:
   /// `rainfall` is the file of the readings, for messages. Where there is a `growth`, only steps
   /// are written that a table lacks. The file, the basins and the growth must outlive the table.
@@ -29,14 +30,10 @@ class RainTable {
   void tell(std::function<void(const std::string& time, std::span<const double> values)> hear) {
     hear_ = std::move(hear);
   }
-  /// Makes a step's rows ahead of time, where they need nothing that is known only in the order of
-  /// the steps. Safe for several threads.
-  void prepare(RainStep& step) const;
-  /// Adds the next step in order. `pattern` is the number of its set of reporting gauges, and is
-  /// used where the format has such a column.
-  void add(const RainStep& step, std::size_t pattern = 0);
-  /// Writes what is still held, and warns of what is odd about it. No step may be added afterwards.
-  void finish(Warnings& warnings);
+  void prepare(RainStep& step) const override;
+  void add(const RainStep& step, std::size_t pattern) override;
+  void add(const RainStep& step) { add(step, 0); }
+  void finish(Warnings& warnings) override;
 
  private:
   void add(const RainPeriod& period);

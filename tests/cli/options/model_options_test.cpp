@@ -1,0 +1,70 @@
+#include "cli/options/model_options.h"
+
+#include "cli/options/given_options.h"
+#include "cli/options/rain_format_options.h"
+
+namespace thiessen::cli {
+namespace {
+
+struct Model : Given<RainModelOptions> {
+  Model() {
+    block.declare(options);
+    table.declare(options);
+  }
+  std::string refused(std::vector<std::string> words, const std::string& output,
+                      std::size_t methods = 1) {
+    read(std::move(words));
+    return contradiction<const OptionList&, const std::string&, std::size_t>(options, output,
+                                                                             methods);
+  }
+  RainFormatOptions table;
+};
+
+TEST(RainModelOptions, are_a_table_unless_told) {
+  Model model;
+  EXPECT_EQ(model.refused({}, "-"), "");
+  EXPECT_FALSE(model.block.model());
+  EXPECT_FALSE(model.block.is_named());
+  Model csv;
+  EXPECT_EQ(csv.refused({"--format", "csv"}, "-"), "");
+  EXPECT_FALSE(csv.block.model());
+  EXPECT_TRUE(csv.block.is_named());
+}
+
+TEST(RainModelOptions, take_a_format_and_a_unit) {
+  Model model;
+  EXPECT_EQ(model.refused({"--format", "pi-xml", "--units", "in", "--decimals", "1"}, "-"), "");
+  EXPECT_EQ(model.block.model(), RainModel::pi_xml);
+  EXPECT_EQ(model.block.units, "in");
+  EXPECT_EQ(model.block.name(), "pi-xml");
+}
+
+TEST(RainModelOptions, refuse_what_cannot_act) {
+  EXPECT_EQ(Model().refused({"--units", "in"}, "-"),
+            "--units is about what a model reads, and a CSV names no unit");
+  EXPECT_EQ(Model().refused({"--format", "hype", "--long"}, "-"),
+            "--long is about the rows of a CSV, and --format hype has its own");
+  EXPECT_EQ(Model().refused({"--format", "netcdf"}, "-"),
+            "--format netcdf cannot go to the standard output");
+  EXPECT_EQ(Model().refused({"--format", "swmm"}, "x", 2),
+            "--method says several, and --format swmm holds one series a basin");
+  EXPECT_EQ(Model().refused({"--format", "swmm"}, "PG:dbname=x"),
+            "--format swmm is a file, and the output is a database");
+}
+
+TEST(WeightsModelOptions, are_of_weights_alone) {
+  Given<WeightsModelOptions> model;
+  model.block.declare(model.options);
+  model.read({"--format", "hms"});
+  EXPECT_EQ(model.block.model(), WeightsModel::hms);
+  EXPECT_EQ(model.contradiction(false, false, false), "");
+  EXPECT_EQ(model.contradiction(true, false, false),
+            "--influence is a table of its own, and --format hms holds weights");
+  EXPECT_EQ(model.contradiction(false, true, false),
+            "--with and --without compare two networks, and --format hms holds one");
+  EXPECT_EQ(model.contradiction(false, false, true),
+            "--format hms is a file, and the output is a database");
+}
+
+}  // namespace
+}  // namespace thiessen::cli
