@@ -55,6 +55,7 @@ void NetcdfSeries::define() {
   // The library's own chunks along an unlimited dimension are of one step: half a gigabyte for a
   // few ten thousand.
   to_.check(nc_def_var_chunking(to_.file(), time_, NC_CHUNKED, &steps_in_block_));
+  to_.check(nc_def_var_deflate(to_.file(), time_, 1, 1, 1));
   define_values(rainfall_, "rainfall", basin, time_dimension_);
   to_.put_text(rainfall_.number, "long_name", "areal rainfall");
   if (is_depth(subject_.unit)) to_.put_text(rainfall_.number, "standard_name", standard_name);
@@ -180,6 +181,7 @@ void NetcdfSeries::put_times(Warnings& warnings) {
     time_bounds = to_.variable("time_bnds", NC_DOUBLE, std::array{time_dimension_, two});
     const std::array<std::size_t, 2> chunk{steps_in_block_, 2};
     to_.check(nc_def_var_chunking(to_.file(), time_bounds, NC_CHUNKED, chunk.data()));
+    to_.check(nc_def_var_deflate(to_.file(), time_bounds, 1, 1, 1));
     to_.put_text(rainfall_.number, "cell_methods",
                  std::string("area: mean ") + time_method_of(subject_.unit));
   }
