@@ -265,9 +265,10 @@ std::string models_section() {
   return ".SH FILES FOR MODELS\n" +
          roff_paragraph(
              "--format writes weights or a series as the next model reads it, under any name. "
-             "What a format cannot hold is an error, and what has to be assumed is said: times "
-             "that are none of the calendar, steps of no one length or of months (but in NetCDF "
-             "and PI-XML), times that go back (but in NetCDF), ids that the model cannot read. "
+             "What a format cannot hold is an error: times that are none of the calendar, steps of "
+             "no "
+             "one length or of months (but in NetCDF and PI-XML), times that go back (but in "
+             "NetCDF), ids that the model cannot read. What has to be assumed is said. "
              "Steps that lack between others are written as missing, with a warning; --decimals "
              "counts for values as text. A series is written when all of RAINFALL has been read, "
              "from a pipe too; steps wait in a temporary file, or are in the NetCDF already.") +

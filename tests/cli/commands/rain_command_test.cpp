@@ -39,5 +39,13 @@ TEST(RainCommand, HasErrorsOfStepsByThiessenFromAFile) {
             "--error reads RAINFALL twice, and standard input can be read once");
 }
 
+TEST(RainCommand, WritesWhatModelsRead) {
+  EXPECT_EQ(group_of("rain", "--format"), "Output");
+  EXPECT_EQ(refusal({"rain", "s", "b", "r", "--format", "hype"}), "");
+  EXPECT_EQ(refusal({"rain", "s", "b", "r", "--stamp", "end", "--format", "hype"}), "");
+  EXPECT_EQ(refusal({"rain", "s", "b", "r", "--format", "hype", "--error"}),
+            "--error is beside the values, and --format hype has no place for it");
+}
+
 }  // namespace
 }  // namespace thiessen::cli

@@ -48,5 +48,12 @@ TEST(WeightsCommand, MayRepeatChanges) {
   EXPECT_EQ(line.option("--without").texts, (std::vector<std::string>{"A", "B"}));
 }
 
+TEST(WeightsCommand, WritesWhatModelsRead) {
+  EXPECT_EQ(group_of("weights", "--format"), "Output");
+  EXPECT_EQ(refusal({"weights", "s", "b", "--format", "hms"}), "");
+  EXPECT_EQ(refusal({"weights", "s", "b", "--format", "hms", "--without", "A"}),
+            "--with and --without compare two networks, and --format hms holds one");
+}
+
 }  // namespace
 }  // namespace thiessen::cli
