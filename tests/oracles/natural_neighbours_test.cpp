@@ -33,7 +33,7 @@ TEST(NaturalWeights, are_those_of_cgal) {
       const Point p{seeded.uniform(0, 10), seeded.uniform(0, 10)};
       gauges.push_back({is_lattice ? Point{std::round(p.x), std::round(p.y)} : p, {}});
     }
-    NaturalWeights natural(gauges, false);
+    NaturalWeights natural(gauges, ChartKind::plane);
     Triangulation triangulation;
     std::map<std::pair<double, double>, PointId> number;
     for (std::size_t i = 0; i < gauges.size(); ++i) {
@@ -105,7 +105,7 @@ double largest_difference(Seeded& seeded, Point middle, double degrees, int gaug
   const GaugeChart chart(gauges, Metric::geodesic);
   std::vector<ChartPoint> charted;
   for (const Point p : gauges) charted.push_back(chart.at(p));
-  NaturalWeights natural(charted, true);
+  NaturalWeights natural(charted, chart.kind());
   const Box frame{{middle.x - stretch * degrees, middle.y - degrees},
                   {middle.x + stretch * degrees, middle.y + degrees}};
   double largest = 0;

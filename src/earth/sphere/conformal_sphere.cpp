@@ -203,4 +203,11 @@ Point StereographicChart::project(Direction p) const {
   return {scale * dot(chord, east_), scale * dot(chord, north_)};
 }
 
+// A chord of length s has s in the plane for its projection's distance r: 1 / s^2 = r^2 + 1 / 4.
+// Its part along the pole is -s^2 / 2, for both its ends lie on the unit sphere.
+Direction StereographicChart::unproject(Point p) const {
+  const double square = 1 / (p.x * p.x + p.y * p.y + 0.25);
+  return pole_ + (square * p.x * east_ + square * p.y * north_ + -square / 2 * pole_);
+}
+
 }  // namespace thiessen

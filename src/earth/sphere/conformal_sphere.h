@@ -83,6 +83,8 @@ class StereographicChart {
   /// The point of the plane for a direction. What is counter-clockwise seen from outside the sphere
   /// stays counter-clockwise. Requires a direction other than the pole.
   Point project(Direction p) const;
+  /// The inverse of project: a unit vector.
+  Direction unproject(Point p) const;
   bool is_pole(Direction p) const { return dot(p - pole_, p - pole_) == 0; }
 
  private:

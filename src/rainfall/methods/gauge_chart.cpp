@@ -22,6 +22,8 @@ class Farthest {
     key_ = key;
   }
   const std::optional<Direction>& centre() const { return centre_; }
+  /// Whether it is less than a quarter of a great circle away from its nearest place.
+  bool is_less_than_hemisphere() const { return std::get<0>(key_) > 0; }
 
  private:
   std::optional<Direction> centre_;
@@ -34,8 +36,15 @@ Direction across(Direction a, Direction b) {
   return unit(cross(a, std::abs(a.z) < 0.5 ? Direction{0, 0, 1} : Direction{1, 0, 0}));
 }
 
-/// The centre of the largest circle on the sphere that has no place inside.
-Direction middle_of_gap(std::span<const Point> places) {
+/// The point from which the chart of some places is seen.
+struct Viewpoint {
+  Direction at;
+  ChartKind kind;
+};
+
+/// The centre of the largest circle on the sphere that has no place inside, or where that is less
+/// than a hemisphere the first place.
+Viewpoint viewpoint_of(std::span<const Point> places) {
   const SphereTessellation sphere(places);
   const Tessellation<2>& chart = sphere.tessellation();
   Farthest farthest;
@@ -48,16 +57,20 @@ Direction middle_of_gap(std::span<const Point> places) {
       const auto& forming = chart.topology().forming(v);
       consider(sphere.place(forming[0]), sphere.place(forming[1]), sphere.place(forming[2]), 1);
     });
-    return *farthest.centre();
+    if (farthest.is_less_than_hemisphere())
+      return {sphere.direction(sphere.pole()), ChartKind::whole_earth};
+    return {*farthest.centre(), ChartKind::part_of_earth};
   }
   // Without a triangle all places lie on one circle.
   std::vector<PlaceIndex> ring{sphere.pole()};
   for (const PointId p : chart.along_line()) ring.push_back(sphere.place(p));
-  if (ring.size() == 1) return -1.0 * sphere.direction(ring[0]);
-  if (ring.size() == 2) return across(sphere.direction(ring[0]), sphere.direction(ring[1]));
+  if (ring.size() == 1) return {-1.0 * sphere.direction(ring[0]), ChartKind::part_of_earth};
+  if (ring.size() == 2) {
+    return {across(sphere.direction(ring[0]), sphere.direction(ring[1])), ChartKind::part_of_earth};
+  }
   consider(ring[0], ring[1], ring[2], 1);
   consider(ring[0], ring[1], ring[2], -1);
-  return *farthest.centre();
+  return {*farthest.centre(), ChartKind::part_of_earth};
 }
 
 double in_range_or_0(double coordinate) {
@@ -67,7 +80,10 @@ double in_range_or_0(double coordinate) {
 }  // namespace
 
 GaugeChart::GaugeChart(std::span<const Point> places, Metric metric) {
-  if (metric == Metric::geodesic) stereographic_.emplace(middle_of_gap(places));
+  if (metric != Metric::geodesic) return;
+  const Viewpoint viewpoint = viewpoint_of(places);
+  kind_ = viewpoint.kind;
+  stereographic_.emplace(viewpoint.at);
 }
 
 ChartPoint GaugeChart::at(Point position) const {
@@ -78,6 +94,11 @@ ChartPoint GaugeChart::at(Point position) const {
   }
   point.at = {in_range_or_0(point.at.x), in_range_or_0(point.at.y)};
   return point;
+}
+
+ChartPoint GaugeChart::found_at(Point in_chart) const {
+  const Point at{in_range_or_0(in_chart.x), in_range_or_0(in_chart.y)};
+  return {at, stereographic_ ? stereographic_->unproject(at) : Direction{}};
 }
 
 }  // namespace thiessen

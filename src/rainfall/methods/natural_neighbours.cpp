@@ -1,12 +1,20 @@
 #include "rainfall/methods/natural_neighbours.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
 
 namespace thiessen {
 namespace {
+
+std::vector<PlaceIndex> all_places(std::size_t count) {
+  std::vector<PlaceIndex> places;
+  for (std::uint32_t p = 0; p < count; ++p) places.push_back(PlaceIndex{p});
+  return places;
+}
 
 bool all_report(const std::vector<PlaceIndex>& places, const ReportingPlaces& reports) {
   return std::all_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[p]; });
@@ -21,10 +29,20 @@ std::vector<ChartPoint> charted(const std::vector<Point>& positions, const Gauge
 
 }  // namespace
 
+NaturalNeighbours::Gauges::Gauges(const std::vector<Point>& positions,
+                                  const std::vector<PlaceIndex>& places, Metric metric)
+    : chart(positions, metric), natural(charted(positions, chart), chart.kind()) {
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t number = index(natural.numbers()[i]);
+    if (number >= places_of.size()) places_of.resize(number + 1);
+    places_of[number].push_back(places[i]);
+  }
+}
+
 class NaturalNeighbours::Workplace {
  public:
   explicit Workplace(const NaturalNeighbours& all)
-      : all_(all), natural_(*all.natural_), sums(all.weighing_.network().places().size()) {}
+      : all_(all), natural_(all.full_.natural), sums(all.weighing_.network().places().size()) {}
 
   /// Finds the weights at a point when these places report, and tells whether the point is in the
   /// hull. Requires that at least one place reports, and that the tessellation is of those that
@@ -32,7 +50,8 @@ class NaturalNeighbours::Workplace {
   bool find(const ChartPoint& at, Point position, const ReportingPlaces& reports,
             std::vector<PlaceWeight>& weights) {
     weights.clear();
-    const bool is_inside = natural_.find(at, gauges_);
+    const bool is_inside = afresh_ ? afresh_->natural.find(afresh_->chart.at(position), gauges_)
+                                   : natural_.find(at, gauges_);
     if (!is_inside) {
       all_.nearest_.find(position, 1, reports, near_);
       weights.push_back({near_.front().place, 1});
@@ -45,21 +64,50 @@ class NaturalNeighbours::Workplace {
   /// Does `work` while the tessellation is of the places that report.
   template <typename Work>
   void with(const ReportingPlaces& reports, Work&& work) {
+    const std::vector<PointId> silent = silent_numbers(reports);
+    const bool closes = all_.full_.chart.kind() == ChartKind::whole_earth;
+    bool done = false;
+    if (!closes || silent.empty() || silent.front() != infinite_point) {
+      natural_.without(silent, [&] {
+        if (closes && !natural_.close_round_the_earth()) return;
+        work();
+        done = true;
+      });
+    }
+    if (!done) with_others_afresh(reports, work);
+  }
+
+ private:
+  std::vector<PointId> silent_numbers(const ReportingPlaces& reports) const {
     std::vector<PointId> silent;
-    for (std::size_t n = 0; n < all_.places_of_.size(); ++n) {
-      const auto& places = all_.places_of_[n];
+    for (std::size_t n = 0; n < all_.full_.places_of.size(); ++n) {
+      const auto& places = all_.full_.places_of[n];
       const bool is_silent =
           std::none_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[p]; });
       if (!places.empty() && is_silent) silent.push_back(PointId{static_cast<std::uint32_t>(n)});
     }
-    natural_.without(silent, work);
+    return silent;
   }
 
- private:
+  template <typename Work>
+  void with_others_afresh(const ReportingPlaces& reports, Work&& work) {
+    std::vector<Point> positions;
+    std::vector<PlaceIndex> places;
+    const std::vector<Point>& all = all_.weighing_.network().places();
+    for (std::uint32_t p = 0; p < all.size(); ++p) {
+      if (!reports[PlaceIndex{p}]) continue;
+      positions.push_back(all[p]);
+      places.push_back(PlaceIndex{p});
+    }
+    afresh_.emplace(positions, places, all_.weighing_.yardstick().metric);
+    work();
+    afresh_.reset();
+  }
+
   void add_places(const NaturalWeight& w, const ReportingPlaces& reports,
                   std::vector<PlaceWeight>& weights) const {
     const std::size_t first = weights.size();
-    for (const PlaceIndex p : all_.places_of_[index(w.gauge)]) {
+    for (const PlaceIndex p : (afresh_ ? *afresh_ : all_.full_).places_of[index(w.gauge)]) {
       if (reports[p]) weights.push_back({p, w.weight});
     }
     const auto count = static_cast<double>(weights.size() - first);
@@ -68,6 +116,7 @@ class NaturalNeighbours::Workplace {
 
   const NaturalNeighbours& all_;
   NaturalWeights natural_;
+  std::optional<Gauges> afresh_;  // of a step for which it does not do to delete gauges
   std::vector<NaturalWeight> gauges_;
   std::vector<NearestGauges::Near> near_;
 
@@ -77,20 +126,14 @@ class NaturalNeighbours::Workplace {
 
 NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads)
     : weighing_(weighing),
-      chart_(weighing.network().places(), weighing.yardstick().metric),
       nearest_(weighing.network().places(), weighing.yardstick().metric),
+      full_(weighing.network().places(), all_places(weighing.network().places().size()),
+            weighing.yardstick().metric),
       points_(weighing.basins().size()),
       shares_outside_(points_.size()) {
-  const std::vector<Point>& places = weighing.network().places();
-  natural_ = std::make_unique<const NaturalWeights>(charted(places, chart_), chart_.is_of_earth());
-  for (std::uint32_t p = 0; p < places.size(); ++p) {
-    const std::size_t number = index(natural_->numbers()[p]);
-    if (number >= places_of_.size()) places_of_.resize(number + 1);
-    places_of_[number].push_back(PlaceIndex{p});
-  }
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
     points_[b].positions = basin_points(weighing.basins()[b], weighing.yardstick(), points);
-    points_[b].at = charted(points_[b].positions, chart_);
+    points_[b].at = charted(points_[b].positions, full_.chart);
     auto workplace = borrow();
     shares_outside_[b] =
         static_cast<double>(keep_neighbours(points_[b], *workplace)) / static_cast<double>(points);

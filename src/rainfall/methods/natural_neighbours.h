@@ -20,7 +20,9 @@ namespace thiessen {
 ///
 /// For each point the neighbours in the full network are kept; its weights hold as long as all of
 /// these report. For the other points they are found again in the tessellation without the silent
-/// gauges, which are deleted from it and taken back afterwards. Memory: 170 bytes a point, and a
+/// gauges, which are deleted from it and taken back afterwards. Only of gauges all round the Earth
+/// is one made anew, where the gauge at infinity is silent, or the others no longer stand all round
+/// (see GaugeChart). Memory: 170 bytes a point, and a
 /// copy of the tessellation for each thread. Cost: 0.5 microseconds a point, once; then, for each
 /// set of reporting gauges, as much for each point next to a silent gauge, and a look at every
 /// point of the basins that have such points.
@@ -46,6 +48,16 @@ class NaturalNeighbours : public AreaMethod {
     std::vector<PlaceWeight> full;
     std::vector<PlaceIndex> all;  ///< places that are a neighbour of any of the points
   };
+  /// The tessellation of some places, by its numbers: a number stands for one place, or for several
+  /// that rounding cannot tell apart.
+  struct Gauges {
+    Gauges(const std::vector<Point>& positions, const std::vector<PlaceIndex>& places,
+           Metric metric);
+
+    GaugeChart chart;
+    NaturalWeights natural;
+    std::vector<std::vector<PlaceIndex>> places_of;  // by number
+  };
   /// What one thread works with: a copy of the tessellation, and memory that is used again.
   class Workplace;
 
@@ -56,12 +68,8 @@ class NaturalNeighbours : public AreaMethod {
   void give_back(std::unique_ptr<Workplace> workplace) const;
 
   const Weighing& weighing_;
-  GaugeChart chart_;
   NearestGauges nearest_;
-  std::unique_ptr<const NaturalWeights> natural_;  // of the full network
-  /// The places of each point of the tessellation, by its number: one place, or several that
-  /// rounding cannot tell apart.
-  std::vector<std::vector<PlaceIndex>> places_of_;
+  Gauges full_;
   std::vector<Points> points_;  // by basin
   std::vector<double> shares_outside_;
   mutable std::mutex mutex_;

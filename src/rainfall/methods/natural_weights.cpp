@@ -6,12 +6,17 @@
 
 namespace thiessen {
 
-NaturalWeights::NaturalWeights(std::span<const ChartPoint> gauges, bool is_of_earth)
-    : is_of_earth_(is_of_earth) {
+NaturalWeights::NaturalWeights(std::span<const ChartPoint> gauges, ChartKind kind) : kind_(kind) {
   std::vector<Point> positions;
   positions.reserve(gauges.size());
-  for (const ChartPoint& gauge : gauges) positions.push_back(gauge.at);
-  numbers_ = tessellation_.add_all(positions);
+  for (const ChartPoint& gauge : gauges) {
+    if (in_exact_range(gauge.at)) positions.push_back(gauge.at);
+  }
+  const std::vector<PointId> added = tessellation_.add_all(positions);
+  auto next = added.begin();
+  numbers_.reserve(gauges.size());
+  for (const ChartPoint& gauge : gauges)
+    numbers_.push_back(in_exact_range(gauge.at) ? *next++ : infinite_point);
   directions_.resize(tessellation_.topology().point_limit());
   for (std::size_t i = gauges.size(); i-- > 0;)
     directions_[index(numbers_[i])] = gauges[i].direction;
@@ -20,13 +25,27 @@ NaturalWeights::NaturalWeights(std::span<const ChartPoint> gauges, bool is_of_ea
 
 void NaturalWeights::take_vertices() {
   last_ = no_vertex;
-  if (is_of_earth_ && tessellation_.span() == Span::plane)
+  if (kind_ != ChartKind::plane && tessellation_.span() == Span::plane)
     sphere_.take(tessellation_.topology(), directions_);
+}
+
+bool NaturalWeights::close_round_the_earth() const {
+  if (tessellation_.span() != Span::plane) return false;
+  bool close = true;
+  tessellation_.topology().for_each_vertex([&](VertexId v) {
+    const PointId corner = tessellation_.topology().forming(v)[0];
+    close = close && dot(sphere_.centre_of(v), direction(corner)) > 0;
+  });
+  return close;
 }
 
 bool NaturalWeights::find(const ChartPoint& point, std::vector<NaturalWeight>& weights) {
   weights.clear();
-  if (tessellation_.empty() || !in_exact_range(point.at)) return false;
+  if (tessellation_.empty()) return false;
+  if (!in_exact_range(point.at)) {
+    if (kind_ == ChartKind::whole_earth) weights.push_back({infinite_point, 1});
+    return kind_ == ChartKind::whole_earth;
+  }
   const Topology<2>& topology = tessellation_.topology();
   const bool is_in_span =
       tessellation_.span() == Span::plane || !tessellation_.structure().is_off(point.at);
@@ -72,19 +91,21 @@ bool NaturalWeights::find_in_plane(const ChartPoint& point, std::vector<NaturalW
     weights.push_back({p, 1});
     return true;
   }
-  if (topology.is_infinite(last_)) return false;
+  const bool has_hull = kind_ != ChartKind::whole_earth;
+  if (has_hull && topology.is_infinite(last_)) return false;
   zone_.find<2>(structure, last_, point.at);
   for (const VertexId v : zone_.vertices()) {
+    if (!has_hull) break;
     const std::size_t infinite = topology.corner_of(v, infinite_point);
     if (infinite == Topology<2>::corners) continue;
     const auto& forming = topology.forming(v);
     return find_on_edge(point.at, forming[(infinite + 1) % 3], forming[(infinite + 2) % 3],
                         weights);
   }
-  if (is_of_earth_) {
-    sphere_.find(topology, zone_, directions_, point.direction, stolen_);
-  } else {
+  if (kind_ == ChartKind::plane) {
     plane_.find(structure, zone_, point.at, stolen_);
+  } else {
+    sphere_.find(topology, zone_, directions_, point.direction, stolen_);
   }
   share_stolen(weights);
   return true;

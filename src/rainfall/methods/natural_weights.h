@@ -25,7 +25,8 @@ struct NaturalWeight {
 /// are the sphere's; see GaugeChart. On an edge of the hull, and between gauges that all lie on one
 /// line, the two gauges on either side weigh, linearly with distance: this is the limit of the
 /// coordinates there. At a gauge, that gauge has all the weight. Outside the hull there are no
-/// weights, and so none anywhere off the line if all gauges lie on one.
+/// weights, and so none anywhere off the line if all gauges lie on one. Gauges all round the Earth
+/// have no hull.
 ///
 /// Accuracy: planar 1e-12 (see the test). Geodesic, against the areas of the ellipsoid's own cells:
 /// 1e-4 where gauges are 100 km apart, and in proportion to that distance. Cost: 0.3 microseconds a
@@ -33,11 +34,15 @@ struct NaturalWeight {
 /// own, and a copy is independent.
 class NaturalWeights {
  public:
-  /// Numbers the gauges; those on one point of the chart get the same number.
-  NaturalWeights(std::span<const ChartPoint> gauges, bool is_of_earth);
+  /// Numbers the gauges; those on one point of the chart get the same number. In a chart of the
+  /// whole Earth the gauge at infinity has the infinite point's.
+  NaturalWeights(std::span<const ChartPoint> gauges, ChartKind kind);
 
   /// The number of each gauge, in the order in which they were given.
   const std::vector<PointId>& numbers() const { return numbers_; }
+  /// The tessellation of the gauges in the chart, and the direction of each on the sphere.
+  const Tessellation<2>& tessellation() const { return tessellation_; }
+  Direction direction(PointId gauge) const { return directions_[index(gauge)]; }
 
   /// Forgets where the last point was, for the last bits of weights may depend on it.
   void begin_anew() { last_ = no_vertex; }
@@ -45,8 +50,14 @@ class NaturalWeights {
   /// none.
   bool find(const ChartPoint& point, std::vector<NaturalWeight>& weights);
 
+  /// Whether the gauges that are there stand all round the Earth, so that there is no hull.
+  /// Requires a chart of the whole Earth. Cost: that of all vertices.
+  bool close_round_the_earth() const;
+
   /// Does `work` while some gauges are deleted; they are back afterwards. `silent` holds their
-  /// numbers, each once. Cost: that of the deletions, and on the sphere that of all vertices.
+  /// numbers, each once, without the infinite point. In a chart of the whole Earth `work` may only
+  /// look for weights where the others still stand all round it. Cost: that of the deletions, and
+  /// on the sphere that of all vertices.
   template <typename Work>
   void without(std::span<const PointId> silent, Work&& work) {
     {
@@ -64,7 +75,7 @@ class NaturalWeights {
   bool find_on_edge(Point point, PointId a, PointId b, std::vector<NaturalWeight>& weights) const;
   void share_stolen(std::vector<NaturalWeight>& weights);
 
-  bool is_of_earth_;
+  ChartKind kind_;
   Tessellation<2> tessellation_;
   std::vector<PointId> numbers_;
   std::vector<Direction> directions_;  // by number

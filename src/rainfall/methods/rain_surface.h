@@ -29,6 +29,10 @@ class RainSurface {
   virtual ~RainSurface() = default;
   /// The value at a point in the study's coordinates.
   virtual Value at(Point position) = 0;
+  /// The value at a point, as the surface goes on smoothly from the gauges' hull where the point
+  /// lies beyond it: what a line of equal value that ends on the hull is led up to. Near the hull
+  /// it is the surface's mirror image at the hull's edge, further away the value on the edge.
+  virtual Value continued(Point position) { return at(position); }
   /// Forgets where the last point was, near which the next is looked for: the last bits of values
   /// may depend on it.
   virtual void begin_anew() {}
@@ -39,12 +43,14 @@ class RainSurface {
 ///
 /// - idw: inverse distance squared of the 12 nearest gauges, as InverseDistance has it;
 /// - natural: Sibson's natural neighbours, as NaturalNeighbours has it;
-/// - linear: linear in each Delaunay triangle of the gauges; on the Earth in the GaugeChart, whose
-///   scale changes by 0.6 % over 1,000 km. Gauges that all lie on one line have no triangles: only
-///   on the line is the surface linear, elsewhere that of the nearest gauge.
+/// - linear: linear in each Delaunay triangle of the gauges; on the Earth in the flat triangle
+///   between the three, as its points are seen from the middle of the conformal sphere. Gauges that
+///   all lie on one line have no triangles: only on the line is the surface linear, elsewhere that
+///   of the nearest gauge.
 ///
-/// Natural and linear reproduce a plane of rainfall within the hull. Cost: n log n for n gauges;
-/// then a microsecond a point or less, for idw on the Earth 2.
+/// Natural and linear reproduce a plane of rainfall within the hull. Gauges all round the Earth
+/// have no hull (see GaugeChart), and nothing lies beyond it. Cost: n log n for n gauges; then a
+/// microsecond a point or less, for idw on the Earth 2.
 std::unique_ptr<RainSurface> surface_of(SurfaceMethod method, const Network& network, Metric metric,
                                         std::span<const double> readings);
 

@@ -26,7 +26,6 @@ double spherical_area(Direction a, Direction b, Direction c) {
 void SphereStolenAreas::take(const Topology<2>& topology, const std::vector<Direction>& gauges) {
   centres_.resize(topology.size());
   topology.for_each_vertex([&](VertexId v) {
-    if (topology.is_infinite(v)) return;
     const auto& forming = topology.forming(v);
     centres_[index(v)] =
         centre(gauges[index(forming[0])], gauges[index(forming[1])], gauges[index(forming[2])]);

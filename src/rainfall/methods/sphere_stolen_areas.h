@@ -24,15 +24,19 @@ double spherical_area(Direction a, Direction b, Direction c);
 class SphereStolenAreas {
  public:
   /// Takes the vertices of a tessellation as they are now. `gauges` holds the points' directions on
-  /// the sphere. Cost: the number of vertices.
+  /// the sphere; that of the infinite point counts only where it is a gauge. Cost: the number of
+  /// vertices.
   void take(const Topology<2>& topology, const std::vector<Direction>& gauges);
 
   /// Finds the area taken from each gauge on the zone's rim, in the order of the rim. Requires the
-  /// zone of x in the tessellation that was taken, without the infinite point. Cost: 0.3
-  /// microseconds for four vertices.
+  /// zone of x in the tessellation that was taken, without the infinite point unless that is a
+  /// gauge. Cost: 0.3 microseconds for four vertices.
   void find(const Topology<2>& topology, const ConflictZone<2>& zone,
             const std::vector<Direction>& gauges, Direction x,
             std::vector<StolenArea>& areas) const;
+
+  /// The centre of the circle through the forming points of a vertex that was taken.
+  Direction centre_of(VertexId v) const { return centres_[index(v)]; }
 
  private:
   std::vector<Direction> centres_;  // by vertex

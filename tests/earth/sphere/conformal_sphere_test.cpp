@@ -126,6 +126,16 @@ TEST(StereographicChart, keeps_circles) {
   }
 }
 
+TEST(StereographicChart, law_unproject_is_the_inverse_of_project) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(1000); ++round) {
+    const StereographicChart chart(random_direction(seeded));
+    const Direction p = random_direction(seeded);
+    const Direction again = chart.unproject(chart.project(p));
+    ASSERT_NEAR(length(again - p), 0, 1e-14);
+  }
+}
+
 TEST(StereographicChart, knows_its_pole) {
   const Direction pole = on_sphere({12, 34});
   EXPECT_TRUE(StereographicChart(pole).is_pole(pole));

@@ -14,8 +14,44 @@ namespace {
 
 TEST(GaugeChart, of_a_plane_is_the_plane) {
   const GaugeChart chart(std::vector<Point>{{1, 2}}, Metric::planar);
-  EXPECT_FALSE(chart.is_of_earth());
+  EXPECT_EQ(chart.kind(), ChartKind::plane);
   EXPECT_EQ(chart.at({7, -1e-200}).at, (Point{7, 0}));
+  EXPECT_EQ(chart.found_at({7, -1e-200}).at, (Point{7, 0}));
+}
+
+ChartKind kind_of(const std::vector<Point>& places) {
+  return GaugeChart(places, Metric::geodesic).kind();
+}
+
+// Three on the equator and a pole leave the other hemisphere free up to its edge; one beyond it
+// closes the triangles round the Earth.
+TEST(GaugeChart, is_of_the_whole_earth_where_no_hemisphere_is_without_a_gauge) {
+  EXPECT_EQ(kind_of({{0, 1}, {120, 1}, {-120, 1}, {0, 90}}), ChartKind::part_of_earth);
+  EXPECT_EQ(kind_of({{0, -1}, {120, -1}, {-120, -1}, {0, 90}}), ChartKind::whole_earth);
+  EXPECT_EQ(kind_of({{0, 1}, {120, 1}, {-120, 1}, {0, 90}, {40, -80}}), ChartKind::whole_earth);
+  EXPECT_EQ(kind_of({{0, 0}, {120, 0}, {-120, 0}}), ChartKind::part_of_earth) << "a ring";
+  EXPECT_EQ(kind_of({{5, 5}}), ChartKind::part_of_earth);
+  EXPECT_EQ(kind_of({{5, 5}, {-175, -5}}), ChartKind::part_of_earth);
+}
+
+TEST(GaugeChart, of_the_whole_earth_has_its_first_gauge_at_infinity) {
+  const std::vector<Point> places{{120, -1}, {0, 90}, {-120, -1}, {0, -1}};
+  const GaugeChart chart(places, Metric::geodesic);
+  EXPECT_FALSE(in_exact_range(chart.at({-120, -1}).at));
+  for (const Point p : {Point{120, -1}, {0, 90}, {0, -1}, {-120, -1.0000001}})
+    EXPECT_TRUE(in_exact_range(chart.at(p).at));
+}
+
+TEST(GaugeChart, finds_a_point_again) {
+  Seeded seeded;
+  const GaugeChart chart(std::vector<Point>{{12, 47}, {14, 47}, {13, 49}}, Metric::geodesic);
+  for (int i = 0; i < 100; ++i) {
+    const ChartPoint point = chart.at({seeded.uniform(-60, 80), seeded.uniform(-30, 85)});
+    const ChartPoint again = chart.found_at(point.at);
+    EXPECT_EQ(again.at, point.at);
+    EXPECT_NEAR(length(again.direction - point.direction), 0, 1e-14);
+    EXPECT_NEAR(length(again.direction), 1, 1e-14);
+  }
 }
 
 // What lies in the smallest circle round them: the middle of a small network is the chart's middle.

@@ -17,7 +17,7 @@ namespace {
 class Network2 {
  public:
   explicit Network2(std::vector<Point> gauges)
-      : gauges_(std::move(gauges)), natural_(charted(gauges_), false) {}
+      : gauges_(std::move(gauges)), natural_(charted(gauges_), ChartKind::plane) {}
 
   std::vector<double> at(Point p) {
     std::vector<NaturalWeight> found;
