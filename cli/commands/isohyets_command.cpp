@@ -97,10 +97,8 @@ class IsohyetsCommand : public Command {
     IsohyetLevels levels{isohyets_.interval, isohyets_.breaks};
     if (levels.interval == 0 && levels.levels.empty())
       levels.levels = RainfallClasses(shown_values(inputs, readings, threads), {}).bounds();
-    const SurfaceRaster raster =
-        surface_raster(inputs, readings, isohyets_.drawn(), SurfaceRows::Extent::among_gauges,
-                       {.resolution = resolution_}, threads);
-    return isohyets_in(raster, levels, areas_of(inputs));
+    return isohyets_in(inputs, readings, isohyets_.drawn(), {.resolution = resolution_}, levels,
+                       areas_of(inputs), threads);
   }
 
   StudyOptions study_;

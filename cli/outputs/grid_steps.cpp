@@ -126,10 +126,8 @@ void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readin
       to.add(nothing);
       continue;
     }
-    SurfaceRows surface(
-        grid, SurfaceRows::Extent::all,
-        [&] { return surface_of(method, inputs.network(), inputs.study().metric, step.readings); },
-        [&] { return to_study(inputs); }, threads);
+    SurfaceRows surface =
+        surface_rows(inputs, step.readings, method, SurfaceRows::Beyond::nearest, grid, threads);
     const std::span<const float> values = surface.rows(0, grid.rows, is_inside);
     for (const float value : values) sample.add(value);
     to.add(values);

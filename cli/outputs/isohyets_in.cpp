@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "cli/outputs/raster_of.h"
+#include "geometry/point_mapping.h"
 #include "rainfall/methods/isohyets.h"
 
 namespace thiessen::cli {
@@ -24,43 +28,65 @@ PixelGrid grid_for(const Inputs& inputs, const RasterSize& size) {
   return widened(raster_grid(inputs, fine.pixel * std::max(fine.columns, fine.rows) / size.pixels));
 }
 
-std::vector<double> levels_within(const SurfaceRaster& raster, const IsohyetLevels& wanted) {
-  if (wanted.interval > 0) return isohyet_levels(raster.least, raster.largest, wanted.interval);
+std::vector<double> levels_within(const ValueRange& range, const IsohyetLevels& wanted) {
+  if (wanted.interval > 0) return isohyet_levels(range.least, range.largest, wanted.interval);
   std::vector<double> levels;
   for (const double level : wanted.levels) {
-    if (level > raster.least && level < raster.largest) levels.push_back(level);
+    if (level > range.least && level < range.largest) levels.push_back(level);
   }
   return levels;
+}
+
+/// Cuts off what lies beyond the gauges, and leaves out isohyets of which nothing is left.
+void keep_among_gauges(std::vector<Isohyet>& isohyets, RainSurface& surface,
+                       const PointMapping& to_study) {
+  std::vector<Point> one(1);
+  const auto is_among_gauges = [&](Point p) {
+    one.front() = p;
+    to_study(one);
+    const Point at = one.front();
+    return std::isfinite(at.x) && std::isfinite(at.y) && surface.at(at).is_among_gauges;
+  };
+  for (Isohyet& isohyet : isohyets) {
+    throw_if_interrupted();
+    std::vector<std::vector<Point>> kept;
+    for (const std::vector<Point>& line : isohyet.lines) {
+      for (std::vector<Point>& part : parts_where(line, is_among_gauges))
+        kept.push_back(std::move(part));
+    }
+    isohyet.lines = std::move(kept);
+  }
+  std::erase_if(isohyets, [](const Isohyet& isohyet) { return isohyet.lines.empty(); });
 }
 
 }  // namespace
 
 SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings,
-                             SurfaceMethod method, SurfaceRows::Extent extent,
+                             SurfaceMethod method, SurfaceRows::Beyond beyond,
                              const RasterSize& size, unsigned threads) {
   SurfaceRaster raster;
   raster.grid = grid_for(inputs, size);
-  SurfaceRows surface(
-      raster.grid, extent,
-      [&] {
-        return surface_of(method, inputs.network(), inputs.study().metric, readings.readings);
-      },
-      [&] { return to_study(inputs); }, threads);
+  SurfaceRows surface =
+      surface_rows(inputs, readings.readings, method, beyond, raster.grid, threads);
   const std::span<const float> values = surface.rows(0, raster.grid.rows, {});
   raster.values.assign(values.begin(), values.end());
-  raster.least = HUGE_VAL;
-  raster.largest = -HUGE_VAL;
-  for (const float value : values) {
-    if (std::isnan(value)) continue;
-    raster.least = std::min<double>(raster.least, value);
-    raster.largest = std::max<double>(raster.largest, value);
-  }
+  raster.range = surface.range_among_gauges();
   return raster;
 }
 
-std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
-                                 std::span<const MultiPolygon> shapes) {
-  return isohyets_of(raster.grid, raster.values, levels_within(raster, levels), shapes);
+std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
+                                 SurfaceMethod method, const RasterSize& size,
+                                 const IsohyetLevels& levels, std::span<const MultiPolygon> shapes,
+                                 unsigned threads) {
+  if (!readings.reports().any()) return {};
+  const SurfaceRaster raster =
+      surface_raster(inputs, readings, method, SurfaceRows::Beyond::continued, size, threads);
+  if (!raster.range) return {};
+  std::vector<Isohyet> isohyets =
+      isohyets_of(raster.grid, raster.values, levels_within(*raster.range, levels), shapes);
+  if (isohyets.empty()) return isohyets;
+  keep_among_gauges(isohyets, *surface_in(inputs, readings.readings, method), to_study(inputs));
+  return isohyets;
 }
 
 }  // namespace thiessen::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "geometry/pixel_grid.h"
 #include "geometry/polygon.h"
 #include "map/raster/surface_rows.h"
+#include "rainfall/methods/isohyets.h"
 #include "rainfall/methods/rain_surface.h"
 #include "rainfall/series/gauge_readings.h"
 
@@ -24,8 +26,8 @@ struct IsohyetLevels {
 struct SurfaceRaster {
   PixelGrid grid;
   std::vector<float> values;
-  double least = 0;  ///< of the values; above `largest` where there is none
-  double largest = 0;
+  /// Of the values among the gauges; nothing where there are none.
+  std::optional<ValueRange> range;
 };
 
 /// The raster of the readings' surface, whose pixel is `resolution`; 0 gives the longer side
@@ -35,12 +37,16 @@ struct RasterSize {
   int pixels = 1000;
 };
 SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings,
-                             SurfaceMethod method, SurfaceRows::Extent extent,
+                             SurfaceMethod method, SurfaceRows::Beyond beyond,
                              const RasterSize& size, unsigned threads);
 
-/// The isohyets of a raster in the shapes, by shape and level, at the levels strictly between its
-/// least and its largest value. Throws Error where there would be too many.
-std::vector<Isohyet> isohyets_in(const SurfaceRaster& raster, const IsohyetLevels& levels,
-                                 std::span<const MultiPolygon> shapes);
+/// The isohyets of the readings' surface in the shapes, by shape and level, at the levels strictly
+/// between its least and its largest value on a raster of this size. They end on the gauges' hull:
+/// the jump beyond it is not drawn. None where no gauge reports. Throws Error where there would be
+/// too many.
+std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
+                                 SurfaceMethod method, const RasterSize& size,
+                                 const IsohyetLevels& levels, std::span<const MultiPolygon> shapes,
+                                 unsigned threads);
 
 }  // namespace thiessen::cli

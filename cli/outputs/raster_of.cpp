@@ -81,6 +81,19 @@ PointMapping from_study(const Inputs& inputs) {
   return mapping(inputs.study().crs, inputs.study().output_crs());
 }
 
+std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
+                                        SurfaceMethod method) {
+  return surface_of(method, inputs.network(), inputs.study().metric, readings);
+}
+
+SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,
+                         SurfaceMethod method, SurfaceRows::Beyond beyond, const PixelGrid& grid,
+                         unsigned threads) {
+  return {grid, beyond,
+          [&inputs, readings, method] { return surface_in(inputs, readings, method); },
+          [&inputs] { return to_study(inputs); }, threads};
+}
+
 PixelGrid raster_grid(const Inputs& inputs, double resolution) {
   return grid_over(areas_of(inputs), resolution);
 }
@@ -98,12 +111,8 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
   const BandText text{readings->label, shown.time, output.made_by.unit};
   if (shown.surface && reports.any()) {
     ValueSample sample;
-    SurfaceRows values(
-        output.grid, SurfaceRows::Extent::all,
-        [&] {
-          return surface_of(*shown.surface, inputs.network(), study.metric, readings->readings);
-        },
-        [&] { return to_study(inputs); }, output.threads);
+    SurfaceRows values = surface_rows(inputs, readings->readings, *shown.surface,
+                                      SurfaceRows::Beyond::nearest, output.grid, output.threads);
     const auto sampled_rows = [&](int row, int count) {
       const std::span<const float> some = values.rows(row, count, rows(row, count));
       for (const float value : some) sample.add(value);

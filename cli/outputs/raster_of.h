@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +11,7 @@
 #include "gdal/output/raster_output.h"
 #include "geometry/point_mapping.h"
 #include "geometry/polygon.h"
+#include "map/raster/surface_rows.h"
 #include "map/sheet/rainfall_classes.h"
 #include "rainfall/methods/rain_surface.h"
 #include "rainfall/series/gauge_readings.h"
@@ -23,6 +26,15 @@ PointMapping to_study(const Inputs& inputs);
 
 /// A mapping the other way.
 PointMapping from_study(const Inputs& inputs);
+
+/// The surface of readings, one for each station. Requires one that reports.
+std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
+                                        SurfaceMethod method);
+
+/// That surface at the centres of a raster's pixels. `inputs` and `readings` must outlive it.
+SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,
+                         SurfaceMethod method, SurfaceRows::Beyond beyond, const PixelGrid& grid,
+                         unsigned threads);
 
 /// The pixels over the study area. `resolution` is a pixel's side; 0 gives the longer side 2,000
 /// pixels. Throws Error where there would be too many.

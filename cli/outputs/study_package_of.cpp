@@ -70,13 +70,10 @@ StudyPackage study_package_of(const Inputs& inputs, CellsOutput cells, const Pac
   package.layers.basin_shapes = areas_of(inputs);
   package.layers.basins = basins_of(inputs, *parts.weights);
   package.layers.weights = weights_of(inputs, *parts.weights);
-  if (parts.interval > 0) package.layers.isohyets.emplace();
-  if (parts.interval > 0 && parts.readings != nullptr && parts.readings->reports().any()) {
-    const SurfaceRaster raster =
-        surface_raster(inputs, *parts.readings, SurfaceMethod::natural,
-                       SurfaceRows::Extent::among_gauges, {}, parts.threads);
+  if (parts.interval > 0 && parts.readings != nullptr) {
     package.layers.isohyets =
-        isohyets_in(raster, {parts.interval, {}}, package.layers.basin_shapes);
+        isohyets_in(inputs, *parts.readings, SurfaceMethod::natural, {}, {parts.interval, {}},
+                    package.layers.basin_shapes, parts.threads);
   }
   package.layers.styles = styles_of(parts);
   return package;

@@ -122,8 +122,8 @@ void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
   std::vector<std::optional<SurfaceRaster>> shown(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!options.surface() || !steps[i].reports().any()) continue;
-    shown[i] = surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Extent::all, size,
-                              threads);
+    shown[i] = surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Beyond::nearest,
+                              size, threads);
     maps[i].surface = values_within(*shown[i], areas);
   }
   for (auto& [name, value] : maps.front().tags) {
@@ -136,10 +136,10 @@ void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
     if (shown[i]) maps[i].bands = picture_bands(*shown[i], classes, area, to_study);
     shown[i].reset();
     if (!options.on_map || !steps[i].reports().any()) continue;
-    const SurfaceRaster raster = surface_raster(inputs, steps[i], options.drawn(),
-                                                SurfaceRows::Extent::among_gauges, size, threads);
-    maps[i].isohyets = picture_isohyets(
-        isohyets_in(raster, {options.interval, classes.bounds()}, {&area, 1}), to_study);
+    maps[i].isohyets =
+        picture_isohyets(isohyets_in(inputs, steps[i], options.drawn(), size,
+                                     {options.interval, classes.bounds()}, {&area, 1}, threads),
+                         to_study);
   }
 }
 

@@ -8,12 +8,21 @@
 #include "base/parallel.h"
 
 namespace thiessen {
+namespace {
 
-SurfaceRows::SurfaceRows(const PixelGrid& grid, Extent extent,
+void take_in(std::optional<ValueRange>& range, const ValueRange& more) {
+  range =
+      range ? ValueRange{std::min(range->least, more.least), std::max(range->largest, more.largest)}
+            : more;
+}
+
+}  // namespace
+
+SurfaceRows::SurfaceRows(const PixelGrid& grid, Beyond beyond,
                          std::function<std::unique_ptr<RainSurface>()> surface,
                          std::function<PointMapping()> to_study, unsigned threads)
     : grid_(grid),
-      extent_(extent),
+      beyond_(beyond),
       surface_(std::move(surface)),
       to_study_(std::move(to_study)),
       workers_(std::max(1u, threads)) {}
@@ -50,10 +59,19 @@ void SurfaceRows::fill_row(Worker& worker, int row, std::span<const std::int32_t
     const Point centre = worker.centres[i];
     if (!is_inside.empty() && is_inside[i] == 0) continue;
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) continue;
-    const RainSurface::Value value = worker.surface->at(centre);
-    if (extent_ == Extent::all || value.is_among_gauges)
-      values[i] = static_cast<float>(value.rainfall);
+    const RainSurface::Value value =
+        beyond_ == Beyond::nearest ? worker.surface->at(centre) : worker.surface->continued(centre);
+    values[i] = static_cast<float>(value.rainfall);
+    if (value.is_among_gauges) take_in(worker.among_gauges, {values[i], values[i]});
   }
+}
+
+std::optional<ValueRange> SurfaceRows::range_among_gauges() const {
+  std::optional<ValueRange> range;
+  for (const Worker& worker : workers_) {
+    if (worker.among_gauges) take_in(range, *worker.among_gauges);
+  }
+  return range;
 }
 
 }  // namespace thiessen

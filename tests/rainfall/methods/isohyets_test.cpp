@@ -25,6 +25,32 @@ TEST(Isohyets, without_an_interval_take_a_rounded_one) {
   EXPECT_EQ(isohyet_levels(0, 0.33, 0).size(), 6U);  // 0.05 to 0.3
 }
 
+using Line = std::vector<Point>;
+
+bool is_east(Point p) {
+  return p.x >= 0.5;
+}
+
+TEST(Isohyets, are_kept_where_something_holds) {
+  EXPECT_EQ(parts_where({{1, 0}, {2, 0}}, is_east), (std::vector<Line>{{{1, 0}, {2, 0}}}));
+  EXPECT_TRUE(parts_where({{0, 0}, {-2, 0}}, is_east).empty());
+  // There and back, twice: ends lie where it still holds.
+  EXPECT_EQ(parts_where({{-1, 0}, {1, 0}, {1, 4}, {-1, 4}, {-1, 6}, {3, 6}}, is_east),
+            (std::vector<Line>{{{0.5, 0}, {1, 0}, {1, 4}, {0.5, 4}}, {{0.5, 6}, {3, 6}}}));
+  EXPECT_TRUE(parts_where({{0.5, 0}, {0, 0}}, is_east).empty()) << "a point is no line";
+}
+
+TEST(Isohyets, that_are_closed_stay_whole_over_the_point_where_they_begin) {
+  const Line square{{2, 0}, {2, 2}, {-1, 2}, {-1, 0}, {2, 0}};
+  EXPECT_EQ(parts_where(square, is_east),
+            (std::vector<Line>{{{0.5, 0}, {2, 0}, {2, 2}, {0.5, 2}}}));
+  const Line whole{{2, 0}, {2, 2}, {1, 2}, {2, 0}};
+  EXPECT_EQ(parts_where(whole, is_east), (std::vector<Line>{whole}));
+  const Line begun_outside{{-1, 0}, {2, 0}, {2, 2}, {-1, 2}, {-1, 0}};
+  EXPECT_EQ(parts_where(begun_outside, is_east),
+            (std::vector<Line>{{{0.5, 0}, {2, 0}, {2, 2}, {0.5, 2}}}));
+}
+
 // One level, 2: two points between 0.5 and 2, four between 2 and 3.8.
 TEST(Isohyets, mean_is_areas_times_mid_levels) {
   EXPECT_NEAR(isohyetal_mean(Levels{0.5, 1.9, 2.5, 3.2, 3.8, 3.6}, {0.5, 3.8}, 2),
