@@ -105,27 +105,51 @@ class MapCommand : public Command {
     }
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     if (raster_.of_steps) return write_grid(kind, outputs, warnings);
+    if (kind == Kind::tiff) return write_raster(outputs, warnings);
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const std::vector<GaugeReadings> steps = shown(inputs, warnings);
     if (!steps.empty()) settle_unit(steps.front().unit);
-    if (kind == Kind::tiff) {
-      const GaugeReadings* const step = steps.empty() ? nullptr : &steps.front();
-      const ShownRaster raster{step, view_.time(), surface_.surface(), view_.colours.rule};
-      append_files(outputs, file, raster_of(inputs, raster, raster_output(inputs, step), warnings));
-    } else {
-      const auto threads = static_cast<unsigned>(common_.threads);
-      auto maps = maps_of(inputs, steps, study_, view_, threads);
-      add_surfaces(inputs, steps, surface_, maps, threads);
-      if (view_.title.empty() && surface_.shows_any()) maps.front().title = title_of(surface_);
-      file.append(encode_multiples(maps, format_of(kind), warnings));
-    }
+    const auto threads = static_cast<unsigned>(common_.threads);
+    auto maps = maps_of(inputs, steps, study_, view_, threads);
+    add_surfaces(inputs, steps, surface_, maps, threads);
+    if (view_.title.empty() && surface_.shows_any()) maps.front().title = title_of(surface_);
+    file.append(encode_multiples(maps, format_of(kind), warnings));
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }
 
  private:
+  /// Where a raster goes: to a name in a hidden folder, or into an open pipe or device.
+  struct RasterPlace {
+    std::string file_on_disk{};
+    OutputFile* stream = nullptr;
+  };
+  RasterPlace raster_place(Outputs& outputs) const {
+    if (outputs.is_stream(output_.output)) return {.stream = &outputs.add(output_.output)};
+    return {.file_on_disk = outputs.add_foreign(output_.output)};
+  }
+  static void add_raster(Outputs& outputs, const RasterPlace& place,
+                         const std::vector<EncodedFile>& files) {
+    if (place.stream != nullptr) return append_files(outputs, *place.stream, files);
+    append_side_files(outputs, files);
+  }
+
+  void write_raster(Outputs& outputs, Warnings& warnings) {
+    const RasterPlace place = raster_place(outputs);
+    Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    if (!rainfall_.given()) note_whole_network(inputs, warnings);
+    const std::vector<GaugeReadings> steps = shown(inputs, warnings);
+    if (!steps.empty()) settle_unit(steps.front().unit);
+    const GaugeReadings* const step = steps.empty() ? nullptr : &steps.front();
+    const ShownRaster raster{step, view_.time(), surface_.surface(), view_.colours.rule};
+    RasterOutput output = raster_output(inputs, step);
+    output.file_on_disk = place.file_on_disk;
+    add_raster(outputs, place, raster_of(inputs, raster, output, warnings));
+    outputs.commit();
+  }
+
   /// The readings of each map: the steps that were asked for, or the means; none without RAINFALL.
   std::vector<GaugeReadings> shown(Inputs& inputs, Warnings& warnings) const {
     if (!view_.times.empty()) return shown_steps(inputs, study_, rainfall_, view_.times, warnings);
@@ -178,20 +202,20 @@ class MapCommand : public Command {
           "--steps reads RAINFALL twice, and " + printable(rainfall_.name()) + " is not a file",
           ""};
     }
-    // A NetCDF is written to the disk by its library, a GeoTIFF into memory by GDAL.
-    const std::string foreign =
-        kind == Kind::netcdf ? outputs.add_foreign(output_.output) : std::string();
-    OutputFile* const file = kind == Kind::netcdf ? nullptr : &outputs.add(output_.output);
+    const RasterPlace place = kind == Kind::netcdf
+                                  ? RasterPlace{.file_on_disk = outputs.add_foreign(output_.output)}
+                                  : raster_place(outputs);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
     Warnings told_later;
     const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
     settle_unit(first->unit());
     range_.settle_stamp(first->stamp(), rainfall_.name());
     GridSteps steps = look_through(*first, inputs.network(), rainfall_.name());
-    const RasterOutput output = raster_output(inputs, nullptr);
+    RasterOutput output = raster_output(inputs, nullptr);
+    output.file_on_disk = place.file_on_disk;
     if (kind == Kind::netcdf) {
       NetcdfGrid grid(
-          foreign, output,
+          output.file_on_disk, output,
           times_of(steps, length_of(inputs, steps), range_.stamp(), rainfall_.name(), warnings));
       fill_grid(inputs, steps, output, grid, warnings);
       grid.close();
@@ -206,7 +230,7 @@ class MapCommand : public Command {
       grid.set_classes(style.classes());
       std::vector<EncodedFile> files = grid.finish();
       files.push_back(style.file(output.path));
-      append_files(outputs, *file, files);
+      add_raster(outputs, place, files);
     }
     outputs.commit();
   }

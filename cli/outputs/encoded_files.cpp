@@ -9,6 +9,10 @@ namespace thiessen::cli {
 
 void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded) {
   file.append(encoded.front().bytes);
+  append_side_files(outputs, encoded);
+}
+
+void append_side_files(Outputs& outputs, const std::vector<EncodedFile>& encoded) {
   for (std::size_t i = 1; i < encoded.size(); ++i)
     outputs.add(encoded[i].name).append(encoded[i].bytes);
   for (const std::string& name : side_files_of(encoded.front().name)) {

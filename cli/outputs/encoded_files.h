@@ -14,6 +14,9 @@ namespace thiessen::cli {
 /// files of an older output that this one lacks are removed with it.
 void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded);
 
+/// The same of an output whose first file stands on the disk already.
+void append_side_files(Outputs& outputs, const std::vector<EncodedFile>& encoded);
+
 /// A copy of the GeoPackage that is at `path`, whose other layers are kept; null where none is
 /// there, or where the output is of another format.
 std::unique_ptr<GeoPackageCopy> older_layers(const std::string& path);

@@ -101,9 +101,13 @@ OutputFile& Outputs::add(const std::string& path) {
   return files_.emplace_back(path, std::move(file), OutputFile::Care::synced);
 }
 
+bool Outputs::is_stream(const std::string& path) const {
+  return path == "-" || standing_descriptor(path) ||
+         examine_destination(path, rules_).kind == Kind::stream;
+}
+
 std::string Outputs::add_foreign(const std::string& path) {
-  if (path == "-" || standing_descriptor(path) ||
-      examine_destination(path, rules_).kind == Kind::stream) {
+  if (is_stream(path)) {
     throw Error(Message{"", 0, path + " is no file, and this format needs one", ""});
   }
   refuse_twice(path);

@@ -46,6 +46,10 @@ class Outputs {
   /// there. Throws Error as `add` does, and where the path is no plain file.
   std::string add_foreign(const std::string& path);
 
+  /// Whether the path is a pipe, a device or a standard stream, of which there can be no hidden
+  /// one. Throws Error as `add` does.
+  bool is_stream(const std::string& path) const;
+
   /// Has `commit` remove a file, if there is one: a side file of an older output, which would be
   /// taken for one of the new. Throws Error where it may not be replaced.
   void remove(const std::string& path);

@@ -70,6 +70,14 @@ class FullDisk(ProgramTest):
     def test_raster(self):
         self.assert_fails_cleanly(200_003, "map.tif", "map", *INPUTS[:2], "--resolution", "0.02")
 
+    def test_raster_with_overviews(self):
+        self.assert_fails_cleanly(200_003, "map.tif", "map", *INPUTS[:2], "--resolution", "0.02", "--compress", "none",
+                                  "--overviews")
+
+    def test_raster_of_steps(self):
+        self.assert_fails_cleanly(50_021, "map.tif", "map", *INPUTS, "--resolution", "0.1", "--steps",
+                                  "--compress", "none")
+
     def test_everything_at_once(self):
         self.assert_fails_cleanly(9973, "out", "run", *INPUTS)
 

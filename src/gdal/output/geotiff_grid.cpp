@@ -5,8 +5,20 @@
 #include "base/error.h"
 #include "gdal/output/raster_tables.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 namespace thiessen {
 namespace {
+
+/// Gives memory that is free back to the system. The C library keeps what GDAL has allocated for a
+/// step's tiles and freed between things that last, 1.5 MB of a million pixels, step after step.
+void give_back_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 constexpr std::size_t most_bands = 65'535;
 
@@ -36,6 +48,7 @@ void GeoTiffGrid::add(std::span<const float> pixels) {
         static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
     writer_.write(bands_, row, std::min(step, grid.rows - row), pixels.subspan(before).data());
   }
+  give_back_memory();
 }
 
 void GeoTiffGrid::set_classes(std::span<const RasterClass> classes) {

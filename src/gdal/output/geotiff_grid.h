@@ -11,7 +11,8 @@
 
 namespace thiessen {
 
-/// A GeoTIFF with a band a step. The format holds up to 65,535 of them. Memory: the file's size.
+/// A GeoTIFF with a band a step. The format holds up to 65,535 of them. Memory: that of a step and
+/// of what the bands say of themselves; in memory (see RasterOutput) the file's size.
 class GeoTiffGrid : public GridFile {
  public:
   /// `times` are those of the steps, as RAINFALL writes them. `output` must outlive the grid.

@@ -53,7 +53,12 @@ double no_data_of(GeoTiffWriter::Pixels pixels) {
 }  // namespace
 
 GeoTiffWriter::GeoTiffWriter(const RasterOutput& output, Pixels pixels, int bands)
-    : output_(output), pixels_(pixels), folder_(output.path) {
+    : output_(output), pixels_(pixels) {
+  if (output.file_on_disk.empty()) {
+    in_memory_.emplace(output.path);
+  } else {
+    on_disk_.emplace(output.file_on_disk, output.path);
+  }
   create(bands);
 }
 
@@ -61,6 +66,10 @@ GeoTiffWriter::GeoTiffWriter(const RasterOutput& output, Pixels pixels, int band
 // empty tiles.
 GeoTiffWriter::~GeoTiffWriter() {
   if (dataset_) dataset_->MarkSuppressOnClose();
+}
+
+const std::string& GeoTiffWriter::name_for_gdal() const {
+  return on_disk_ ? on_disk_->name_for_gdal() : in_memory_->file();
 }
 
 void GeoTiffWriter::create(int bands) {
@@ -72,7 +81,7 @@ void GeoTiffWriter::create(int bands) {
   options.SetNameValue("INTERLEAVE", "BAND");
   options.SetNameValue("BIGTIFF", "IF_SAFER");
   const PixelGrid& grid = output_.grid;
-  dataset_.reset(driver.Create(folder_.file().c_str(), grid.columns, grid.rows, bands,
+  dataset_.reset(driver.Create(name_for_gdal().c_str(), grid.columns, grid.rows, bands,
                                type_of(pixels_), options.List()));
   check(dataset_ != nullptr);
   double transform[6] = {grid.north_west.x, grid.pixel, 0, grid.north_west.y, 0, -grid.pixel};
@@ -126,7 +135,7 @@ void GeoTiffWriter::make_overviews() {
   const int side = std::max(output_.grid.columns, output_.grid.rows);
   for (int factor = 2; (side - 1) / (factor / 2) + 1 > 256; factor *= 2) factors.push_back(factor);
   if (factors.empty()) return;
-  dataset_.reset(GDALDataset::Open(folder_.file().c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
+  dataset_.reset(GDALDataset::Open(name_for_gdal().c_str(), GDAL_OF_RASTER | GDAL_OF_UPDATE));
   check(dataset_ != nullptr);
   check(dataset_->BuildOverviews("NEAREST", static_cast<int>(factors.size()), factors.data(), 0,
                                  nullptr, nullptr, nullptr) == CE_None);
@@ -138,7 +147,7 @@ std::vector<EncodedFile> GeoTiffWriter::finish() {
   check(true);
   if (output_.has_overviews) make_overviews();
   check(true);
-  std::vector<EncodedFile> files = folder_.take();
+  std::vector<EncodedFile> files = on_disk_ ? on_disk_->take() : in_memory_->take();
   // GDAL's layout, for readers of a few lines, makes a table of many stations twice as large.
   constexpr std::size_t large = std::size_t{1} << 18;
   for (EncodedFile& file : files) {
@@ -149,6 +158,7 @@ std::vector<EncodedFile> GeoTiffWriter::finish() {
 }
 
 void GeoTiffWriter::check(bool done) const {
+  if (on_disk_) on_disk_->check();
   if (done && !errors_.failed()) return;
   throw Error(Message{output_.path, 0, "GDAL cannot write it: " + errors_.text(), {}});
 }

@@ -2,9 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "gdal/gdal_errors.h"
+#include "gdal/output/disk_file.h"
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/memory_files.h"
 #include "gdal/output/raster_output.h"
@@ -15,7 +18,9 @@ class GDALRasterBand;
 
 namespace thiessen {
 
-/// Writes a GeoTIFF, whose bands hold station numbers or rainfall, into memory. It is tiled, and
+/// Writes a GeoTIFF, whose bands hold station numbers or rainfall, to the disk or into memory (see
+/// RasterOutput). What is written is on its way to the disk, so that memory does not grow with
+/// pixels and bands. It is tiled, and
 /// deflated at level 1, which gives up a fifth of what level 6 would save for half of its time.
 /// Bytes do not depend on the threads. Every function throws Error where GDAL cannot write.
 class GeoTiffWriter {
@@ -41,6 +46,7 @@ class GeoTiffWriter {
   std::vector<EncodedFile> finish();
 
  private:
+  const std::string& name_for_gdal() const;
   void create(int bands);
   void make_overviews();
   GDALRasterBand& band(int number) const;
@@ -48,7 +54,8 @@ class GeoTiffWriter {
 
   const RasterOutput& output_;
   Pixels pixels_;
-  MemoryFolder folder_;
+  std::optional<MemoryFolder> in_memory_;
+  std::optional<DiskFile> on_disk_;
   GdalErrors errors_;
   std::unique_ptr<GDALDataset> dataset_;
 };

@@ -8,7 +8,7 @@
 namespace thiessen {
 
 /// A folder in GDAL's memory for one dataset; it is removed with this object. GDAL's writers do not
-/// notice a full disk, so none of them writes to one directly.
+/// notice a full disk, so none of them writes to one directly (see DiskFile for large rasters).
 class MemoryFolder {
  public:
   /// `path` is where the dataset is to lie in the end.

@@ -25,7 +25,8 @@ using ValueRows = std::function<std::span<const float>(int row, int count)>;
 /// (`.aux.xml`); the first of the files is the GeoTIFF, of the name `output.path`. `owners` is
 /// asked for 256 rows at a time, from the north. The file says of itself what `output.made_by`
 /// does, in TIFFTAG_SOFTWARE and GDAL's metadata. Throws Error where GDAL cannot write it, and
-/// Interrupted where a signal came. Memory: the file's size.
+/// Interrupted where a signal came. Memory: 256 rows; in memory (see
+/// RasterOutput) the file's size.
 std::vector<EncodedFile> owners_geotiff(const RasterOutput& output, const OwnerRows& owners,
                                         const std::vector<std::string>& station_ids,
                                         const StationColours& colours = {});

@@ -19,6 +19,9 @@ struct RasterOutput {
   std::optional<Crs> crs;
   Provenance made_by;
   std::string path;  ///< where it is to lie in the end
+  /// Where a GeoTIFF is written on the disk meanwhile, in a folder of its own; empty: in memory,
+  /// for a pipe or a device.
+  std::string file_on_disk{};
   Compression compression = Compression::deflate;
   bool has_overviews = false;  ///< whether it holds smaller copies of itself, for viewers
   unsigned threads = 1;

@@ -62,6 +62,28 @@ TEST(GeoTiffGrid, has_a_band_a_step_with_the_pixels_where_they_were) {
   EXPECT_TRUE(contains(info, "NoData Value=nan"));
 }
 
+// A pipe has it from memory, a file is written as the steps come: then no byte is held.
+TEST(GeoTiffGrid, law_1_has_the_same_bytes_on_the_disk_as_in_memory) {
+  for (const Compression compression : {Compression::none, Compression::deflate}) {
+    const TemporaryFolder folder;
+    RasterOutput output = output_to(folder.path("out/r.tif"), 300, 600);
+    output.compression = compression;
+    const std::vector<std::string> times{"a", "b"};
+    const auto written = [&] {
+      GeoTiffGrid grid(output, times);
+      grid.add(pixels_of(output, 0));
+      grid.add(pixels_of(output, 0.5));
+      return grid.finish();
+    };
+    const std::string in_memory = written().at(0).bytes;
+    output.file_on_disk = folder.path("r.tif");
+    const std::vector<EncodedFile> files = written();
+    EXPECT_EQ(files.at(0).name, output.path);
+    EXPECT_EQ(files.at(0).bytes, "");
+    EXPECT_TRUE(folder.read("r.tif") == in_memory);
+  }
+}
+
 TEST(GeoTiffGrid, of_more_steps_than_its_format_holds_is_an_error_before_anything_is_written) {
   const std::vector<std::string> times(65'536, "1");
   const RasterOutput output = output_to("r.tif", 10'000'000, 10'000'000);
