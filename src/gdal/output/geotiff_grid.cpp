@@ -48,7 +48,8 @@ void GeoTiffGrid::add(std::span<const float> pixels) {
         static_cast<std::size_t>(row) * static_cast<std::size_t>(grid.columns);
     writer_.write(bands_, row, std::min(step, grid.rows - row), pixels.subspan(before).data());
   }
-  give_back_memory();
+  constexpr int steps_between = 16;  // for the pages that it gives back are soon asked for again
+  if (bands_ % steps_between == 0) give_back_memory();
 }
 
 void GeoTiffGrid::set_classes(std::span<const RasterClass> classes) {
