@@ -23,10 +23,10 @@ struct NaturalWeight {
 ///
 /// Planar: the topology is exact. Geodesic: the topology is that of the conformal sphere and areas
 /// are the sphere's; see GaugeChart. On an edge of the hull, and between gauges that all lie on one
-/// line, the two gauges on either side weigh, linearly with distance: this is the limit of the
-/// coordinates there. At a gauge, that gauge has all the weight. Outside the hull there are no
-/// weights, and so none anywhere off the line if all gauges lie on one. Gauges all round the Earth
-/// have no hull.
+/// line, the two gauges on either side weigh, linearly with distance: in the plane this is the
+/// limit of the coordinates there; on the Earth, where a cell ends before the other side, only
+/// nearly so. At a gauge, that gauge has all the weight. Outside the hull there are no weights, and
+/// so none anywhere off the line if all gauges lie on one. Gauges all round the Earth have no hull.
 ///
 /// Accuracy: planar 1e-12 (see the test). Geodesic, against the areas of the ellipsoid's own cells:
 /// 1e-4 where gauges are 100 km apart, and in proportion to that distance. Cost: 0.3 microseconds a

@@ -31,7 +31,7 @@ class RainSurface {
   virtual Value at(Point position) = 0;
   /// The value at a point, as the surface goes on smoothly from the gauges' hull where the point
   /// lies beyond it: what a line of equal value that ends on the hull is led up to. Near the hull
-  /// it is the surface's mirror image at the hull's edge, further away the value on the edge.
+  /// it goes on in a straight line, further away it is the value on the edge.
   virtual Value continued(Point position) { return at(position); }
   /// Forgets where the last point was, near which the next is looked for: the last bits of values
   /// may depend on it.

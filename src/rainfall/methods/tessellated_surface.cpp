@@ -77,9 +77,20 @@ RainSurface::Value TessellatedSurface::continued(Point position) {
   if (triangles().span() != Span::plane || !in_exact_range(point.at))
     return {nearest_value(position), false};
   const OnHull edge = nearest_on_hull(point.at);
-  const Point mirrored{2 * edge.at.x - point.at.x, 2 * edge.at.y - point.at.y};
-  const std::optional<double> inside = among_gauges(chart_.found_at(mirrored));
-  return {inside ? 2 * edge.value - *inside : edge.value, false};
+  const std::optional<double> inside = value_at_mirror(point.at, edge, 1);
+  if (!inside) return {edge.value, false};
+  if (tends_to_edge()) return {2 * edge.value - *inside, false};
+  const std::optional<double> deeper = value_at_mirror(point.at, edge, 3);
+  return {deeper ? 2 * *inside - *deeper : *inside, false};
+}
+
+/// The value so many times as far within the hull as the point is beyond its edge, if that is
+/// within.
+std::optional<double> TessellatedSurface::value_at_mirror(Point point, const OnHull& edge,
+                                                          double times) {
+  const Point within{edge.at.x + times * (edge.at.x - point.x),
+                     edge.at.y + times * (edge.at.y - point.y)};
+  return among_gauges(chart_.found_at(within));
 }
 
 double TessellatedSurface::nearest_value(Point position) {

@@ -31,6 +31,9 @@ class TessellatedSurface : public RainSurface {
   /// The value at a point of the chart, or nothing where that lies beyond the hull.
   virtual std::optional<double> among_gauges(const ChartPoint& point) = 0;
   std::optional<double> natural_value(const ChartPoint& point);
+  /// Whether values tend to those between the two gauges at an edge of the hull as a point comes
+  /// near it.
+  virtual bool tends_to_edge() const = 0;
 
   ChartKind kind() const { return chart_.kind(); }
   const NaturalWeights& natural() const { return natural_; }
@@ -47,6 +50,7 @@ class TessellatedSurface : public RainSurface {
     double value;
     double square;  // of the distance
   };
+  std::optional<double> value_at_mirror(Point point, const OnHull& edge, double times);
   OnHull nearest_on_edge(VertexId outside, Point point) const;
   OnHull nearest_on_hull(Point point);
   double nearest_value(Point position);
@@ -70,6 +74,7 @@ class NaturalSurface : public TessellatedSurface {
   std::optional<double> among_gauges(const ChartPoint& point) override {
     return natural_value(point);
   }
+  bool tends_to_edge() const override { return false; }
 };
 
 /// Linear in each triangle of gauges (see surface_of).
@@ -79,6 +84,8 @@ class LinearSurface : public TessellatedSurface {
 
  private:
   std::optional<double> among_gauges(const ChartPoint& point) override;
+  /// On the Earth flat triangles reach as far as great circles, a little beyond the chart's edges.
+  bool tends_to_edge() const override { return kind() == ChartKind::plane; }
   double in_plane_triangle(VertexId v, Point point) const;
   double on_earth(VertexId v, Direction x) const;
   double reach(VertexId v, Direction x) const;
