@@ -1,8 +1,10 @@
 #include "cli/outputs/maps_of.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
-#include "cli/outputs/cell_features.h"
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/provenance_of.h"
 
@@ -16,18 +18,37 @@ std::string labels_of(std::span<const GaugeReadings> steps) {
   return labels;
 }
 
+/// How far, in metres, a cell's edge may be drawn from the true one without being seen: a twentieth
+/// of a pixel, as if the map took all of the page. Of a plane it plays no part.
+double unseen_in(const Inputs& inputs, const ViewOptions& view) {
+  constexpr double metres_in_degree = 111'320;
+  constexpr double share_of_pixel = 0.05;
+  const Box& frame = inputs.weighing().frame();
+  const double nearest_to_equator = frame.low.y < 0 && frame.high.y > 0
+                                        ? 0
+                                        : std::min(std::abs(frame.low.y), std::abs(frame.high.y));
+  const double width = frame.width() * std::cos(nearest_to_equator * std::numbers::pi / 180);
+  const double pixels = std::max(view.width(), view.height());
+  const double pixel = metres_in_degree * std::max(width, frame.height()) / pixels;
+  return std::max(Yardstick::measuring_tolerance, share_of_pixel * pixel);
+}
+
 }  // namespace
 
 std::vector<Picture> maps_of(const Inputs& inputs, std::span<const GaugeReadings> steps,
                              const StudyOptions& options, const ViewOptions& view,
                              unsigned threads) {
+  const double tolerance = unseen_in(inputs, view);
+  const auto cells_of = [&](const ReportingStations& reports) {
+    return inputs.weighing().pictured_cells(reports, tolerance, threads);
+  };
   std::vector<Picture> maps;
   if (steps.empty()) {
-    maps.push_back(picture_of(inputs, cells_of_network(inputs, threads), nullptr, options, view));
+    maps.push_back(picture_of(inputs, cells_of(inputs.all_report()), nullptr, options, view));
     return maps;
   }
   for (const GaugeReadings& step : steps) {
-    maps.push_back(picture_of(inputs, cells_of(inputs, &step, threads), &step, options, view));
+    maps.push_back(picture_of(inputs, cells_of(step.reports()), &step, options, view));
   }
   Provenance made_by = provenance_of(inputs, options, &steps.front(), view.units);
   made_by.rainfall = labels_of(steps);

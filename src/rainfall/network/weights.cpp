@@ -57,9 +57,12 @@ class Weighing::Clipping {
  public:
   Clipping(const Weighing& weighing, const ReportingStations& reports, unsigned threads,
            Edges edges)
+      : Clipping(weighing, reports, threads, edges, weighing.yardstick_) {}
+  Clipping(const Weighing& weighing, const ReportingStations& reports, unsigned threads,
+           Edges edges, const Yardstick& yardstick)
       : surface_(*weighing.surface_),
         basins_(edges == Edges::drawn ? weighing.drawn_ : weighing.basins_),
-        cells_(weighing.network_, reports, weighing.yardstick_,
+        cells_(weighing.network_, reports, yardstick,
                edges == Edges::drawn ? box_of_all(weighing.drawn_) : weighing.frame_, threads,
                edges),
         clippers_(std::max(1u, threads)) {}
@@ -114,14 +117,35 @@ std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& r
     if (drawn) clipped = drawn->cells(worker, b);
     if (!drawn || !take_areas(clipped, measured.shares(worker, b)))
       clipped = measured.cells(worker, b);
-    for (const ClippedCell& cell : clipped) {
-      throw_if_interrupted();
-      const auto stations = measured.stations_of(cell.place);
-      const double area = cell.area / static_cast<double>(stations.size());
-      for (const StationIndex s : stations)
-        all[b].push_back({s, area, std::min(area / areas_[b], 1.0), cell.shape});
-    }
-    sort_by_station(all[b]);
+    all[b] = by_station(clipped, measured, b);
+  });
+  return all;
+}
+
+std::vector<StationCell> Weighing::by_station(const std::vector<ClippedCell>& cells,
+                                              const Clipping& clipping, std::size_t basin) const {
+  std::vector<StationCell> found;
+  for (const ClippedCell& cell : cells) {
+    throw_if_interrupted();
+    const auto stations = clipping.stations_of(cell.place);
+    const double area = cell.area / static_cast<double>(stations.size());
+    for (const StationIndex s : stations)
+      found.push_back({s, area, std::min(area / areas_[basin], 1.0), cell.shape});
+  }
+  sort_by_station(found);
+  return found;
+}
+
+std::vector<std::vector<StationCell>> Weighing::pictured_cells(const ReportingStations& reports,
+                                                               double tolerance,
+                                                               unsigned threads) const {
+  std::vector<std::vector<StationCell>> all(basins_.size());
+  Yardstick yardstick = yardstick_;
+  yardstick.tolerance = tolerance;
+  Clipping drawn(*this, reports, threads, Edges::drawn, yardstick);
+  if (!drawn.any()) return all;
+  in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
+    all[b] = by_station(drawn.cells(worker, b), drawn, b);
   });
   return all;
 }

@@ -74,9 +74,15 @@ class Weighing {
   /// with.
   std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
                                               unsigned threads) const;
+  /// The same cells for a picture: on the Earth edges are drawn within `tolerance` metres, and
+  /// areas and weights are those of what is drawn.
+  std::vector<std::vector<StationCell>> pictured_cells(const ReportingStations& reports,
+                                                       double tolerance, unsigned threads) const;
 
  private:
   class Clipping;
+  std::vector<StationCell> by_station(const std::vector<ClippedCell>& cells,
+                                      const Clipping& clipping, std::size_t basin) const;
 
   const Network& network_;
   const std::vector<Basin>& basins_;

@@ -220,5 +220,30 @@ TEST(Weights, do_not_depend_on_the_tolerance_by_a_bit) {
   }
 }
 
+std::size_t vertices_of(const std::vector<StationCell>& cells) {
+  std::size_t count = 0;
+  for (const StationCell& cell : cells) {
+    for (const Polygon& part : cell.shape) count += part.outer.size();
+  }
+  return count;
+}
+
+// Four gauges about the corners of a basin of ten degrees, whose bisectors are curved in degrees. A
+// kilometre along 2,000 of edges is less than a hundredth of the smallest cell.
+TEST(Weights, pictured_cells_have_as_few_vertices_as_their_tolerance_allows) {
+  const Network network({{"a", {0, 40}}, {"b", {10, 41}}, {"c", {1, 50}}, {"d", {9, 49}}},
+                        Metric::geodesic);
+  const std::vector<Basin> basins{shapes::basin({{shapes::rectangle({0, 40}, {10, 50}), {}}})};
+  const Weighing weighing(network, basins, ellipsoid);
+  const auto exact = weighing.cells(all_of(network), 1)[0];
+  const auto pictured = weighing.pictured_cells(all_of(network), 1000, 2)[0];
+  ASSERT_EQ(pictured.size(), exact.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    EXPECT_EQ(pictured[i].station, exact[i].station);
+    EXPECT_NEAR(pictured[i].area / exact[i].area, 1, 0.01);
+  }
+  EXPECT_LT(vertices_of(pictured), vertices_of(exact) / 4);
+}
+
 }  // namespace
 }  // namespace thiessen
