@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -38,15 +39,8 @@ std::vector<double> levels_within(const ValueRange& range, const IsohyetLevels& 
 }
 
 /// Cuts off what lies beyond the gauges, and leaves out isohyets of which nothing is left.
-void keep_among_gauges(std::vector<Isohyet>& isohyets, RainSurface& surface,
-                       const PointMapping& to_study) {
-  std::vector<Point> one(1);
-  const auto is_among_gauges = [&](Point p) {
-    one.front() = p;
-    to_study(one);
-    const Point at = one.front();
-    return std::isfinite(at.x) && std::isfinite(at.y) && surface.at(at).is_among_gauges;
-  };
+void keep_among_gauges(std::vector<Isohyet>& isohyets,
+                       const std::function<bool(Point)>& is_among_gauges) {
   for (Isohyet& isohyet : isohyets) {
     throw_if_interrupted();
     std::vector<std::vector<Point>> kept;
@@ -70,6 +64,8 @@ SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings
       surface_rows(inputs, readings.readings, method, beyond, raster.grid, threads);
   const std::span<const float> values = surface.rows(0, raster.grid.rows, {});
   raster.values.assign(values.begin(), values.end());
+  const std::span<const std::uint8_t> among_gauges = surface.are_among_gauges();
+  raster.is_among_gauges.assign(among_gauges.begin(), among_gauges.end());
   raster.range = surface.range_among_gauges();
   return raster;
 }
@@ -85,7 +81,8 @@ std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& read
   std::vector<Isohyet> isohyets =
       isohyets_of(raster.grid, raster.values, levels_within(*raster.range, levels), shapes);
   if (isohyets.empty()) return isohyets;
-  keep_among_gauges(isohyets, *surface_in(inputs, readings.readings, method), to_study(inputs));
+  const auto surface = surface_in(inputs, readings.readings, method);
+  keep_among_gauges(isohyets, among_gauges_of(*surface, to_study(inputs)));
   return isohyets;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,7 @@ struct IsohyetLevels {
 struct SurfaceRaster {
   PixelGrid grid;
   std::vector<float> values;
+  std::vector<std::uint8_t> is_among_gauges;  ///< by pixel
   /// Of the values among the gauges; nothing where there are none.
   std::optional<ValueRange> range;
 };

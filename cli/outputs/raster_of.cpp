@@ -1,5 +1,6 @@
 #include "cli/outputs/raster_of.h"
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -84,6 +85,15 @@ PointMapping from_study(const Inputs& inputs) {
 std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
                                         SurfaceMethod method) {
   return surface_of(method, inputs.network(), inputs.study().metric, readings);
+}
+
+std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to_study) {
+  return [&surface, to_study = std::move(to_study), one = std::vector<Point>(1)](Point p) mutable {
+    one.front() = p;
+    to_study(one);
+    const Point at = one.front();
+    return std::isfinite(at.x) && std::isfinite(at.y) && surface.at(at).is_among_gauges;
+  };
 }
 
 SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,

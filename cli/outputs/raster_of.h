@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,6 +31,10 @@ PointMapping from_study(const Inputs& inputs);
 /// The surface of readings, one for each station. Requires one that reports.
 std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
                                         SurfaceMethod method);
+
+/// Whether a place in the raster's coordinates lies among the gauges of a surface, which must
+/// outlive it. For use by one thread.
+std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to_study);
 
 /// That surface at the centres of a raster's pixels. `inputs` and `readings` must outlive it.
 SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,

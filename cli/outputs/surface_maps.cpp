@@ -1,6 +1,10 @@
 #include "cli/outputs/surface_maps.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,6 +28,11 @@ class ToStudy {
  public:
   explicit ToStudy(const Inputs& inputs) : mapping_(to_study(inputs)) {}
 
+  Point point(Point p) {
+    one_.front() = p;
+    mapping_(one_);
+    return one_.front();
+  }
   std::vector<Point> line(std::vector<Point> points) {
     mapping_(points);
     return points;
@@ -38,6 +47,7 @@ class ToStudy {
 
  private:
   PointMapping mapping_;
+  std::vector<Point> one_ = std::vector<Point>(1);
 };
 
 /// The levels between a surface's bands: where classes meet, and where dry ground ends.
@@ -49,30 +59,80 @@ std::vector<double> band_levels(const RainfallClasses& classes) {
   return levels;
 }
 
-/// A sample of the surface's values at the pixels whose centres lie in the areas.
-std::vector<double> values_within(const SurfaceRaster& raster,
-                                  const std::vector<MultiPolygon>& areas) {
+/// The surface of one map, for drawing.
+struct ShownSurface {
+  SurfaceRaster raster;
+  std::unique_ptr<RainSurface> surface;
+
+  bool is_all_among_gauges() const {
+    const auto& among = raster.is_among_gauges;
+    return std::find(among.begin(), among.end(), 0) == among.end();
+  }
+};
+
+/// A sample of the surface's values at the pixels whose centres lie in the areas: of the nearest
+/// gauge's, where they lie beyond the gauges.
+std::vector<double> values_within(const ShownSurface& shown, const std::vector<MultiPolygon>& areas,
+                                  ToStudy& to_study) {
+  const SurfaceRaster& raster = shown.raster;
   const AreaSpans spans = AreaRows(raster.grid, areas).rows(0, raster.grid.rows);
   const auto columns = static_cast<std::size_t>(raster.grid.columns);
   ValueSample sample;
   for (int row = 0; row < raster.grid.rows; ++row) {
     throw_if_interrupted();
-    const auto values = std::span(raster.values).subspan(static_cast<std::size_t>(row) * columns);
+    const std::size_t before = static_cast<std::size_t>(row) * columns;
     for (const PixelSpan& span : spans.row(row)) {
-      for (int column = span.first; column < span.end; ++column)
-        sample.add(values[static_cast<std::size_t>(column)]);
+      for (int column = span.first; column < span.end; ++column) {
+        const std::size_t i = before + static_cast<std::size_t>(column);
+        const bool has_own = raster.is_among_gauges[i] != 0 || std::isnan(raster.values[i]);
+        sample.add(
+            has_own ? raster.values[i]
+                    : shown.surface->at(to_study.point(raster.grid.centre(column, row))).rainfall);
+      }
     }
   }
   return sample.values();
 }
 
-std::vector<PictureBand> picture_bands(const SurfaceRaster& raster, const RainfallClasses& classes,
-                                       const MultiPolygon& area, ToStudy& to_study) {
-  constexpr double pixels_to_an_edge = 20;
-  const std::vector<double> levels = band_levels(classes);
+/// The cells that reach beyond the gauges, for the nearest gauge's value is the surface's there: a
+/// band for each class. What of them lies among the gauges is covered by the other bands.
+std::vector<PictureBand> bands_beyond(const Picture& map, const RainfallClasses& classes,
+                                      RainSurface& surface) {
+  const auto reaches_beyond = [&](const Polygon& part) {
+    return std::any_of(part.outer.begin(), part.outer.end(),
+                       [&](Point p) { return !surface.at(p).is_among_gauges; });
+  };
+  std::map<std::ptrdiff_t, PictureBand> by_class;
+  for (const PictureCell& cell : map.cells) {
+    throw_if_interrupted();
+    if (std::isnan(cell.rainfall)) continue;
+    if (std::none_of(cell.shape.begin(), cell.shape.end(), reaches_beyond)) continue;
+    const auto& bounds = classes.bounds();
+    const bool dry = classes.has_dry() && cell.rainfall == 0;
+    const auto above = std::upper_bound(bounds.begin(), bounds.end(), cell.rainfall);
+    PictureBand& band = by_class[dry ? -1 : above - bounds.begin()];
+    band.rainfall = cell.rainfall;
+    band.shape.insert(band.shape.end(), cell.shape.begin(), cell.shape.end());
+  }
   std::vector<PictureBand> bands;
-  for (SurfaceBand& band :
-       bands_of(raster.grid, raster.values, levels, area, pixels_to_an_edge * raster.grid.pixel)) {
+  for (auto& [number, band] : by_class) bands.push_back(std::move(band));
+  return bands;
+}
+
+std::vector<PictureBand> picture_bands(const ShownSurface& shown, const RainfallClasses& classes,
+                                       const MultiPolygon& area, const Picture& map,
+                                       const Inputs& inputs, ToStudy& to_study) {
+  constexpr double pixels_to_an_edge = 20;
+  const SurfaceRaster& raster = shown.raster;
+  const std::vector<double> levels = band_levels(classes);
+  PixelValues values{raster.grid, raster.values};
+  std::vector<PictureBand> bands;
+  if (!shown.is_all_among_gauges()) {
+    bands = bands_beyond(map, classes, *shown.surface);
+    values.is_within = raster.is_among_gauges;
+    values.holds = among_gauges_of(*shown.surface, thiessen::cli::to_study(inputs));
+  }
+  for (SurfaceBand& band : bands_of(values, levels, area, pixels_to_an_edge * raster.grid.pixel)) {
     const bool dry = classes.has_dry() && !levels.empty() && band.largest <= levels.front();
     bands.push_back({to_study.shape(std::move(band.shape)), dry ? 0 : band.least});
   }
@@ -119,21 +179,23 @@ void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
   const int wanted = maps.size() == 1 ? maps.front().width : coarsest;
   const RasterSize size{0, std::clamp(wanted, coarsest, finest)};
   const std::vector<MultiPolygon> areas = areas_of(inputs);
-  std::vector<std::optional<SurfaceRaster>> shown(maps.size());
+  ToStudy to_study(inputs);
+  std::vector<std::optional<ShownSurface>> shown(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!options.surface() || !steps[i].reports().any()) continue;
-    shown[i] = surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Beyond::nearest,
-                              size, threads);
-    maps[i].surface = values_within(*shown[i], areas);
+    shown[i] = {surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Beyond::continued,
+                               size, threads),
+                surface_in(inputs, steps[i].readings, *options.surface())};
+    maps[i].surface = values_within(*shown[i], areas, to_study);
   }
   for (auto& [name, value] : maps.front().tags) {
     if (name == "method" && options.surface()) value = name_of(*options.surface());
   }
   const RainfallClasses classes = classes_of(maps);
   const MultiPolygon area = union_of(areas);
-  ToStudy to_study(inputs);
   for (std::size_t i = 0; i < maps.size(); ++i) {
-    if (shown[i]) maps[i].bands = picture_bands(*shown[i], classes, area, to_study);
+    if (shown[i])
+      maps[i].bands = picture_bands(*shown[i], classes, area, maps[i], inputs, to_study);
     shown[i].reset();
     if (!options.on_map || !steps[i].reports().any()) continue;
     maps[i].isohyets =

@@ -37,21 +37,12 @@ std::unique_ptr<GDALDataset> raster_of(const PixelGrid& grid, std::span<const fl
   return raster;
 }
 
-CPLStringList options_of(std::span<const double> levels, ContourKind kind) {
+CPLStringList options_of(std::span<const double> levels) {
   std::string wanted;
   for (const double level : levels) wanted += (wanted.empty() ? "" : ",") + shortest_text(level);
   CPLStringList options;
   options.SetNameValue("FIXED_LEVELS", wanted.c_str());
-  switch (kind) {
-    case ContourKind::lines:
-      options.SetNameValue("ELEV_FIELD", "0");
-      break;
-    case ContourKind::areas:
-      options.SetNameValue("POLYGONIZE", "YES");
-      options.SetNameValue("ELEV_FIELD_MIN", "0");
-      options.SetNameValue("ELEV_FIELD_MAX", "1");
-      break;
-  }
+  options.SetNameValue("ELEV_FIELD", "0");
   return options;
 }
 
@@ -63,23 +54,19 @@ void require_contours(bool done, const GdalErrors& errors) {
 }
 
 std::unique_ptr<GDALDataset> contours_of(const PixelGrid& grid, std::span<const float> values,
-                                         std::span<const double> levels, ContourKind kind,
-                                         const GdalErrors& errors) {
+                                         std::span<const double> levels, const GdalErrors& errors) {
   start_gdal();
   GDALRegister_MEM();
   RegisterOGRMEM();
   const auto raster = raster_of(grid, values, errors);
   auto contours = created("Memory", 0, 0, 0);
   require_contours(contours != nullptr, errors);
-  OGRLayer* const layer = contours->CreateLayer(
-      "contours", nullptr, kind == ContourKind::lines ? wkbLineString : wkbMultiPolygon, nullptr);
+  OGRLayer* const layer = contours->CreateLayer("contours", nullptr, wkbLineString, nullptr);
   require_contours(layer != nullptr, errors);
-  OGRFieldDefn least("least", OFTReal);
-  OGRFieldDefn largest("largest", OFTReal);
-  require_contours(layer->CreateField(&least) == OGRERR_NONE, errors);
-  require_contours(layer->CreateField(&largest) == OGRERR_NONE, errors);
+  OGRFieldDefn level("level", OFTReal);
+  require_contours(layer->CreateField(&level) == OGRERR_NONE, errors);
   require_contours(GDALContourGenerateEx(GDALRasterBand::ToHandle(raster->GetRasterBand(1)),
-                                         OGRLayer::ToHandle(layer), options_of(levels, kind).List(),
+                                         OGRLayer::ToHandle(layer), options_of(levels).List(),
                                          nullptr, nullptr) == CE_None,
                    errors);
   return contours;

@@ -54,7 +54,7 @@ std::vector<Isohyet> isohyets_of(const PixelGrid& grid, std::span<const float> v
   if (levels.empty()) return isohyets;
   start_gdal();
   const GdalErrors errors;
-  const auto contours = contours_of(grid, values, levels, ContourKind::lines, errors);
+  const auto contours = contours_of(grid, values, levels, errors);
   for (std::size_t b = 0; b < basins.size(); ++b) {
     auto lines = within(*contours->GetLayer(0), *ogr_shape(basins[b]), levels);
     require_contours(true, errors);

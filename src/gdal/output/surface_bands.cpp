@@ -1,7 +1,6 @@
 #include "gdal/output/surface_bands.h"
 
-#include <gdal_priv.h>
-#include <ogrsf_frmts.h>
+#include <ogr_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ namespace {
 
 using Geometry = std::unique_ptr<OGRGeometry>;
 
-/// The shape of a contour, whose rings may touch themselves where GDAL closes them.
+/// The shape of a band, whose edges rounding may have laid over each other.
 Geometry sound_shape(const OGRGeometry& contour) {
   return Geometry(contour.IsValid() ? contour.clone() : contour.MakeValid());
 }
@@ -39,43 +38,36 @@ MultiPolygon union_of(std::span<const MultiPolygon> shapes) {
   return polygons_of(*whole);
 }
 
-std::vector<SurfaceBand> bands_of(const PixelGrid& grid, std::span<const float> values,
-                                  std::span<const double> levels, const MultiPolygon& within,
-                                  double longest) {
+std::vector<SurfaceBand> bands_of(const PixelValues& surface, std::span<const double> levels,
+                                  const MultiPolygon& within, double longest) {
   double least = HUGE_VAL;
   double largest = -HUGE_VAL;
-  for (const float value : values) {
+  for (const float value : surface.values) {
     if (std::isnan(value)) continue;
     least = std::min<double>(least, value);
     largest = std::max<double>(largest, value);
   }
   if (least > largest) return {};
-  std::vector<double> inside;
+  std::vector<double> ends{-HUGE_VAL};
   for (const double level : levels) {
-    if (level > least && level < largest) inside.push_back(level);
+    if (level > least && level < largest) ends.push_back(level);
   }
+  ends.push_back(HUGE_VAL);
   start_gdal();
   const GdalErrors errors;
   const auto area = ogr_shape(within);
   area->segmentize(longest);
-  if (inside.empty()) return {{least, largest, polygons_of(*area)}};
+  if (ends.size() == 2 && surface.is_within.empty()) return {{least, largest, polygons_of(*area)}};
   std::vector<SurfaceBand> bands;
-  // GDAL leaves out what lies below the lowest level that it is given.
-  inside.insert(inside.begin(), least - (largest - least));
-  const auto contours = contours_of(grid, values, inside, ContourKind::areas, errors);
-  for (const auto& feature : *contours->GetLayer(0)) {
+  for (std::size_t i = 1; i < ends.size(); ++i) {
     throw_if_interrupted();
-    if (feature->GetGeometryRef() == nullptr) continue;
-    const Geometry shape = sound_shape(*feature->GetGeometryRef());
+    const Geometry shape = sound_shape(*ogr_shape(ground_between(surface, ends[i - 1], ends[i])));
     require_contours(shape != nullptr, errors);
     const Geometry part(shape->Intersection(area.get()));
     require_contours(part != nullptr, errors);
     if (part->IsEmpty()) continue;
-    bands.push_back({std::max(least, feature->GetFieldAsDouble(0)),
-                     std::min(largest, feature->GetFieldAsDouble(1)), polygons_of(*part)});
+    bands.push_back({std::max(least, ends[i - 1]), std::min(largest, ends[i]), polygons_of(*part)});
   }
-  std::sort(bands.begin(), bands.end(),
-            [](const SurfaceBand& a, const SurfaceBand& b) { return a.least < b.least; });
   return bands;
 }
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "geometry/pixel_grid.h"
 #include "geometry/polygon.h"
+#include "rainfall/methods/value_bands.h"
 
 namespace thiessen {
 
@@ -18,13 +18,12 @@ struct SurfaceBand {
 /// The union of shapes that may touch and overlap. Throws Error where GEOS fails.
 MultiPolygon union_of(std::span<const MultiPolygon> shapes);
 
-/// The ground between one level and the next of a raster's values, linear between pixels' centres,
-/// cut to a shape in the raster's coordinates: by level. Where no level lies among the values the
-/// whole shape is one band. No edge is longer than `longest`, so that it may be taken to another
-/// projection. Throws Error where GDAL fails. Cost: the pixels, and the shape's vertices times the
-/// levels.
-std::vector<SurfaceBand> bands_of(const PixelGrid& grid, std::span<const float> values,
-                                  std::span<const double> levels, const MultiPolygon& within,
-                                  double longest);
+/// The ground between one level and the next of a raster's values (see ground_between), cut to a
+/// shape in the raster's coordinates: by level. Where no level lies among the values, and the
+/// surface has no end among the pixels, the whole shape is one band. No edge is longer than
+/// `longest`, which is at least a pixel and a half, so that it may be taken to another projection.
+/// Throws Error where GEOS fails. Cost: the pixels and the shape's vertices, times the levels.
+std::vector<SurfaceBand> bands_of(const PixelValues& surface, std::span<const double> levels,
+                                  const MultiPolygon& within, double longest);
 
 }  // namespace thiessen

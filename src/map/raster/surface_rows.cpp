@@ -32,6 +32,7 @@ std::span<const float> SurfaceRows::rows(int row, int count,
   const auto columns = static_cast<std::size_t>(grid_.columns);
   values_.assign(columns * static_cast<std::size_t>(count),
                  std::numeric_limits<float>::quiet_NaN());
+  among_gauges_.assign(values_.size(), 0);
   in_parallel(static_cast<std::size_t>(count), static_cast<unsigned>(workers_.size()),
               [&](std::size_t w, std::size_t i) {
                 Worker& worker = workers_[w];
@@ -42,13 +43,14 @@ std::span<const float> SurfaceRows::rows(int row, int count,
                 const auto of_row =
                     is_inside.empty() ? is_inside : is_inside.subspan(i * columns, columns);
                 fill_row(worker, row + static_cast<int>(i), of_row,
-                         std::span(values_).subspan(i * columns, columns));
+                         std::span(values_).subspan(i * columns, columns),
+                         std::span(among_gauges_).subspan(i * columns, columns));
               });
   return values_;
 }
 
 void SurfaceRows::fill_row(Worker& worker, int row, std::span<const std::int32_t> is_inside,
-                           std::span<float> values) const {
+                           std::span<float> values, std::span<std::uint8_t> among_gauges) const {
   // A row begins anew, so that its last bits do not depend on which rows a thread had before.
   worker.surface->begin_anew();
   worker.centres.clear();
@@ -62,6 +64,7 @@ void SurfaceRows::fill_row(Worker& worker, int row, std::span<const std::int32_t
     const RainSurface::Value value =
         beyond_ == Beyond::nearest ? worker.surface->at(centre) : worker.surface->continued(centre);
     values[i] = static_cast<float>(value.rainfall);
+    among_gauges[i] = value.is_among_gauges ? 1 : 0;
     if (value.is_among_gauges) take_in(worker.among_gauges, {values[i], values[i]});
   }
 }

@@ -31,6 +31,9 @@ class SurfaceRows {
   /// call. NaN where the projection ends, and where `is_inside`, one entry for each of the pixels,
   /// is 0; if that is empty all pixels are wanted. Stops with Interrupted where a signal came.
   std::span<const float> rows(int row, int count, std::span<const std::int32_t> is_inside);
+  /// For each of the pixels that `rows` was last asked for whether it lies among the gauges; 0
+  /// where it has no value.
+  std::span<const std::uint8_t> are_among_gauges() const { return among_gauges_; }
   /// The least and the largest value that was asked for among the gauges; nothing where there was
   /// none.
   std::optional<ValueRange> range_among_gauges() const;
@@ -43,7 +46,7 @@ class SurfaceRows {
     std::optional<ValueRange> among_gauges;
   };
   void fill_row(Worker& worker, int row, std::span<const std::int32_t> is_inside,
-                std::span<float> values) const;
+                std::span<float> values, std::span<std::uint8_t> among_gauges) const;
 
   PixelGrid grid_;
   Beyond beyond_;
@@ -51,6 +54,7 @@ class SurfaceRows {
   std::function<PointMapping()> to_study_;
   std::vector<Worker> workers_;
   std::vector<float> values_;
+  std::vector<std::uint8_t> among_gauges_;
 };
 
 }  // namespace thiessen

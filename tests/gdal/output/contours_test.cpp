@@ -32,82 +32,61 @@ std::vector<float> slope() {
 }
 
 struct Contour {
-  double least;
-  double largest;
-  std::vector<Point> points;  ///< of a line
-  double area;                ///< of an area
+  double level;
+  std::vector<Point> points;
 };
 
-std::vector<Contour> drawn(std::span<const float> values, std::span<const double> levels,
-                           ContourKind kind) {
+std::vector<Contour> drawn(std::span<const float> values, std::span<const double> levels) {
   const GdalErrors errors;
-  const auto contours = contours_of(grid, values, levels, kind, errors);
+  const auto contours = contours_of(grid, values, levels, errors);
   std::vector<Contour> found;
   for (const auto& feature : contours->GetLayer(0)) {
-    Contour contour{feature->GetFieldAsDouble(0), feature->GetFieldAsDouble(1), {}, 0};
-    const OGRGeometry& shape = *feature->GetGeometryRef();
-    if (kind == ContourKind::areas) {
-      contour.area = shape.toMultiPolygon()->get_Area();
-    } else {
-      for (const OGRPoint& point : *shape.toLineString())
-        contour.points.push_back({point.getX(), point.getY()});
-    }
-    found.push_back(contour);
+    Contour& contour = found.emplace_back();
+    contour.level = feature->GetFieldAsDouble(0);
+    for (const OGRPoint& point : *feature->GetGeometryRef()->toLineString())
+      contour.points.push_back({point.getX(), point.getY()});
   }
   return found;
 }
 
 TEST(Contours, law_1_of_a_slope_lie_where_it_has_their_level) {
   const std::array levels{8.25, 14.0, 20.5};
-  const auto lines = drawn(slope(), levels, ContourKind::lines);
+  const auto lines = drawn(slope(), levels);
   ASSERT_EQ(lines.size(), 3U);
   std::vector<double> found;
   for (const Contour& line : lines) {
-    found.push_back(line.least);
+    found.push_back(line.level);
     ASSERT_GE(line.points.size(), 2U);
     for (const Point p : line.points) {
       // Beyond the outermost centres, half a pixel from the border, a value is its neighbour's.
       if (p.x < 0.5 || p.x > 9.5 || p.y < 0.5 || p.y > 9.5) continue;
-      EXPECT_NEAR(2 * p.x + p.y, line.least, 1e-5);
+      EXPECT_NEAR(2 * p.x + p.y, line.level, 1e-5);
     }
   }
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, std::vector<double>(levels.begin(), levels.end()));
 }
 
-TEST(Contours, law_2_areas_part_the_raster_at_the_levels) {
-  const auto areas = drawn(slope(), std::array{8.25, 20.5}, ContourKind::areas);
-  ASSERT_EQ(areas.size(), 3U);
-  double sum = 0;
-  for (const Contour& area : areas) {
-    EXPECT_LT(area.least, area.largest);
-    EXPECT_TRUE(area.largest <= 8.25 || area.least >= 8.25);
-    EXPECT_TRUE(area.largest <= 20.5 || area.least >= 20.5);
-    sum += area.area;
-  }
-  EXPECT_NEAR(sum, 100, 1e-6);
-}
-
 TEST(Contours, reach_into_no_pixel_that_is_not_a_number) {
   std::vector<float> values = slope();
   for (std::size_t i = 0; i < 50; ++i) values[i] = std::numeric_limits<float>::quiet_NaN();
-  for (const Contour& line : drawn(values, std::array{8.25, 14.0}, ContourKind::lines)) {
+  for (const Contour& line : drawn(values, std::array{8.25, 14.0})) {
     for (const Point p : line.points) EXPECT_LE(p.y, 5);
   }
   const std::vector<float> none(100, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(drawn(none, std::array{1.0}, ContourKind::lines).empty());
+  EXPECT_TRUE(drawn(none, std::array{1.0}).empty());
 }
 
 TEST(Contours, of_levels_that_the_raster_lacks_are_none) {
-  EXPECT_TRUE(drawn(slope(), std::array{-1.0, 100.0}, ContourKind::lines).empty());
+  EXPECT_TRUE(drawn(slope(), std::array{-1.0, 100.0}).empty());
 }
 
 // As it is printed with a comma in a Turkish locale, GDAL would read two levels of it.
 TEST(Contours, take_levels_with_every_digit_in_any_locale) {
   const double level = std::nextafter(14.1, 15);
-  const auto lines = drawn(slope(), {&level, 1}, ContourKind::lines);
+  const auto lines = drawn(slope(), {&level, 1});
   ASSERT_EQ(lines.size(), 1U);
-  EXPECT_EQ(lines[0].least, level);
+  EXPECT_EQ(lines[0].level, level);
 }
 
 TEST(Contours, that_gdal_cannot_draw_are_an_error_with_its_reason) {

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace thiessen {
 namespace {
@@ -42,7 +44,8 @@ double area(const MultiPolygon& shape) {
 
 // Between x = 1 and 9 the plane's levels 3.25 and 5.5 part 8 x 6 into 2.25, 2.25 and 3.5 times 6.
 TEST(SurfaceBands, of_a_plane_part_the_area_at_the_levels) {
-  const auto bands = bands_of(grid, plane(), std::array{3.25, 5.5, 40.0}, box(1, 2, 9, 8), 100);
+  const std::vector<float> values = plane();
+  const auto bands = bands_of({grid, values}, std::array{3.25, 5.5, 40.0}, box(1, 2, 9, 8), 100);
   ASSERT_EQ(bands.size(), 3U);
   EXPECT_NEAR(area(bands[0].shape), 2.25 * 6, 1e-4);
   EXPECT_NEAR(area(bands[1].shape), 2.25 * 6, 1e-4);
@@ -53,12 +56,28 @@ TEST(SurfaceBands, of_a_plane_part_the_area_at_the_levels) {
 }
 
 TEST(SurfaceBands, without_a_level_among_the_values_are_the_area) {
-  const auto bands = bands_of(grid, plane(), std::array{40.0}, box(1, 2, 9, 8), 0.5);
+  const std::vector<float> values = plane();
+  const auto bands = bands_of({grid, values}, std::array{40.0}, box(1, 2, 9, 8), 0.5);
   ASSERT_EQ(bands.size(), 1U);
   EXPECT_NEAR(area(bands[0].shape), 48, 1e-9);
   EXPECT_GE(bands[0].shape[0].outer.size(), 56U) << "no edge is longer than 0.5";
   const std::vector<float> none(100, std::numeric_limits<float>::quiet_NaN());
-  EXPECT_TRUE(bands_of(grid, none, std::array{1.0}, box(1, 2, 9, 8), 100).empty());
+  EXPECT_TRUE(bands_of({grid, none}, std::array{1.0}, box(1, 2, 9, 8), 100).empty());
+}
+
+// The surface ends at x = 6.25, in the last band.
+TEST(SurfaceBands, end_where_the_surface_does) {
+  const std::vector<float> values = plane();
+  std::vector<std::uint8_t> is_within;
+  for (const float value : values) is_within.push_back(value <= 6.25 ? 1 : 0);
+  const PixelValues surface{grid, values, is_within, [](Point p) { return p.x <= 6.25; }};
+  const auto bands = bands_of(surface, std::array{3.25, 5.5}, box(1, 2, 9, 8), 100);
+  ASSERT_EQ(bands.size(), 3U);
+  EXPECT_NEAR(area(bands[1].shape), 2.25 * 6, 1e-4);
+  EXPECT_NEAR(area(bands[2].shape), 0.75 * 6, 1e-4);
+  const auto whole = bands_of(surface, std::array{40.0}, box(1, 2, 9, 8), 100);
+  ASSERT_EQ(whole.size(), 1U);
+  EXPECT_NEAR(area(whole[0].shape), 5.25 * 6, 1e-4);
 }
 
 TEST(SurfaceBands, of_shapes_that_touch_and_overlap_are_cut_to_their_union) {

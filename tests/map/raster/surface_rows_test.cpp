@@ -83,6 +83,9 @@ TEST(SurfaceRows, know_their_range_among_the_gauges) {
     ASSERT_TRUE(rows.range_among_gauges());
     EXPECT_EQ(rows.range_among_gauges()->least, 26.5);
     EXPECT_EQ(rows.range_among_gauges()->largest, 26.5);
+    const auto among = rows.are_among_gauges();
+    EXPECT_EQ(std::vector<int>(among.begin(), among.end()),
+              (std::vector<int>{0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}));
     rows.rows(1, 2, {});
     EXPECT_EQ(rows.range_among_gauges()->least, 5.5);
     EXPECT_EQ(rows.range_among_gauges()->largest, 26.5);
