@@ -75,18 +75,27 @@ std::vector<PointId> History<Dimension>::add_all(std::span<const Position> point
     });
     return numbers;
   }
+  change_all(
+      [&](Tessellation<Dimension>& tessellation) { return numbers = tessellation.add_all(points); },
+      witness);
+  return numbers;
+}
+
+template <int Dimension>
+void History<Dimension>::change_all(
+    const std::function<std::vector<PointId>(Tessellation<Dimension>&)>& work,
+    const Witness& witness) {
   reserve_more(operations_, 1);
   auto whole = std::make_unique<Tessellation<Dimension>>(tessellation_);
   try {
-    numbers = tessellation_.add_all(points);
-    if (witness) witness(numbers);
+    const std::vector<PointId> points = work(tessellation_);
+    if (witness) witness(points);
   } catch (...) {
     tessellation_ = std::move(*whole);
     throw;
   }
   if (tessellation_.count() == whole->count()) whole = nullptr;
   keep({changes_.extent(), changes_.extent(), tessellation_.moment(), std::move(whole)});
-  return numbers;
 }
 
 template <int Dimension>

@@ -33,6 +33,10 @@ class History {
               const Witness& witness = {});
   /// Adds points, as Tessellation::add_all, in one operation.
   std::vector<PointId> add_all(std::span<const Position> points, const Witness& witness = {});
+  /// Does any work on the tessellation in one operation, of which a copy of the tessellation before
+  /// it is kept. `work` returns the points for the witness.
+  void change_all(const std::function<std::vector<PointId>(Tessellation<Dimension>&)>& work,
+                  const Witness& witness = {});
   /// Deletes a point, as Tessellation::remove, in one operation.
   void remove(PointId p, const Witness& witness = {});
 

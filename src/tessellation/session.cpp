@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "base/interrupt.h"
+
 #include "tessellation/topology_table.h"
 
 namespace thiessen {
@@ -38,7 +40,110 @@ auto TessellationSession<Dimension>::add_all(std::span<const Position> positions
       for (const PointId p : points) number_one_of_many(p, added);
     });
   });
+  added.last = next_ - 1;
   return added;
+}
+
+template <int Dimension>
+auto TessellationSession<Dimension>::restore(const NumberedTable<Dimension>& table) -> Restored {
+  make_room(table.positions.size());
+  Restored restored;
+  const auto take = [&](std::span<const PointId> points) {
+    take_step([&] { number_as_told(points, table.numbers, restored); });
+  };
+  if (tessellation().empty()) {
+    history_.change_all(
+        [&](Tessellation<Dimension>& tessellation) {
+          std::vector<PointId> points = tessellation.add_all(table.positions);
+          restored.keeps_vertices = arrange(tessellation, points, table);
+          return points;
+        },
+        take);
+  } else {
+    restored.keeps_vertices = table.vertices.empty();
+    history_.add_all(table.positions, take);
+  }
+  return restored;
+}
+
+// Numbers the new points as the table does, if all of its numbers are still to be given, and else
+// in its order.
+template <int Dimension>
+void TessellationSession<Dimension>::number_as_told(std::span<const PointId> points,
+                                                    std::span<const std::uint64_t> numbers,
+                                                    Restored& restored) {
+  const auto is_new = [&](PointId p) {
+    return index(p) >= numbers_.size() || numbers_[index(p)] == 0;
+  };
+  for (std::size_t i = 0; i < points.size(); ++i)
+    restored.keeps_numbers = restored.keeps_numbers && (!is_new(points[i]) || numbers[i] >= next_);
+  restored.first = next_;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!is_new(points[i])) {
+      ++restored.there_already;
+      continue;
+    }
+    if (restored.keeps_numbers) next_ = numbers[i];
+    if (restored.points++ == 0) restored.first = next_;
+    restored.last = next_;
+    change_number(points[i], next_++);
+  }
+}
+
+// Arranges the vertices as the table tells them. Returns false where it tells of numbers that are
+// too large.
+template <int Dimension>
+bool TessellationSession<Dimension>::arrange(Tessellation<Dimension>& tessellation,
+                                             std::span<const PointId> points,
+                                             const NumberedTable<Dimension>& table) const {
+  const auto& vertices = table.vertices;
+  if (vertices.empty()) return true;
+  const auto fail = [&](std::size_t line, std::string text) {
+    throw Error(Message{table.file, line, std::move(text),
+                        "without its lines of vertices the table is read by its points alone"});
+  };
+  const auto id_of = [](std::uint64_t number) {
+    return VertexId{static_cast<std::uint32_t>(number - 1)};
+  };
+  std::vector<ArrangedVertex<Dimension>> arranged;
+  arranged.reserve(vertices.size());
+  bool fits = true;
+  for (const NumberedVertex<Dimension>& vertex : vertices) {
+    throw_if_interrupted();
+    fits = fits && vertex.number <= arrangement_limit(vertices.size());
+    auto& wanted = arranged.emplace_back();
+    wanted.vertex = fits ? id_of(vertex.number) : no_vertex;
+    for (std::size_t i = 0; i < vertex.forming.size(); ++i) {
+      const auto at =
+          std::lower_bound(table.numbers.begin(), table.numbers.end(), vertex.forming[i]);
+      if (at == table.numbers.end() || *at != vertex.forming[i])
+        fail(vertex.line, "there is no point " + std::to_string(vertex.forming[i]));
+      wanted.forming[i] = points[static_cast<std::size_t>(at - table.numbers.begin())];
+    }
+  }
+  if (!fits) return false;
+  if (tessellation.topology().dimension() < Dimension)
+    fail(vertices.front().line, "the points do not span enough to have vertices");
+  if (const auto unfit = tessellation.arrange(arranged)) {
+    if (*unfit == vertices.size())
+      fail(0, "a vertex is missing: " + std::to_string(vertices.size()) +
+                  " do not make a tessellation of the points; is the file whole?");
+    fail(vertices[*unfit].line,
+         "the points have no such vertex: " + std::to_string(vertices[*unfit].number));
+  }
+  const auto& topology = tessellation.topology();
+  for (const NumberedVertex<Dimension>& vertex : vertices) {
+    const auto& row = topology.row(id_of(vertex.number));
+    for (std::size_t i = 0; i < vertex.neighbours.size(); ++i) {
+      const VertexId w = row.neighbours[i];
+      const std::uint64_t number = topology.is_infinite(w) ? 0 : std::uint64_t{index(w)} + 1;
+      if (number != vertex.neighbours[i])
+        fail(vertex.line, "neighbor " + std::to_string(i + 1) + " of vertex " +
+                              std::to_string(vertex.number) + " is " + std::to_string(number) +
+                              ", not " + std::to_string(vertex.neighbours[i]));
+    }
+  }
+  return true;
 }
 
 template <int Dimension>

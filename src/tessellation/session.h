@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "tessellation/history.h"
+#include "tessellation/topology_table_reader.h"
 
 namespace thiessen {
 
@@ -27,6 +28,12 @@ class TessellationSession {
     std::size_t points = 0;    ///< how many are new: they have the numbers from `first` on
     std::size_t repeated = 0;  ///< how many equal another of the new ones
     std::size_t there_already = 0;
+    std::uint64_t last = 0;  ///< number of the last new point
+  };
+  /// The result of taking in a table that a session has printed.
+  struct Restored : Added {
+    bool keeps_numbers = true;   ///< whether the new points have the table's numbers
+    bool keeps_vertices = true;  ///< whether the vertices have; so they do where it tells of none
   };
 
   const Tessellation<Dimension>& tessellation() const { return history_.tessellation(); }
@@ -42,6 +49,13 @@ class TessellationSession {
   /// Adds points in their order, as one step for undo. Of equal points one is added, and none where
   /// one is there already.
   Added add_all(std::span<const Position> positions);
+  /// Adds the points of a table that a session has printed, as one step for undo. New points have
+  /// the numbers of the table where none of these was ever given, and else are numbered on. Where
+  /// there was no point before, the vertices have the numbers of the table too, and the order of
+  /// their forming points, so that the same lines are printed as where it came from; numbers beyond
+  /// arrangement_limit are not kept. Error, with the line: a vertex that the points do not have, or
+  /// one that the table lacks, though it has others.
+  Restored restore(const NumberedTable<Dimension>& table);
   /// Deletes the point at exactly this position and returns its number. Error: there is none.
   std::uint64_t remove(const Position& position);
   /// Undoes the last step. Error: there is nothing to undo.
@@ -70,6 +84,10 @@ class TessellationSession {
   void take_step(Numbering&& numbering);
   void keep(Step step);
   void number_one_of_many(PointId p, Added& added);
+  void number_as_told(std::span<const PointId> points, std::span<const std::uint64_t> numbers,
+                      Restored& restored);
+  bool arrange(Tessellation<Dimension>& tessellation, std::span<const PointId> points,
+               const NumberedTable<Dimension>& table) const;
   bool step_back();
   bool step_forward();
   void change_number(PointId p, std::uint64_t number);

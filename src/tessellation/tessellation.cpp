@@ -75,6 +75,15 @@ void Tessellation<Dimension>::exchange(Changes& changes,
 }
 
 template <int Dimension>
+std::optional<std::size_t> Tessellation<Dimension>::arrange(
+    std::span<const ArrangedVertex<Dimension>> vertices) {
+  const auto unfit = arrange_vertices<Dimension>(structure_, vertices);
+  last_ = no_vertex;
+  note_changes(count());
+  return unfit;
+}
+
+template <int Dimension>
 void Tessellation<Dimension>::note_changes(std::size_t changes) {
   if (!is_tried()) changes_since_signposts_ += changes;
 #ifdef THIESSEN_AUDIT

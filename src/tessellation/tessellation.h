@@ -7,6 +7,7 @@
 
 #include "geometry/point.h"
 #include "geometry/signposts.h"
+#include "tessellation/arrangement.h"
 #include "tessellation/at_dimension.h"
 #include "tessellation/conflict_zone.h"
 #include "tessellation/deletion.h"
@@ -125,6 +126,8 @@ class Tessellation {
   /// moment on the other side of the changes.
   void exchange(Changes& changes, const typename Structure<Dimension>::Extent& first,
                 const typename Structure<Dimension>::Extent& end, Moment& then, bool backward);
+  /// Arranges the table as another of the same points is: see arrange_vertices().
+  std::optional<std::size_t> arrange(std::span<const ArrangedVertex<Dimension>> vertices);
   /// Gives tests of the audit a structure that they can break.
   Structure<Dimension>& structure_to_break() { return structure_; }
 

@@ -203,6 +203,29 @@ class Topology {
     vertex_of_[index(p)] = static_cast<std::uint32_t>(v);
   }
 
+  /// Gives every vertex in use the number `to[index(vertex)]`, in a table of so many rows; the rest
+  /// of them is free, the lowest first. Requires different numbers below `rows`, and that nobody
+  /// records changes.
+  void renumber(const std::vector<VertexId>& to, std::uint32_t rows) {
+    std::vector<Row> renumbered(rows, free_row(no_vertex));
+    for_each_vertex([&](VertexId v) {
+      Row& row = renumbered[index(to[index(v)])];
+      row = rows_[index(v)];
+      for (VertexId& neighbour : row.neighbours) {
+        if (neighbour != no_vertex) neighbour = to[index(neighbour)];
+      }
+    });
+    for (std::uint32_t& vertex : vertex_of_) {
+      if (vertex < absent) vertex = static_cast<std::uint32_t>(to[vertex]);
+    }
+    rows_ = std::move(renumbered);
+    state_.rows = rows;
+    state_.first_free = no_vertex;
+    for (std::uint32_t i = rows; i > 0; --i) {
+      if (is_free(VertexId{i - 1})) release(VertexId{i - 1});
+    }
+  }
+
   /// Prefetches the row of a vertex, or the entry of a point, that will be needed soon.
   void fetch(VertexId v) const { __builtin_prefetch(rows_.data() + index(v)); }
   void fetch(PointId p) const { __builtin_prefetch(vertex_of_.data() + index(p)); }

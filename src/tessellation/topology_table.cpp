@@ -8,6 +8,7 @@
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "geometry/coordinates.h"
+#include "tessellation/points_by_number.h"
 #include "tessellation/voronoi_vertex.h"
 
 namespace thiessen {
@@ -60,16 +61,6 @@ void append_row(std::string& line, const Topology<Dimension>& topology, const Nu
   for (const VertexId w : topology.row(v).neighbours)
     append_count(line, topology.is_infinite(w) ? 0 : number_of_vertex(w));
   line += '\n';
-}
-
-template <int Dimension>
-std::vector<std::pair<std::uint64_t, PointId>> points_by_number(
-    const Tessellation<Dimension>& tessellation, const NumberOf& number_of) {
-  std::vector<std::pair<std::uint64_t, PointId>> points;
-  points.reserve(tessellation.count());
-  tessellation.for_each_point([&](PointId p) { points.emplace_back(number_of(p), p); });
-  std::sort(points.begin(), points.end());
-  return points;
 }
 
 template <typename Cell>

@@ -4,11 +4,14 @@
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "geometry/seeded.h"
 #include "tessellation/audit.h"
 #include "tessellation/topology_table.h"
+#include "tessellation/topology_table_reader.h"
 
 namespace thiessen {
 namespace {
@@ -301,6 +304,120 @@ TEST(Session, takes_back_what_its_watcher_refuses) {
   EXPECT_TRUE(session.tessellation().empty());
   for (int i = 0; i < 3; ++i) session.redo();
   EXPECT_EQ(session.number_of(session.point_at({0, 3})), 3u);
+}
+
+/// What a printed table tells.
+template <int Dimension>
+NumberedTable<Dimension> read_table(const std::string& text) {
+  TopologyTableReader<Dimension> reader("saved");
+  std::size_t line = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    reader.take(std::string_view(text).substr(at, end - at), ++line);
+    at = end + 1;
+  }
+  return std::move(reader).table();
+}
+
+template <int Dimension>
+PositionIn<Dimension> random_position(Seeded& seeded) {
+  const auto coordinate = [&] { return static_cast<double>(seeded.whole(0, 9)); };
+  if constexpr (Dimension == 2) {
+    return {coordinate(), coordinate()};
+  } else {
+    return {coordinate(), coordinate(), coordinate()};
+  }
+}
+
+// Whatever was added, deleted and taken back before: vertices get the numbers that they have.
+template <int Dimension>
+void expect_same_lines_again(Seeded& seeded) {
+  TessellationSession<Dimension> session;
+  for (int i = 0; i < 150; ++i) {
+    const auto at = random_position<Dimension>(seeded);
+    const bool is_there = session.tessellation().find(at).has_value();
+    if (is_there) {
+      session.remove(at);
+    } else {
+      session.add(at);
+    }
+    if (seeded.below(10) == 0) session.undo();
+    if (i % 25 != 24 || session.tessellation().empty()) continue;
+    const std::string before = table_of(session);
+    TessellationSession<Dimension> again;
+    const auto restored = again.restore(read_table<Dimension>(before));
+    EXPECT_TRUE(restored.keeps_numbers);
+    EXPECT_TRUE(restored.keeps_vertices);
+    ASSERT_EQ(table_of(again), before);
+    EXPECT_TRUE(audit(again.tessellation()).empty());
+    again.undo();
+    EXPECT_TRUE(again.tessellation().empty());
+    again.redo();
+    ASSERT_EQ(table_of(again), before);
+  }
+}
+
+TEST(Session, law_a_table_that_is_restored_is_printed_again) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(20); ++round) {
+    expect_same_lines_again<2>(seeded);
+    expect_same_lines_again<3>(seeded);
+  }
+}
+
+TEST(Session, restores_numbers_where_none_was_given_before) {
+  TessellationSession<2> session;
+  session.add({0, 0});
+  session.add({1, 0});
+  const auto kept = session.restore(read_table<2>("point 1 0 0\npoint 4 5 5\npoint 9 6 5\n"));
+  EXPECT_TRUE(kept.keeps_numbers);
+  EXPECT_EQ(kept.there_already, 1U);
+  EXPECT_EQ(kept.points, 2U);
+  EXPECT_EQ(kept.first, 4U);
+  EXPECT_EQ(kept.last, 9U);
+  EXPECT_EQ(session.add({7, 7}), 10U) << "no number is used twice";
+  const auto numbered_on = session.restore(read_table<2>("point 2 8 8\npoint 30 9 8\n"));
+  EXPECT_FALSE(numbered_on.keeps_numbers);
+  EXPECT_EQ(numbered_on.first, 11U);
+  EXPECT_EQ(numbered_on.last, 12U);
+  session.undo();
+  EXPECT_EQ(session.add({8, 8}), 11U) << "undo takes the numbers back";
+}
+
+TEST(Session, refuses_a_table_whose_vertices_are_not_those_of_its_points) {
+  const std::string points = "point 1 0 0\npoint 2 4 0\npoint 3 0 3\npoint 4 5 5\n";
+  TessellationSession<2> session;
+  session.restore(read_table<2>(points));
+  std::string table = table_of(session);
+  session.undo();
+  const auto complaint = [&](const std::string& text) {
+    const std::string said = complaint_of([&] { session.restore(read_table<2>(text)); });
+    EXPECT_TRUE(session.tessellation().empty()) << text;
+    return said;
+  };
+  const std::size_t last = table.rfind("vertex");
+  EXPECT_EQ(complaint(table.substr(0, last)),
+            "saved: a vertex is missing: 1 do not make a tessellation of the points; is the file "
+            "whole?");
+  EXPECT_EQ(complaint(points + "vertex 1 center 0 0 radius 1 forming 1 2 9 neighbors 0 0 0\n"),
+            "saved:5: there is no point 9");
+  EXPECT_EQ(complaint(points + "vertex 1 center 0 0 radius 1 forming 1 3 2 neighbors 0 0 0\n"),
+            "saved:5: the points have no such vertex: 1");
+  EXPECT_EQ(complaint("point 1 0 0\nvertex 1 center 0 0 radius 1 forming 1 1 1 neighbors 0 0 0\n"),
+            "saved:2: the points do not span enough to have vertices");
+  const std::size_t neighbours = table.rfind("neighbors");
+  EXPECT_TRUE(complaint(table.substr(0, neighbours) + "neighbors 77 77 77\n")
+                  .starts_with("saved:6: neighbor 1 of vertex "));
+}
+
+TEST(Session, numbers_vertices_anew_where_theirs_are_out_of_reach) {
+  TessellationSession<2> session;
+  const auto restored = session.restore(
+      read_table<2>("point 1 0 0\npoint 2 4 0\npoint 3 0 3\n"
+                    "vertex 4000000000 center 2 1.5 radius 2.5 forming 1 2 3 neighbors 0 0 0\n"));
+  EXPECT_FALSE(restored.keeps_vertices);
+  EXPECT_EQ(restored.points, 3U);
+  EXPECT_LT(session.tessellation().topology().size(), 10U);
 }
 
 }  // namespace
