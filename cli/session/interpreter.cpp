@@ -10,11 +10,16 @@
 #include "base/utf8.h"
 #include "cli/options/name_lists.h"
 #include "cli/session/command_arguments.h"
+#include "cli/session/loaded_file.h"
+#include "cli/session/script_lines.h"
 #include "cli/session/words.h"
 #include "map/plot/tessellation_picture.h"
+#include "results/cell_measures_file.h"
+#include "results/mesh_file.h"
 #include "tessellation/audit.h"
 #include "tessellation/session.h"
 #include "tessellation/topology_table.h"
+#include "tessellation/topology_table_reader.h"
 #include "text/points_file.h"
 #include "text/similar_texts.h"
 
@@ -67,8 +72,9 @@ class SessionInterpreter : public Interpreter {
 
  private:
   using Position = PositionIn<Dimension>;
+  using Added = typename TessellationSession<Dimension>::Added;
   using Action = void (SessionInterpreter::*)(const Arguments&);
-  static const std::array<std::pair<std::string_view, Action>, 12> commands;
+  static const std::array<std::pair<std::string_view, Action>, 15> commands;
 
   const Tessellation<Dimension>& tessellation() const { return session_.tessellation(); }
   NumberOf number_of() const {
@@ -123,17 +129,48 @@ class SessionInterpreter : public Interpreter {
     const std::string file = require_file("load", arguments);
     if (file == "-" && surroundings_.is_standard_input)
       refuse("the commands come from the standard input, so points cannot");
-    Warnings warnings;
-    const auto added = session_.add_all(read_points<Dimension>(file, warnings));
-    for (const Message& message : warnings.messages()) surroundings_.warnings.add(message);
+    LoadedFile loaded(file);
+    const bool is_table = loaded.is_table();
+    const auto added =
+        is_table ? restored(std::move(loaded).input()) : added_of_csv(std::move(loaded).input());
     warn_of_equal(file, added.repeated, "equal an earlier one in it",
                   "equals an earlier one in it");
     warn_of_equal(file, added.there_already, "were there before", "was there before");
     auto& inputs = surroundings_.inputs;
-    if (std::find(inputs.begin(), inputs.end(), file) == inputs.end()) inputs.push_back(file);
+    // What was saved may be saved again: the session holds all that is in it.
+    if (!is_table && std::find(inputs.begin(), inputs.end(), file) == inputs.end())
+      inputs.push_back(file);
     if (added.points == 0) return say("no new points");
-    say("points " + std::to_string(added.first) + " to " +
-        std::to_string(added.first + added.points - 1));
+    say("points " + std::to_string(added.first) + " to " + std::to_string(added.last));
+  }
+  Added added_of_csv(InputFile file) {
+    Warnings warnings;
+    const Added added = session_.add_all(read_points<Dimension>(std::move(file), warnings));
+    for (const Message& message : warnings.messages()) surroundings_.warnings.add(message);
+    return added;
+  }
+  /// Takes in what a session has printed.
+  Added restored(InputFile file) {
+    ScriptLines lines(std::move(file));
+    TopologyTableReader<Dimension> reader(lines.file());
+    while (const auto line = lines.next([] {})) {
+      throw_if_interrupted();
+      reader.take(*line, lines.line());
+    }
+    const auto restored = session_.restore(std::move(reader).table());
+    if (!restored.keeps_numbers) {
+      warn(lines.file(), "its points are numbered on from " + std::to_string(restored.first) +
+                             ", for numbers of its own are taken");
+    }
+    if (!restored.keeps_vertices) {
+      warn(lines.file(), tessellation().count() == restored.points
+                             ? "its vertices are numbered anew, for their numbers are too large"
+                             : "its vertices are passed over, for there were points before");
+    }
+    return restored;
+  }
+  void warn(const std::string& file, const std::string& text) {
+    surroundings_.warnings.add({file, 0, text, {}});
   }
   void warn_of_equal(const std::string& file, std::size_t count, const char* several,
                      const char* one) {
@@ -141,14 +178,44 @@ class SessionInterpreter : public Interpreter {
     const std::string text =
         count == 1 ? std::string("1 point ") + one + ", and is passed over"
                    : std::to_string(count) + " points " + several + ", and are passed over";
-    surroundings_.warnings.add({file == "-" ? "standard input" : file, 0, text, {}});
+    warn(file == "-" ? "standard input" : file, text);
   }
 
+  void save(const Arguments& arguments) {
+    write_named("save", arguments, [this](OutputFile& file) { append_table(file); });
+  }
+  void cells(const Arguments& arguments) {
+    write_named("cells", arguments, [this](OutputFile& file) {
+      write_cell_measures<Dimension>(file, tessellation(), number_of());
+    });
+  }
+  void export_mesh(const Arguments& arguments) {
+    const MeshFormat format = mesh_format<Dimension>(require_file("export", arguments));
+    write_named("export", arguments, [&](OutputFile& file) {
+      write_mesh<Dimension>(file, format, tessellation(), number_of());
+    });
+    if (tessellation().topology().dimension() < Dimension)
+      warn(arguments.front(), Dimension == 2
+                                  ? "the points are on one line, or too few: no triangles"
+                                  : "the points are in one plane, or too few: no tetrahedra");
+  }
+  /// Writes the file that a command names; the standard output is left to what is printed.
+  void write_named(const char* command, const Arguments& arguments,
+                   const std::function<void(OutputFile&)>& fill) {
+    const std::string name = require_file(command, arguments);
+    if (name == "-")
+      refuse(std::string(command) + " writes a file, and not to the standard output",
+             "print without a file writes there");
+    write_file(name, fill);
+    say(name + " is written");
+  }
+
+  void append_table(OutputFile& file) const {
+    write_topology_table<Dimension>(tessellation(), number_of(),
+                                    [&](std::string_view line) { file.append(line); });
+  }
   void print(const Arguments& arguments) {
-    const auto table_to = [&](OutputFile& file) {
-      write_topology_table<Dimension>(tessellation(), number_of(),
-                                      [&](std::string_view line) { file.append(line); });
-    };
+    const auto table_to = [this](OutputFile& file) { append_table(file); };
     if (!arguments.empty() && arguments != Arguments{"-"}) {
       write_file(require_file("print", arguments), table_to);
       return say(arguments.front() + " is written");
@@ -257,7 +324,7 @@ class SessionInterpreter : public Interpreter {
 };
 
 template <int Dimension>
-const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimension>::Action>, 12>
+const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimension>::Action>, 15>
     SessionInterpreter<Dimension>::commands = {{
         {"add", &SessionInterpreter::add},
         {"delete", &SessionInterpreter::remove},
@@ -266,7 +333,10 @@ const std::array<std::pair<std::string_view, typename SessionInterpreter<Dimensi
         {"nearest", &SessionInterpreter::nearest},
         {"cell", &SessionInterpreter::cell},
         {"load", &SessionInterpreter::load},
+        {"save", &SessionInterpreter::save},
         {"print", &SessionInterpreter::print},
+        {"cells", &SessionInterpreter::cells},
+        {"export", &SessionInterpreter::export_mesh},
         {"show", &SessionInterpreter::show},
         {"watch", &SessionInterpreter::watch},
         {"check", &SessionInterpreter::check},

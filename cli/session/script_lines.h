@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/file.h"
 
@@ -19,6 +20,8 @@ class ScriptLines {
 
   /// Opens the script; `-` is the standard input. Throws Error as InputFile does.
   explicit ScriptLines(const std::string& file) : input_(file) {}
+  /// The lines of a file that is open.
+  explicit ScriptLines(InputFile file) : input_(std::move(file)) {}
 
   /// The name of the script as the user gave it.
   const std::string& file() const { return input_.name(); }

@@ -12,15 +12,18 @@ struct Entry {
   const char* text;
 };
 
-constexpr std::array<Entry, 13> entries = {{
+constexpr std::array<Entry, 16> entries = {{
     {"add", " X Y [Z]", "a point; points are numbered from 1 in the order they come"},
     {"delete", " X Y [Z]", "the point at this very place"},
     {"undo", "", "take the last add, delete or load back; without limit"},
     {"redo", "", "make what was undone again"},
     {"nearest", " X Y [Z]", "print the nearest point; of equally near ones the lowest number"},
     {"cell", " X Y [Z]", "print the Voronoi cell of the point at this very place"},
-    {"load", " FILE", "add the points of a CSV: x,y[,z], with a header or without"},
+    {"load", " FILE", "add the points of a CSV, x,y[,z], or take in what was saved"},
+    {"save", " FILE", "write what print does, to be loaded again"},
     {"print", " [FILE]", "the points and the Voronoi vertices, as text"},
+    {"cells", " FILE", "a CSV, a row a cell: point, area (3-D: volume), sides"},
+    {"export", " FILE", "triangles or tetrahedra: .obj, .ply, in 2-D .geojson"},
     {"show", " FILE.png", "a picture"},
     {"watch", " FILE.png|off", "a picture, now and anew after each change; off ends it"},
     {"check", "", "prove the tessellation sound, or say where it is not"},
@@ -33,6 +36,13 @@ constexpr const char* formats =
     "  point ID X Y [Z]\n"
     "  vertex ID center X Y [Z] radius R forming F1 F2 F3 [F4] neighbors N1 N2 N3 [N4]\n"
     "Neighbor Ni lies across from forming point Fi; it is 0 where there is none.\n"
+    "A table that is loaded where there are no points prints the same lines again, the\n"
+    "numbers of points and vertices included. Where there are points already, new ones\n"
+    "keep their numbers if none of these was given before, else they are numbered on.\n"
+    "cells writes `point,area,sides` (`point,volume,sides` in 3-D), one row a point, inf\n"
+    "where the cell is unbounded; sides are its edges, in 3-D its faces. export writes in\n"
+    "2-D the triangles, by GeoJSON with the properties a, b and c, the points' numbers;\n"
+    "in 3-D four faces a tetrahedron, and in .obj also the bounded cells, each a group.\n"
     "nearest prints a point's line. cell prints it too, and then\n"
     "  vertex ID center X Y [Z] radius R     in 2-D counter-clockwise\n"
     "  ray from ID direction DX DY [DZ]      edges that never end\n"
@@ -43,7 +53,7 @@ constexpr const char* formats =
     "show and watch take --size W, WxH or, with --dpi N, WxHmm; in 2-D the window\n"
     "--window XMIN,YMIN,XMAX,YMAX; in 3-D --view X,Y,Z and --site X,Y,Z, from where to\n"
     "where one looks. Where the picture of watch cannot be written, the change is taken\n"
-    "back. print FILE, show and watch replace the file.\n"
+    "back. print FILE, save, cells, export, show and watch replace the file.\n"
     "Ctrl-C at the keyboard drops the line, or the command with all that it did.\n"
     "Blank lines and what follows a # are passed over; a name with blanks stands in\n"
     "quotes.\n";

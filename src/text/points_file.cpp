@@ -31,8 +31,8 @@ class PointsReader {
  public:
   using Coordinates = std::array<double, Axes>;
 
-  PointsReader(const std::string& file, Warnings& warnings)
-      : reader_(file, {',', {}, false}), warnings_(warnings) {
+  PointsReader(InputFile file, Warnings& warnings)
+      : reader_(std::move(file), {',', {}, false}), warnings_(warnings) {
     if (find_fields()) {
       reader_.check_header();
       return;
@@ -153,8 +153,13 @@ class PointsReader {
 
 template <int Dimension>
 std::vector<PositionIn<Dimension>> read_points(const std::string& file, Warnings& warnings) {
+  return read_points<Dimension>(InputFile(file), warnings);
+}
+
+template <int Dimension>
+std::vector<PositionIn<Dimension>> read_points(InputFile file, Warnings& warnings) {
   std::vector<PositionIn<Dimension>> points;
-  PointsReader<std::size_t{Dimension}>(file, warnings).read([&](const auto& at) {
+  PointsReader<std::size_t{Dimension}>(std::move(file), warnings).read([&](const auto& at) {
     if constexpr (Dimension == 2) {
       points.push_back({at[0], at[1]});
     } else {
@@ -166,5 +171,7 @@ std::vector<PositionIn<Dimension>> read_points(const std::string& file, Warnings
 
 template std::vector<Point> read_points<2>(const std::string&, Warnings&);
 template std::vector<SpacePoint> read_points<3>(const std::string&, Warnings&);
+template std::vector<Point> read_points<2>(InputFile, Warnings&);
+template std::vector<SpacePoint> read_points<3>(InputFile, Warnings&);
 
 }  // namespace thiessen

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -21,5 +22,8 @@ namespace thiessen {
 /// ignored in the plane.
 template <int Dimension>
 std::vector<PositionIn<Dimension>> read_points(const std::string& file, Warnings& warnings);
+/// Reads the points of a file that is open.
+template <int Dimension>
+std::vector<PositionIn<Dimension>> read_points(InputFile file, Warnings& warnings);
 
 }  // namespace thiessen

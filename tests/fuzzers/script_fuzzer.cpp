@@ -70,13 +70,15 @@ class Script {
     require(interpreter_->faults() == 0, "not sound");
     take();
   }
-  /// Files are neither written nor read, but `load` reads the CSV; of `show` and `watch` the words
-  /// are read.
+  /// Files are neither written nor read, but `load` reads the CSV, which may be a saved session; of
+  /// `show` and `watch` the words are read.
   std::optional<std::string> harmless(std::string_view text) const {
     const std::vector<std::string> words = cli::words_of(text);
     if (words.empty()) return std::nullopt;
     if (words.front() == "load") return "load " + csv_.name();
     if (words.front() == "print") return "print";
+    if (words.front() == "save" || words.front() == "cells" || words.front() == "export")
+      return std::nullopt;
     if (words.front() != "show" && words.front() != "watch") return std::string(text);
     cli::read_show_arguments(words.front(), dimension_, {words.begin() + 1, words.end()});
     return std::nullopt;

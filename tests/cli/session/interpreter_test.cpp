@@ -247,11 +247,84 @@ TEST(Interpreter, watches_what_it_did_where_it_cannot_watch_another) {
   EXPECT_NE(session.folder.read("p.png"), empty);
 }
 
+TEST(Interpreter, loads_what_it_saved_and_prints_the_same_lines) {
+  for (const std::size_t dimension : {2U, 3U}) {
+    const std::string z = dimension == 3 ? " 0" : "";
+    Session session(dimension);
+    session.perform_all({"add 0 0" + z, "add 4 0" + z, "add 0 3" + z, "add 9 9" + z, "add 5 5" + z,
+                         "delete 0 3" + z, "add 1 7" + z, "delete 9 9" + z});
+    if (dimension == 3) session.perform_all({"add 0 0 8", "add 3 1 -2", "delete 0 0 8"});
+    const std::string table = session.answer("print");
+    const std::string file = session.folder.path("saved.txt");
+    session.perform("save " + file);
+    EXPECT_EQ(session.answer(), "") << "off a terminal nothing is said";
+    EXPECT_EQ(session.folder.read("saved.txt"), table);
+    Session again(dimension);
+    again.perform("load " + file);
+    EXPECT_EQ(again.answer("print"), table);
+    again.perform("save " + file);
+    EXPECT_EQ(session.folder.read("saved.txt"), table) << "saved again where it came from";
+    again.perform("undo");
+    EXPECT_EQ(again.answer("print"), "");
+    EXPECT_TRUE(sentences_of(again.warnings).empty());
+  }
+}
+
+TEST(Interpreter, tells_what_of_a_saved_session_it_does_not_keep) {
+  Session session;
+  session.perform_all({"add 0 0", "add 4 0", "add 0 3", "save " + session.folder.path("saved.txt"),
+                       "undo", "undo", "undo", "add 7 7",
+                       "load " + session.folder.path("saved.txt")});
+  const std::string table = session.answer("print");
+  EXPECT_TRUE(table.starts_with("point 1 7 7\npoint 2 0 0\npoint 3 4 0\npoint 4 0 3\n")) << table;
+  const auto warned = sentences_of(session.warnings);
+  ASSERT_EQ(warned.size(), 2U);
+  EXPECT_TRUE(warned[0].ends_with(
+      "saved.txt: its points are numbered on from 2, for numbers of its own are taken"))
+      << warned[0];
+  EXPECT_TRUE(
+      warned[1].ends_with("saved.txt: its vertices are passed over, for there were points before"))
+      << warned[1];
+}
+
+TEST(Interpreter, a_saved_session_that_is_cut_changes_nothing) {
+  Session session;
+  session.perform_all({"add 0 0", "add 4 0", "add 0 3", "add 5 5"});
+  const std::string table = session.answer("print");
+  Session other;
+  const std::string cut = other.folder.write("cut.txt", table.substr(0, table.rfind("vertex")));
+  EXPECT_TRUE(contains(other.complaint("load " + cut), "is the file whole?"));
+  EXPECT_EQ(other.answer("print"), "");
+  EXPECT_TRUE(contains(other.complaint("load " + other.folder.write("p", "point 1 2 3 4\n")),
+                       "p:1: the line of a point is `point ID X Y`"));
+}
+
+TEST(Interpreter, writes_cells_and_meshes) {
+  Session session;
+  session.perform_all({"add 0 0", "add 2 0", "add 2 2", "add 0 2", "add 1 1"});
+  session.perform("cells " + session.folder.path("cells.csv"));
+  EXPECT_EQ(session.folder.read("cells.csv"),
+            "point,area,sides\n1,inf,3\n2,inf,3\n3,inf,3\n4,inf,3\n5,2,4\n");
+  for (const char* name : {"m.obj", "m.ply", "m.geojson"}) {
+    session.perform(std::string("export ") + session.folder.path(name));
+    EXPECT_FALSE(session.folder.read(name).empty()) << name;
+  }
+  EXPECT_EQ(session.answer(), "");
+  EXPECT_TRUE(contains(session.complaint("export m.stl"), "no format"));
+  EXPECT_TRUE(contains(session.complaint("cells -"), "and not to the standard output"));
+  EXPECT_TRUE(contains(session.complaint("save"), "save needs the name of a file"));
+  EXPECT_TRUE(sentences_of(session.warnings).empty());
+  Session few;
+  few.perform_all({"add 0 0", "export " + few.folder.path("m.obj")});
+  EXPECT_EQ(sentences_of(few.warnings).size(), 1U) << "no triangles";
+}
+
 TEST(Interpreter, hears_ctrl_c_and_changes_nothing) {
   watch_for_interrupts();
   Session session;
   session.perform("add 1 2");
-  for (const char* line : {"add 3 4", "undo", "print", "check"}) {
+  for (const char* line :
+       {"add 3 4", "undo", "print", "check", "save s.txt", "cells c.csv", "export m.obj"}) {
     std::raise(SIGINT);
     EXPECT_THROW(session.perform(line), Interrupted) << line;
     EXPECT_TRUE(forget_ctrl_c());

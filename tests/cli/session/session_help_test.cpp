@@ -29,7 +29,7 @@ TEST(SessionHelp, law_1_names_every_command_once_and_the_session_knows_each) {
     }
     EXPECT_EQ(said.find("there is no command"), std::string::npos) << said;
   }
-  EXPECT_EQ(names.size(), 13U);
+  EXPECT_EQ(names.size(), 16U);
 }
 
 TEST(SessionHelp, law_2_every_line_ends_and_none_in_blanks) {
