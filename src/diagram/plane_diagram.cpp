@@ -1,15 +1,13 @@
 #include "diagram/plane_diagram.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "geometry/disjoint_sets.h"
-#include "geometry/predicates.h"
+#include "diagram/plane_centres.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {
@@ -53,91 +51,6 @@ std::optional<Stretch> within(const Box& box, const Bisector& line) {
                      cut(line.middle.y, line.direction.y, box.low.y, box.high.y);
   return meets ? std::optional(stretch) : std::nullopt;
 }
-
-/// The circumcentres of a tessellation's simplices. Cocircular simplices have one centre. So have
-/// neighbouring simplices whose centres rounding cannot tell apart, because an edge so short could
-/// point in any direction. A group of such simplices is known by the number of one of them.
-class Centres {
- public:
-  explicit Centres(const Tessellation<2>& tessellation)
-      : tessellation_(tessellation), topology_(tessellation.topology()), groups_(topology_.size()) {
-    unite([this](VertexId v, VertexId w) { return are_cocircular(v, w); });
-    compute();
-    unite([this](VertexId v, VertexId w) {
-      const Point p = centre_[index(v)];
-      const Point q = centre_[index(w)];
-      const double allowed = indistinct * (rounding(v) + rounding(w));
-      return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
-    });
-    compute();
-  }
-
-  std::uint32_t group_of(VertexId v) { return groups_.find(index(v)); }
-  Point of(VertexId v) const { return centre_[index(v)]; }
-
- private:
-  static constexpr double indistinct = 4;
-
-  template <typename AreOne>
-  void unite(AreOne&& are_one) {
-    topology_.for_each_vertex([&](VertexId v) {
-      if (topology_.is_infinite(v)) return;
-      for (std::size_t side = 0; side < 3; ++side) {
-        const VertexId w = topology_.neighbour(v, side);
-        if (w > v && !topology_.is_infinite(w) && are_one(v, w))
-          groups_.unite(groups_.find(index(v)), groups_.find(index(w)));
-      }
-    });
-  }
-
-  // Computes the centre of each group from its lexicographically first simplex, so that it does not
-  // depend on the order in which the places came.
-  void compute() {
-    std::vector<VertexId> first(topology_.size(), no_vertex);
-    const auto for_each_simplex = [&](auto&& visit) {
-      topology_.for_each_vertex([&](VertexId v) {
-        if (!topology_.is_infinite(v)) visit(v);
-      });
-    };
-    for_each_simplex([&](VertexId v) {
-      VertexId& best = first[group_of(v)];
-      if (best == no_vertex || corners_of(v) < corners_of(best)) best = v;
-    });
-    centre_.resize(topology_.size());
-    for_each_simplex([&](VertexId v) {
-      const auto corners = corners_of(first[group_of(v)]);
-      centre_[index(v)] = circumcentre(corners[0], corners[1], corners[2]);
-    });
-  }
-
-  bool are_cocircular(VertexId v, VertexId w) const {
-    const auto& f = topology_.forming(v);
-    const PointId across = topology_.forming(w)[topology_.side_towards(w, v)];
-    return in_circle(position(f[0]), position(f[1]), position(f[2]), position(across)) == 0;
-  }
-
-  // How far a computed centre may be from the true one: see circumcentre.
-  double rounding(VertexId v) const {
-    const Point centre = centre_[index(v)];
-    const Point corner = position(topology_.forming(v)[0]);
-    return 0x1p-47 * (std::abs(centre.x - corner.x) + std::abs(centre.y - corner.y)) +
-           0x1p-52 * std::max(std::abs(centre.x), std::abs(centre.y));
-  }
-
-  std::array<Point, 3> corners_of(VertexId v) const {
-    const auto& f = topology_.forming(v);
-    std::array<Point, 3> corners{position(f[0]), position(f[1]), position(f[2])};
-    std::sort(corners.begin(), corners.end());
-    return corners;
-  }
-
-  Point position(PointId p) const { return tessellation_.position(p); }
-
-  const Tessellation<2>& tessellation_;
-  const Topology<2>& topology_;
-  DisjointSets groups_;
-  std::vector<Point> centre_;
-};
 
 class PlaneDiagramBuilder {
  public:
@@ -245,7 +158,7 @@ class PlaneDiagramBuilder {
   std::shared_ptr<std::vector<PlaceIndex>> place_of_ = std::make_shared<std::vector<PlaceIndex>>();
   Box cutting_box_;
   Diagram diagram_;
-  std::optional<Centres> centres_;
+  std::optional<PlaneCentres> centres_;
   std::vector<std::uint32_t> node_of_;  // the node of each group of centres, or no_node
 };
 
