@@ -1,8 +1,10 @@
 #include "earth/yardstick.h"
 
 #include "diagram/plane_diagram.h"
+#include "diagram/plane_dual.h"
 #include "earth/area/ellipsoid_surface.h"
 #include "earth/cells/geodesic_diagram.h"
+#include "earth/cells/geodesic_dual.h"
 
 namespace thiessen {
 namespace {
@@ -25,6 +27,11 @@ Diagram Yardstick::drawn_diagram(std::span<const Point> places, const Box& frame
                                  unsigned threads) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
   return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads);
+}
+
+Dual Yardstick::dual(std::span<const Point> places, unsigned threads) const {
+  if (metric == Metric::planar) return plane_dual(places);
+  return geodesic_dual(places, finest_accuracy, threads);
 }
 
 Diagram Yardstick::diagram_of_heirs(std::span<const Point> places, const Box& frame) const {

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "diagram/diagram.h"
+#include "diagram/dual.h"
 #include "diagram/surface.h"
 
 namespace thiessen {
@@ -37,6 +38,8 @@ struct Yardstick {
   bool draws_as_measured() const {
     return metric == Metric::planar || tolerance == measuring_tolerance;
   }
+  /// What the same cells say of the places, none of them cut off: see plane_dual and geodesic_dual.
+  Dual dual(std::span<const Point> places, unsigned threads) const;
   /// The Thiessen cells as exact as the areas of handovers need them.
   Diagram diagram_of_heirs(std::span<const Point> places, const Box& frame) const;
   /// The accuracy of geodesic vertices between heirs, in metres.
