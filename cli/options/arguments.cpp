@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
 #include <set>
 
 namespace thiessen::cli {
@@ -21,6 +22,24 @@ void declare_all(CLI::App& app, const std::vector<const OptionList*>& lists) {
       if (option.is_argument() || app.get_option_no_throw(option.name) != nullptr) continue;
       declare(app, option);
     }
+  }
+}
+
+/// Gives each option whose value is left out the text that stands for it.
+void fill_in_values(std::vector<std::string>& arguments,
+                    const std::vector<const OptionList*>& lists) {
+  const auto may_lack_value = [&](const std::string& name) {
+    for (const OptionList* list : lists) {
+      const Option* const option = name.starts_with("--") ? list->find(name) : nullptr;
+      if (option != nullptr) return option->value.when_left_out;
+    }
+    return std::string();
+  };
+  for (std::size_t i = 0; i < arguments.size() && arguments[i] != end_of_options; ++i) {
+    const bool has_value =
+        i + 1 < arguments.size() && (arguments[i + 1] == "-" || !arguments[i + 1].starts_with('-'));
+    const std::string otherwise = may_lack_value(arguments[i]);
+    if (!has_value && !otherwise.empty()) arguments[i] += "=" + otherwise;
   }
 }
 
@@ -69,6 +88,7 @@ Arguments parse_arguments(std::vector<std::string> arguments,
   app.set_help_flag();
   app.allow_extras();
   declare_all(app, lists);
+  fill_in_values(arguments, lists);
   Arguments sorted;
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));

@@ -25,6 +25,9 @@ struct OptionValue {
   std::vector<std::string> choices;
   Completion completion = Completion::nothing;
   bool may_be_repeated = false;
+  /// The text that stands for a value that is left out, because nothing or another option follows
+  /// the name; empty where a value has to follow.
+  std::string when_left_out = {};
 
   /// Says in words what the value may be: `FIELD`, or `geodesic or planar`.
   std::string in_words() const;

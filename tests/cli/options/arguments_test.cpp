@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "cli/options/option_values.h"
 
 namespace thiessen::cli {
@@ -28,6 +32,25 @@ Words texts_of(const Arguments& sorted, const std::string& name) {
 TEST(Arguments, ValuesFollowInFourWays) {
   for (const Words& line : {Words{"--output", "x"}, {"--output=x"}, {"-o", "x"}, {"-ox"}})
     EXPECT_EQ(texts_of(parse(line), "--output"), Words{"x"});
+}
+
+TEST(Arguments, AValueThatMayBeLeftOutIsFilledIn) {
+  const auto value_of = [](const Words& arguments) {
+    OptionList options;
+    std::string file;
+    OptionValue value = any_text(file, "[FILE]");
+    value.when_left_out = "none";
+    options.group("All").add("--file", std::move(value), "");
+    options.group("All").add("-q,--quiet", sign(), "");
+    return texts_of(parse_arguments(arguments, {&options}), "--file");
+  };
+  EXPECT_EQ(value_of({"a", "--file"}), Words{"none"});
+  EXPECT_EQ(value_of({"--file", "-q", "a"}), Words{"none"});
+  EXPECT_EQ(value_of({"--file", "--", "a"}), Words{"none"});
+  EXPECT_EQ(value_of({"--file", "x", "a"}), Words{"x"});
+  EXPECT_EQ(value_of({"--file=x", "a"}), Words{"x"});
+  EXPECT_EQ(value_of({"--file", "-"}), Words{"-"});
+  EXPECT_EQ(value_of({"--", "--file"}), Words{});
 }
 
 TEST(Arguments, LettersMayStandTogether) {
