@@ -8,6 +8,7 @@
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
+#include "cli/options/dual_options.h"
 #include "cli/options/isohyet_options.h"
 #include "cli/options/option_values.h"
 #include "cli/options/output_options.h"
@@ -16,6 +17,7 @@
 #include "cli/options/usage_error.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
+#include "cli/outputs/dual_files.h"
 #include "cli/outputs/encoded_files.h"
 #include "cli/outputs/shown_values.h"
 #include "cli/outputs/study_package_of.h"
@@ -43,6 +45,7 @@ class CellsCommand : public Command {
         "the whole study in one .gpkg: layers cells, gauges, basins and, with --interval, "
         "isohyets, the table weights, and how QGIS shows them");
     output_.declare_table(options(), "cells");
+    dual_.declare(options());
     common_.declare(options());
   }
 
@@ -59,7 +62,55 @@ class CellsCommand : public Command {
     rainfall_.check();
     view_.check(rainfall_.given(), study_.has_basins());
     output_.check();
-    if (whole_study_ && extension_of(output_.output) != "gpkg") {
+    if (study_.attributes && !writes_cells()) {
+      throw UsageError{"--attributes carries fields onto cells, and none are written",
+                       "-o FILE writes cells beside --delaunay FILE and --neighbours FILE"};
+    }
+    dual_.check((writes_cells() || dual_.takes_place_of_cells()) && output_.output == "-");
+    check_study();
+  }
+
+  void run(Warnings& warnings) override {
+    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    std::optional<DatabaseTable> table;
+    if (output_.is_database() && writes_cells()) table.emplace(output_.table());
+    OutputFile* const file = writes_cells() ? &opened(outputs, table) : nullptr;
+    DualFiles dual(outputs, dual_, output_.output);
+    const std::unique_ptr<GeoPackageCopy> older =
+        file == nullptr ? nullptr : older_layers(output_.output);
+    Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    if (!rainfall_.given()) note_whole_network(inputs, warnings);
+    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
+    const GaugeReadings* shown = readings ? &*readings : nullptr;
+    if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
+    if (file != nullptr) {
+      const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
+      CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
+      if (shown != nullptr && holds_colours(output_.output))
+        output.colours = colours_of(inputs, output, *shown);
+      const std::string older_bytes = older ? older->bytes() : "";
+      if (table) {
+        cells_table(output, *table, warnings);
+      } else if (whole_study_) {
+        file->append(packaged(inputs, output, shown, older_bytes, warnings));
+      } else if (output_.output == "-") {
+        file->append(cells_geojson(output, "standard output", warnings));
+      } else {
+        append_files(outputs, *file, cells_files(output, output_.output, warnings, older_bytes));
+      }
+      const std::string name = table ? table->name() : output_.output;
+      warn_of_new_names(output, name == "-" ? "standard output" : name, warnings);
+      warn_of_own_coordinates(inputs, name, warnings);
+    }
+    dual.write(inputs, study_, shown, view_.units, static_cast<unsigned>(common_.threads),
+               warnings);
+    outputs.commit();
+  }
+  bool quiet() const override { return common_.quiet; }
+
+ private:
+  void check_study() const {
+    if (whole_study_ && (!writes_cells() || extension_of(output_.output) != "gpkg")) {
       throw UsageError{"--study writes one GeoPackage, and the output is none",
                        "-o study.gpkg names one"};
     }
@@ -70,44 +121,17 @@ class CellsCommand : public Command {
       throw UsageError{"--interval is about rainfall, and there is no RAINFALL", ""};
   }
 
-  void run(Warnings& warnings) override {
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
-    const bool to_stream = output_.output == "-";
-    std::optional<DatabaseTable> table;
-    if (output_.is_database()) {
-      table.emplace(output_.table());
-    } else if (!to_stream) {
-      require_cells_format(output_.output);
-    }
-    OutputFile& file = table ? table->rows() : outputs.add(output_.output);
-    const std::unique_ptr<GeoPackageCopy> older = older_layers(output_.output);
-    Inputs inputs(study_, view_.margin, common_.threads, warnings);
-    if (!rainfall_.given()) note_whole_network(inputs, warnings);
-    const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
-    const GaugeReadings* shown = readings ? &*readings : nullptr;
-    if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
-    const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
-    CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
-    if (shown != nullptr && holds_colours(output_.output))
-      output.colours = colours_of(inputs, output, *shown);
-    const std::string name = table ? table->name() : to_stream ? "standard output" : output_.output;
-    if (table) {
-      cells_table(output, *table, warnings);
-    } else if (whole_study_) {
-      file.append(packaged(inputs, output, shown, older ? older->bytes() : "", warnings));
-    } else if (to_stream) {
-      file.append(cells_geojson(output, "standard output", warnings));
-    } else {
-      append_files(outputs, file,
-                   cells_files(output, output_.output, warnings, older ? older->bytes() : ""));
-    }
-    warn_of_new_names(output, name, warnings);
-    warn_of_own_coordinates(inputs, table ? name : output_.output, warnings);
-    outputs.commit();
+  /// Cells are what the command is for; where other outputs are asked for and they are not, they
+  /// are left out.
+  bool writes_cells() const {
+    return !dual_.takes_place_of_cells() && (output_.is_given() || !dual_.any());
   }
-  bool quiet() const override { return common_.quiet; }
+  OutputFile& opened(Outputs& outputs, std::optional<DatabaseTable>& table) const {
+    if (table) return table->rows();
+    if (output_.output != "-") require_cells_format(output_.output);
+    return outputs.add(output_.output);
+  }
 
- private:
   std::string packaged(const Inputs& inputs, const CellsOutput& output,
                        const GaugeReadings* readings, const std::string& older,
                        Warnings& warnings) const {
@@ -141,6 +165,7 @@ class CellsCommand : public Command {
   IsohyetOptions isohyets_;
   bool whole_study_ = false;
   OutputOptions output_;
+  DualOptions dual_;
   CommonOptions common_;
 };
 

@@ -9,17 +9,6 @@
 #include "cli/options/usage_error.h"
 
 namespace thiessen::cli {
-namespace {
-
-void require_file(const std::string& path) {
-  if (!is_database(path)) return;
-  throw Error(
-      {without_password(path), 0, "this output is a file, and that is a database",
-       "cells, weights and rain write into a database; a .gpkg or a .sql can be brought into "
-       "one"});
-}
-
-}  // namespace
 
 void OutputOptions::declare(OptionList& options, Need need, const std::string& kind,
                             const std::string& help) {
@@ -43,7 +32,9 @@ void OutputOptions::declare_folder(OptionList& options, const std::string& help)
 void OutputOptions::declare_value(OptionList& options, Need need, OptionValue value,
                                   const std::string& help) {
   OptionGroup group = options.group("Output", *this);
-  group.add("-o,--output", std::move(value), help).need = need;
+  Option& option = group.add("-o,--output", std::move(value), help);
+  option.need = need;
+  output_option_ = &option;
   group.add("--overwrite", flag(overwrite_),
             "replace an output that exists; else that is an error");
 }
@@ -76,12 +67,20 @@ void OutputOptions::check() const {
 }
 
 OutputRules OutputOptions::rules(std::vector<std::string> inputs) const {
-  if (!is_database()) require_file(output);
+  if (!is_database()) require_output_file(output);
   return {overwrite_, std::move(inputs)};
 }
 
+void require_output_file(const std::string& path) {
+  if (!is_database(path)) return;
+  throw Error(
+      {without_password(path), 0, "this output is a file, and that is a database",
+       "cells, weights and rain write into a database; a .gpkg or a .sql can be brought into "
+       "one"});
+}
+
 void require_table_name(const std::string& path) {
-  require_file(path);
+  require_output_file(path);
   const std::string name = name_in_folder(path);
   const std::size_t dot = name.rfind('.');
   const std::string extension =

@@ -28,6 +28,8 @@ class OutputOptions : public OptionBlock {
   /// output is none.
   void check() const;
   bool overwrites() const { return overwrite_; }
+  /// Whether the command line says where the results go.
+  bool is_given() const { return output_option_->is_given(); }
   /// Whether the output is a table in a database.
   bool is_database() const { return table_option_ != nullptr && thiessen::is_database(output); }
   DatabaseTarget table() const { return {output, table_, overwrite_}; }
@@ -41,9 +43,13 @@ class OutputOptions : public OptionBlock {
 
   bool overwrite_ = false;
   std::string table_;
+  const Option* output_option_ = nullptr;
   const Option* table_option_ = nullptr;
   bool append_ = false;
 };
+
+/// Requires an output that is a file, and no database. Throws Error, with a hint.
+void require_output_file(const std::string& path);
 
 /// Requires the name of a table: .csv, .txt or no extension, so that no table stands under the name
 /// of another format. Throws Error, with the list.

@@ -14,6 +14,16 @@ TEST(CellsCommand, DeclaresOptionsUnderTheirHeadings) {
   EXPECT_EQ(group_of("cells", "--attributes"), "Output");
 }
 
+TEST(CellsCommand, WritesTrianglesAndNeighboursBesideTheCellsOrInTheirPlace) {
+  EXPECT_EQ(group_of("cells", "--delaunay"), "Output");
+  EXPECT_EQ(group_of("cells", "--neighbours"), "Output");
+  EXPECT_EQ(refusal({"cells", "s", "--delaunay", "t.geojson", "--neighbours", "-"}), "");
+  EXPECT_EQ(refusal({"cells", "s", "--delaunay", "--neighbours", "-"}),
+            "two outputs cannot both be the standard output");
+  EXPECT_EQ(refusal({"cells", "s", "--delaunay", "-o", "t.gpkg", "--attributes"}),
+            "--attributes carries fields onto cells, and none are written");
+}
+
 TEST(CellsCommand, ShowsATimeOfRainfallOnly) {
   EXPECT_EQ(refusal({"cells", "s", "b", "--time", "2013"}), "--time needs RAINFALL");
   EXPECT_EQ(refusal({"cells", "s", "b", "r", "--time", "2013"}), "");
