@@ -70,13 +70,12 @@ void DualFiles::write(const Inputs& inputs, const StudyOptions& study,
       inputs.network(), readings == nullptr ? inputs.all_report() : readings->reports(),
       inputs.weighing().yardstick(), threads);
   if (dual.left_out > 0) {
-    warnings.add_notice({"",
-                         0,
-                         std::to_string(dual.left_out) +
-                             (dual.left_out == 1 ? " station shares" : " stations share") +
-                             " a place with one before it in the file, which stands for both in "
-                             "triangles and among neighbours",
-                         {}});
+    const std::string share =
+        dual.left_out == 1
+            ? "1 station shares a place with one before it in the file, which stands for both"
+            : std::to_string(dual.left_out) +
+                  " stations share a place with one before them in the file, which stands for all";
+    warnings.add_notice({"", 0, share + " in triangles and among neighbours", {}});
   }
   if (borders_ != nullptr) write_borders(*borders_, inputs.network(), dual);
   if (triangles_ == nullptr) return;

@@ -110,9 +110,10 @@ class GeodesicDual {
     }
     const GeodesicBisector bisector = vertices.edge(left, right);
     const auto [from, to] = vertices.angles(bisector, start, end);
-    borders.push_back(
-        {left, right,
-         border_length(bisector, {from, vertices.position(start)}, {to, vertices.position(end)})});
+    const double length =
+        border_length(bisector, {from, vertices.position(start)}, {to, vertices.position(end)});
+    // Each end is right to ten times the accuracy: what is shorter than that twice may be none.
+    if (length > 20 * accuracy_) borders.push_back({left, right, length});
   }
 
   std::span<const Point> places_;

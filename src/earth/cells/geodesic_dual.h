@@ -10,7 +10,8 @@ namespace thiessen {
 /// The dual of geodesic_diagram's cells, of the whole Earth: no border is without end, and those of
 /// the outermost places of a network lead round to its far side. Borders are in metres, along the
 /// curve of equal geodesic distances. Where vertices are one in geodesic_diagram, because distances
-/// cannot tell them apart, the border between them has no length and is left out.
+/// cannot tell them apart, the border between them has no length and is left out; so is one of up
+/// to twenty times the accuracy, which may be none: its ends are right to ten times as much each.
 ///
 /// A triangle has its corners counter-clockwise, seen from above. Three places that make one only
 /// if it is turned over, because their cells meet on the far side of the Earth, make none, and

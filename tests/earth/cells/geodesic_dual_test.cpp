@@ -97,6 +97,24 @@ TEST(GeodesicDual, of_a_region_covers_its_hull_once) {
   for (const Pair& side : sides_of(dual.triangles)) EXPECT_TRUE(lengths_of(dual).contains(side));
 }
 
+// By symmetry the corners of a lattice's squares lie on one circle each: those across from each
+// other only touch.
+TEST(GeodesicDual, of_a_lattice_has_no_borders_across) {
+  std::vector<Point> places;
+  for (int i = 0; i < 100; ++i) places.push_back({10 + 0.1 * (i % 10), 47 + 0.1 * (i / 10)});
+  std::size_t beside = 0;
+  for (const auto& [pair, length] : lengths_of(geodesic_dual(places, accuracy, 1))) {
+    EXPECT_GT(length, 20 * accuracy);
+    const std::size_t columns = pair.second % 10 > pair.first % 10
+                                    ? pair.second % 10 - pair.first % 10
+                                    : pair.first % 10 - pair.second % 10;
+    const std::size_t rows = pair.second / 10 - pair.first / 10;
+    EXPECT_FALSE(columns == 1 && rows == 1) << pair.first << ' ' << pair.second << ' ' << length;
+    if (columns + rows == 1) ++beside;
+  }
+  EXPECT_EQ(beside, 180U);
+}
+
 TEST(GeodesicDual, law_1_neighbours_all_over_the_earth_are_sides_of_triangles) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(5); ++round) {
