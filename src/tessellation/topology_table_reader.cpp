@@ -78,8 +78,9 @@ void TopologyTableReader<Dimension>::take_point(std::span<const std::string_view
                                                 std::size_t line) {
   CoordinatesIn<Dimension> at{};
   if (words.size() != 2 + at.size()) {
-    const std::string hint =
-        words.size() == 1 + at.size() + 2 && Dimension == 2 ? "--dim 3 is for points in space" : "";
+    const std::string hint = words.size() == 1 + at.size() + 2 && Dimension == 2
+                                 ? "a session in three dimensions takes points in space"
+                                 : "";
     return complain(line, "the line of a point is " + form_of_point(Dimension), hint);
   }
   const auto number = read_id(words[1]);

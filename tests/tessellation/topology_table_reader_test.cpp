@@ -61,7 +61,8 @@ TEST(TopologyTableReader, tells_every_bad_line) {
         "table.txt:8: a line begins with point or vertex, not with 'edge'",
         "table.txt:9: the line of a vertex is `vertex ID center X Y radius R forming F1 F2 F3 "
         "neighbors N1 N2 N3`",
-        "table.txt:10: no number of a point or a vertex: '0'", "--dim 3 is for points in space"})
+        "table.txt:10: no number of a point or a vertex: '0'",
+        "a session in three dimensions takes points in space"})
     EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
 }
 
