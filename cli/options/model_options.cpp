@@ -2,7 +2,7 @@
 
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
-#include "files/database/database_table.h"
+#include "files/database/postgres.h"
 
 namespace thiessen::cli {
 namespace {
