@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -64,6 +65,11 @@ bool names_a_file(const Option& option) {
   return option.value.completion != Completion::nothing;
 }
 
+/// Whether the option is given, and one that a study's file has.
+bool is_of_study(const Option& option) {
+  return option.is_given() && !never.contains(option.name) && !not_of_study.contains(option.name);
+}
+
 bool is_relative_file(const std::string& name) {
   return !name.empty() && name != "-" && !is_database(name) && fs::path(name).is_relative();
 }
@@ -115,10 +121,18 @@ bool is_plain_number(const Option& option, const std::string& text) {
   return number && text.find('.') != std::string::npos && shortest_text(number.value) == text;
 }
 
-/// Writes the options of a study, one on each line.
+/// The file's name without its folders; a database is none.
+std::string without_folders(const std::string& name) {
+  if (name == "-" || lower_case(name).starts_with("pg:")) return name;
+  const fs::path path = fs::path(name).lexically_normal();
+  return (path.has_filename() ? path : path.parent_path()).filename().string();
+}
+
+/// Writes the options of a study, one on each line: for the folder in which the text is to stand
+/// or, where there is none, without the folders of files.
 class StudyFileText {
  public:
-  StudyFileText(std::string file, fs::path folder, Warnings& warnings)
+  StudyFileText(std::string file, std::optional<fs::path> folder, Warnings& warnings)
       : file_(std::move(file)), folder_(std::move(folder)), warnings_(warnings) {}
 
   void add(const Option& option) {
@@ -148,7 +162,7 @@ class StudyFileText {
                        "PGPASSWORD or a .pgpass file gives it"});
         text = connection_without_password(text);
       }
-      text = seen_from(folder_, text);
+      text = folder_ ? seen_from(*folder_, text) : without_folders(text);
     }
     return find_invalid_utf8(text) ? "" : toml_text(text);
   }
@@ -159,7 +173,7 @@ class StudyFileText {
   }
 
   std::string file_;
-  fs::path folder_;
+  std::optional<fs::path> folder_;
   Warnings& warnings_;
   std::string text_;
 };
@@ -197,13 +211,30 @@ std::string study_file_text(const OptionList& options, const std::string& comman
                             const std::string& folder, Warnings& warnings) {
   StudyFileText text(folder + "/" + file_name, resolved(folder), warnings);
   for (const Option& option : options.options()) {
-    const bool is_left = never.contains(option.name) || not_of_study.contains(option.name);
-    if (option.is_given() && !is_left) text.add(option);
+    if (is_of_study(option)) text.add(option);
   }
   return std::string("# thiessen ") + version() + "\n# Computed again by: thiessen " + command +
          " --config " + file_name +
          " -o FOLDER\n# Relative names of files count from this file's folder.\n" +
          std::move(text).text();
+}
+
+std::string study_options_text(const OptionList& options) {
+  Warnings told;  // by the file that repeats the study
+  StudyFileText text(file_name, std::nullopt, told);
+  for (const Option& option : options.options()) {
+    if (is_of_study(option)) text.add(option);
+  }
+  return std::move(text).text();
+}
+
+std::vector<GivenFile> given_files(const OptionList& options) {
+  std::vector<GivenFile> files;
+  for (const Option& option : options.options()) {
+    if (!is_of_study(option) || !names_a_file(option)) continue;
+    for (const std::string& file : option.texts) files.push_back({key_of(option), file});
+  }
+  return files;
 }
 
 }  // namespace thiessen::cli

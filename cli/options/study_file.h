@@ -27,4 +27,17 @@ void take_study_file(OptionList& options, const std::string& path, Warnings& war
 std::string study_file_text(const OptionList& options, const std::string& command,
                             const std::string& folder, Warnings& warnings);
 
+/// The same options, a line each, for a reader: files are named without their folders, so that the
+/// text does not depend on where things lie.
+std::string study_options_text(const OptionList& options);
+
+/// A file that an option or argument names.
+struct GivenFile {
+  std::string option;  ///< as its key in a file of options: stations
+  std::string file;
+};
+
+/// The files that the options of the study name, in the options' order.
+std::vector<GivenFile> given_files(const OptionList& options);
+
 }  // namespace thiessen::cli

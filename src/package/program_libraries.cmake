@@ -3,7 +3,7 @@
 # program), which tells in thiessen_NOT_FOUND_MESSAGE what is missing.
 include(CMakeFindDependencyMacro)
 
-foreach(name GDAL PROJ EXPAT SQLite3 PostgreSQL ZLIB)
+foreach(name GDAL PROJ EXPAT SQLite3 PostgreSQL ZLIB OpenSSL)
   if(CMAKE_FIND_PACKAGE_NAME)
     find_dependency(${name})
   else()

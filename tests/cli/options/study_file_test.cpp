@@ -181,5 +181,20 @@ TEST(StudyFile, SaysWhatIsNotUtf8) {
   EXPECT_EQ(paint.warnings.messages().size(), 1u);
 }
 
+TEST(StudyFile, is_told_without_the_folders_of_files) {
+  Painting painting("");
+  const Arguments said =
+      parse_arguments({"paint", "some/where/a.csv", "/b/c.csv", "--width", "3", "-o", "x/y.png"},
+                      {&painting.options});
+  read_options(painting.options, said, painting.warnings);
+  EXPECT_EQ(study_options_text(painting.options),
+            "stations = \"a.csv\"\nrainfall = \"c.csv\"\nwidth = 3\n");
+  const std::vector<GivenFile> files = given_files(painting.options);
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].option, "stations");
+  EXPECT_EQ(files[0].file, "some/where/a.csv");
+  EXPECT_EQ(files[1].option, "rainfall");
+}
+
 }  // namespace
 }  // namespace thiessen::cli
