@@ -22,7 +22,9 @@
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/held_rain.h"
 #include "cli/outputs/picture_of.h"
+#include "cli/outputs/provenance_of.h"
 #include "cli/outputs/rain_table.h"
+#include "cli/outputs/report_of.h"
 #include "cli/outputs/study_package_of.h"
 #include "cli/outputs/summary.h"
 #include "cli/terminal/line_width.h"
@@ -54,8 +56,9 @@ class RunCommand : public Command {
   const char* name() const override { return "run"; }
   const char* description() const override {
     return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, summary.csv, "
-           "which is also printed, study.gpkg with all of it for a GIS, and the study.toml that "
-           "repeats it";
+           "which is also printed, report.html, a page with all of it for a browser, study.gpkg "
+           "for "
+           "a GIS, and the study.toml that repeats it";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "
@@ -81,6 +84,7 @@ class RunCommand : public Command {
     OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
     OutputFile& map_file = outputs.add(output_.output + "/map.png");
     OutputFile& summary_file = outputs.add(output_.output + "/summary.csv");
+    OutputFile& report_file = outputs.add(output_.output + "/report.html");
     OutputFile& package_file = outputs.add(output_.output + "/study.gpkg");
     outputs.add(output_.output + "/study.toml")
         .append(study_file_text(options(), name(), output_.output, warnings));
@@ -104,6 +108,7 @@ class RunCommand : public Command {
     MeanReadings means(inputs.network());
     MeanError error(rainfall, inputs.weighing());
     Summary summary(inputs, rainfall.full_weights());
+    StudyReport report(inputs);
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
@@ -116,6 +121,7 @@ class RunCommand : public Command {
             progress.advance();
             error.add(step.readings);
             summary.add(step);
+            report.add(step);
           });
     }
     series.finish(warnings);
@@ -149,6 +155,13 @@ class RunCommand : public Command {
     }
     package.layers.rain = held.take();
     package_file.append(study_package(std::move(package), package_file.name(), "", warnings));
+    report_file.append(report.page({.picture = &picture,
+                                    .summary = &summary,
+                                    .weights = &rainfall.full_weights(),
+                                    .options = &options(),
+                                    .made_by = provenance_of(inputs, study_, &mean, view_.units),
+                                    .unit = view_.units},
+                                   warnings));
     if (!common_.quiet) outputs.add("-").append(summary.text(view_.units, line_width()));
     outputs.commit();
   }

@@ -405,6 +405,23 @@ std::string formats_section() {
              "valid_range, valid_min or valid_max is missing, with a warning.");
 }
 
+std::string report_section() {
+  return ".SH THE PAGE OF A RUN\n" +
+         roff_paragraph(
+             "run writes report.html, one file that a browser opens without a server or a network: "
+             "the map with a slider over the time steps, in which colours are of one scale for all "
+             "steps (and for the means those of map.png); of each basin the steps as bars and "
+             "their sum with its 95 % bar; tables of basins, weights, silent gauges and influence; "
+             "what check says; version, options and the SHA-256 of each input file. It shows the "
+             "steps of RAINFALL, also where --every makes totals of them.") +
+         ".PP\n" +
+         roff_paragraph(
+             "A long series is thinned, which the page says: some steps are shown as one, with the "
+             "largest and the least value of each basin, and the map has the one with the most "
+             "rain over all gauges. Above a million readings by gauge the map shows the means "
+             "alone. rain.csv has all steps.");
+}
+
 std::string study_file_section() {
   return ".SH A STUDY AS A FILE\n" +
          roff_paragraph(
@@ -454,10 +471,10 @@ std::string examples_section(const Catalogue& commands) {
 
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
-         notes_sections(commands) + study_file_section() + csv_section() + files_section() +
-         feed_section() + database_section() + models_section() + times_section() +
-         units_section() + names_section() + formats_section() + status_section() +
-         examples_section(commands);
+         notes_sections(commands) + report_section() + study_file_section() + csv_section() +
+         files_section() + feed_section() + database_section() + models_section() +
+         times_section() + units_section() + names_section() + formats_section() +
+         status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli

@@ -32,14 +32,16 @@ class Summary {
   void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
   /// What it comes to, by basin.
   std::vector<BasinSummary> basins() const;
+  /// What the weights show.
+  const WeightFindings& findings() const { return findings_; }
+  /// What is to be said of it, in lines; empty where there is nothing.
+  std::string remarks() const;
   /// The same in lines of aligned columns, as wide as fitted() makes them for `width`, and what is
   /// to be said of it. Rainfall and errors have as many decimals as the errors tell them to; all
   /// digits are in summary.csv.
   std::string text(const std::string& units, std::size_t width) const;
 
  private:
-  std::string remarks() const;
-
   const Inputs& inputs_;
   const std::vector<BasinWeights>& weights_;
   WeightFindings findings_;

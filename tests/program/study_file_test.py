@@ -28,7 +28,8 @@ class StudyFile(ProgramTest):
                 file = self.run_into(f"a{number}", *TEXTBOOK, "--metric", "planar", "--title", title, "--size", "300")
                 self.assertEqual(tomllib.loads(file.read_text(encoding="utf-8"))["title"], title)
                 again = self.run_into(f"b{number}", "--config", file).parent
-                for name in ("cells.geojson", "weights.csv", "rain.csv", "map.png", "summary.csv", "study.gpkg", "study.toml"):
+                for name in ("cells.geojson", "weights.csv", "rain.csv", "map.png", "report.html", "summary.csv", "study.gpkg",
+                             "study.toml"):
                     self.assertEqual((again / name).read_bytes(), (file.parent / name).read_bytes(), name)
 
     def test_names_of_files_may_hold_anything_but_bytes_that_are_not_utf8(self):

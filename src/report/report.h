@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "map/sheet/picture.h"
+#include "report/thinned_series.h"
+#include "results/summary_file.h"
+
+namespace thiessen {
+
+/// All that the page of a study shows. Texts are UTF-8 and may hold anything.
+struct Report {
+  struct Weight {
+    std::string basin;
+    std::string station;
+    double area = 0;  ///< in the unit of the summary's areas
+    double weight = 0;
+  };
+  struct Input {
+    std::string role;    ///< such as stations
+    std::string name;    ///< of the file, without its folder
+    std::string sha256;  ///< in hexadecimal digits, or why there is none
+  };
+
+  /// The map: cells with the rainfall that it shows at first, basins, gauges. A cell's gauge is one
+  /// of the network's, which come first.
+  const Picture* picture = nullptr;
+  std::string unit;
+  bool is_area_known = true;        ///< whether areas are in km2
+  std::size_t network = 0;          ///< how many of the picture's gauges are the network's
+  std::vector<std::size_t> places;  ///< by gauge of the network: its place
+  std::vector<BasinSummary> basins;
+  std::string remarks;  ///< what is to be said of the summary; lines
+  std::vector<Weight> weights;
+  const ThinnedSeries* series = nullptr;
+  std::vector<std::string> findings;  ///< texts of one line or of several aligned ones
+  std::vector<std::pair<std::string, std::string>> made_by;  ///< names and values
+  std::string options;                                       ///< lines
+  std::vector<Input> inputs;
+};
+
+/// The page: one file of HTML with all that it needs in it, which asks no network for anything. No
+/// text of the inputs becomes markup. The same report gives the same bytes. Cost: linear in the
+/// vertices, the weights and the series that it holds.
+std::string report_page(const Report& report);
+
+}  // namespace thiessen
