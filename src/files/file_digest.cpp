@@ -86,6 +86,7 @@ std::vector<FileDigest> digests_of(const std::string& input) {
     return {{"", "none: it is no plain file"}};
   }
   std::vector<FileDigest> digests;
+  digests.reserve(files.size());
   for (const fs::path& file : files) digests.push_back({file.filename().string(), sha256_of(file)});
   return digests;
 }
