@@ -211,11 +211,16 @@
   }
   const pan = (x, y) => { dragged = true; setBox(box[0] + x * box[2], box[1] + y * box[3], box[2]); dragged = false; };
 
+  const unitsPerPixel = (frame) => Math.max(box[2] / frame.width, box[3] / frame.height);
+
   map.addEventListener("wheel", (event) => {
     if (event.deltaY > 0 && box[2] === whole[2]) return;  // the page scrolls on
     event.preventDefault();
+    // The map stands in the middle of its frame where their shapes differ.
     const frame = map.getBoundingClientRect();
-    zoom(event.deltaY > 0 ? 1.25 : .8, (event.clientX - frame.left) / frame.width, (event.clientY - frame.top) / frame.height);
+    const units = unitsPerPixel(frame);
+    zoom(event.deltaY > 0 ? 1.25 : .8, .5 + (event.clientX - frame.left - frame.width / 2) * units / box[2],
+         .5 + (event.clientY - frame.top - frame.height / 2) * units / box[3]);
   }, {passive: false});
   let grip = null;
   map.addEventListener("pointerdown", (event) => {
@@ -228,8 +233,8 @@
     if (!dragged && Math.hypot(x, y) < 4) return;
     dragged = true;
     map.classList.add("dragged");
-    const unitsPerPixel = Math.max(box[2] / frame.width, box[3] / frame.height);
-    setBox(grip.box[0] - x * unitsPerPixel, grip.box[1] - y * unitsPerPixel, box[2]);
+    const units = unitsPerPixel(frame);
+    setBox(grip.box[0] - x * units, grip.box[1] - y * units, box[2]);
   });
   const letGo = () => {
     grip = null;
