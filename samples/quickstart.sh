@@ -32,6 +32,7 @@ say '   rain.csv        the rainfall of every county, month by month, in millime
 say '   weights.csv     the share of each gauge in each county'
 say '   study.gpkg      all of it, as QGIS opens it in colour'
 say '   cells.geojson   the Thiessen cells, for whatever reads GeoJSON'
+say '   report.html     all of it as a page for a browser'
 say '   map.png         a picture of them'
 say '   study.toml      what was asked; --config takes it'
 say 'Where the figures come from: samples/colorado/README.md'
