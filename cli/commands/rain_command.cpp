@@ -90,12 +90,9 @@ class RainCommand : public Command {
 
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
-    if (errors_) require_two_readings();
-    if (!output_.is_database() && !model_.is_named()) require_table_name(output_.output);
-    require_table_name(weights_log_);
+    require_what_is_asked_for();
     const bool is_fed = may_pass_on();
-    if (is_fed) rainfall_.want_steps_as_they_come();
-    if (is_fed && output_.appends()) rainfall_.want_steps_once();
+    if (is_fed) want_feed();
     const OutputRules rules =
         output_.rules(rainfall_.files_beside({study_.stations, study_.basins}));
     Outputs outputs(rules);
@@ -134,9 +131,8 @@ class RainCommand : public Command {
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
     SeriesWork work{threads()};
-    if (is_fed) {
-      work.when_handed_on = [&] { grown ? pass_on(*grown, warnings) : pass_on(*file, warnings); };
-    }
+    if (is_fed && grown) work.when_handed_on = [&] { pass_on(*grown, warnings); };
+    if (is_fed && !grown) work.when_handed_on = [&] { pass_on(*file, warnings); };
     for_each_step(
         *readings, *rainfall, work, [&](RainStep& step) { series->prepare(step); },
         [&](const RainStep& step) {
@@ -155,6 +151,17 @@ class RainCommand : public Command {
   bool quiet() const override { return common_.quiet; }
 
  private:
+  void require_what_is_asked_for() const {
+    if (errors_) require_two_readings();
+    if (!output_.is_database() && !model_.is_named()) require_table_name(output_.output);
+    require_table_name(weights_log_);
+  }
+
+  void want_feed() {
+    rainfall_.want_steps_as_they_come();
+    if (output_.appends()) rainfall_.want_steps_once();
+  }
+
   void declare_errors() {
     options().group("Method").add(
         "--error", flag(errors_),

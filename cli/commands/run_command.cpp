@@ -37,6 +37,47 @@
 namespace thiessen::cli {
 namespace {
 
+/// What a run gathers while the steps pass.
+class RunSeries {
+ public:
+  RunSeries(const Inputs& inputs, const ArealRainfall& rainfall, RainTable& table)
+      : means(inputs.network()),
+        summary(inputs, rainfall.full_weights()),
+        report(inputs),
+        rainfall_(rainfall),
+        table_(table),
+        error_(rainfall, inputs.weighing()) {
+    table.tell(
+        [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
+  }
+  RunSeries(const RunSeries&) = delete;
+  RunSeries& operator=(const RunSeries&) = delete;
+
+  void add(const RainStep& step) {
+    table_.add(step);
+    means.add(step.readings);
+    means.note(step.time, calendar_time(step.time, step.written));
+    error_.add(step.readings);
+    summary.add(step);
+    report.add(step);
+  }
+  void finish(unsigned threads) {
+    if (rainfall_.leaves_silent_out()) summary.find_most_influential(rainfall_, threads);
+    std::vector<double> errors = error_.result(threads);
+    summary.set_errors_of_mean(std::move(errors), error_.shortfall());
+  }
+
+  HeldRain held;
+  MeanReadings means;
+  Summary summary;
+  StudyReport report;
+
+ private:
+  const ArealRainfall& rainfall_;
+  RainTable& table_;
+  MeanError error_;
+};
+
 class RunCommand : public Command {
  public:
   RunCommand() {
@@ -74,20 +115,10 @@ class RunCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    const unsigned threads = static_cast<unsigned>(common_.threads);
     const std::optional<StepTimes> times = periods_.times();
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
-    outputs.make_folder(output_.output);
-    OutputFile& cells_file = outputs.add(output_.output + "/cells.geojson");
-    OutputFile& weights_file = outputs.add(output_.output + "/weights.csv");
-    OutputFile& rain_file = outputs.add(output_.output + "/rain.csv");
-    OutputFile& map_file = outputs.add(output_.output + "/map.png");
-    OutputFile& summary_file = outputs.add(output_.output + "/summary.csv");
-    OutputFile& report_file = outputs.add(output_.output + "/report.html");
-    OutputFile& package_file = outputs.add(output_.output + "/study.gpkg");
-    outputs.add(output_.output + "/study.toml")
-        .append(study_file_text(options(), name(), output_.output, warnings));
+    const Files files = open_files(outputs, warnings);
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
@@ -96,78 +127,94 @@ class RunCommand : public Command {
         unit_shown(readings->unit(), view_.units, view_.are_units_given(), rainfall_.name());
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
-    const ArealRainfall rainfall(inputs.weighing(), settings, threads);
-    write_weights(weights_file, inputs.weighing(), rainfall.full_weights(), inputs.area_unit());
+    const ArealRainfall rainfall(inputs.weighing(), settings, threads());
+    write_weights(files.weights, inputs.weighing(), rainfall.full_weights(), inputs.area_unit());
 
     std::optional<Totalling> totalling = periods_.totalling();
     if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, view_.units, warnings);
-    RainTable series(rain_file, inputs.basins(), format_.format(), totalling, rainfall_.name());
-    HeldRain held;
-    series.tell(
-        [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
-    MeanReadings means(inputs.network());
-    MeanError error(rainfall, inputs.weighing());
-    Summary summary(inputs, rainfall.full_weights());
-    StudyReport report(inputs);
+    RainTable table(files.rain, inputs.basins(), format_.format(), totalling, rainfall_.name());
+    RunSeries series(inputs, rainfall, table);
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
       for_each_step(
-          *readings, rainfall, {threads}, [&](RainStep& step) { series.prepare(step); },
+          *readings, rainfall, {threads()}, [&](RainStep& step) { table.prepare(step); },
           [&](const RainStep& step) {
             series.add(step);
-            means.add(step.readings);
-            means.note(step.time, calendar_time(step.time, step.written));
             progress.advance();
-            error.add(step.readings);
-            summary.add(step);
-            report.add(step);
           });
     }
-    series.finish(warnings);
-    GaugeReadings mean = means.of_all();
+    table.finish(warnings);
+    series.finish(threads());
+    write_summary(files.summary, series.summary.basins(), inputs.area_unit());
+    write_maps(files, inputs, rainfall, series, warnings);
+    if (!common_.quiet) outputs.add("-").append(series.summary.text(view_.units, line_width()));
+    outputs.commit();
+  }
+  bool quiet() const override { return common_.quiet; }
+
+ private:
+  struct Files {
+    OutputFile& cells;
+    OutputFile& weights;
+    OutputFile& rain;
+    OutputFile& map;
+    OutputFile& summary;
+    OutputFile& report;
+    OutputFile& package;
+  };
+
+  unsigned threads() const { return static_cast<unsigned>(common_.threads); }
+
+  Files open_files(Outputs& outputs, Warnings& warnings) const {
+    outputs.make_folder(output_.output);
+    const auto add = [&](const char* name) -> OutputFile& {
+      return outputs.add(output_.output + name);
+    };
+    add("/study.toml").append(study_file_text(options(), name(), output_.output, warnings));
+    return {add("/cells.geojson"), add("/weights.csv"), add("/rain.csv"),  add("/map.png"),
+            add("/summary.csv"),   add("/report.html"), add("/study.gpkg")};
+  }
+
+  /// Writes what shows the gauges' means: cells, the picture, the page, and the study in one file.
+  void write_maps(const Files& files, const Inputs& inputs, const ArealRainfall& rainfall,
+                  RunSeries& series, Warnings& warnings) const {
+    GaugeReadings mean = series.means.of_all();
     if (rainfall_.is_event()) mean.label = rainfall_.event();
-    if (rainfall.leaves_silent_out()) summary.find_most_influential(rainfall, threads);
-    std::vector<double> errors = error.result(threads);
-    summary.set_errors_of_mean(std::move(errors), error.shortfall());
-    write_summary(summary_file, summary.basins(), inputs.area_unit());
-    const auto cells = cells_of_network(inputs, threads);
+    const auto cells = cells_of_network(inputs, threads());
     CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);
-    cells_file.append(cells_geojson(output, cells_file.name(), warnings));
-    warn_of_new_names(output, cells_file.name(), warnings);
-    warn_of_own_coordinates(inputs, cells_file.name(), warnings);
+    files.cells.append(cells_geojson(output, files.cells.name(), warnings));
+    warn_of_new_names(output, files.cells.name(), warnings);
+    warn_of_own_coordinates(inputs, files.cells.name(), warnings);
     const Picture picture = picture_of(inputs, cells, &mean, study_, view_);
-    map_file.append(encode_picture(picture, PictureFormat::png, warnings));
+    files.map.append(encode_picture(picture, PictureFormat::png, warnings));
     StudyPackage package = study_package_of(inputs, std::move(output),
                                             {.readings = &mean,
                                              .weights = &rainfall.full_weights(),
                                              .classes = classes_of(picture),
                                              .unit = view_.units,
                                              .interval = isohyets_.interval,
-                                             .threads = threads});
-    package.layers.basins = summary.basins();
+                                             .threads = threads()});
+    package.layers.basins = series.summary.basins();
     package.layers.has_series = true;
-    if (held.is_too_long()) {
-      warnings.add_notice({package_file.name(), 0,
+    if (series.held.is_too_long()) {
+      warnings.add_notice({files.package.name(), 0,
                            "it has no table of the rainfall, which is of more than a million "
                            "values; rain.csv has them",
                            ""});
     }
-    package.layers.rain = held.take();
-    package_file.append(study_package(std::move(package), package_file.name(), "", warnings));
-    report_file.append(report.page({.picture = &picture,
-                                    .summary = &summary,
-                                    .weights = &rainfall.full_weights(),
-                                    .options = &options(),
-                                    .made_by = provenance_of(inputs, study_, &mean, view_.units),
-                                    .unit = view_.units},
-                                   warnings));
-    if (!common_.quiet) outputs.add("-").append(summary.text(view_.units, line_width()));
-    outputs.commit();
+    package.layers.rain = series.held.take();
+    files.package.append(study_package(std::move(package), files.package.name(), "", warnings));
+    files.report.append(
+        series.report.page({.picture = &picture,
+                            .summary = &series.summary,
+                            .weights = &rainfall.full_weights(),
+                            .options = &options(),
+                            .made_by = provenance_of(inputs, study_, &mean, view_.units),
+                            .unit = view_.units},
+                           warnings));
   }
-  bool quiet() const override { return common_.quiet; }
 
- private:
   StudyOptions study_;
   RainfallOptions rainfall_;
   GapOptions gaps_;

@@ -115,6 +115,7 @@ std::vector<PictureBand> bands_beyond(const Picture& map, const RainfallClasses&
     band.shape.insert(band.shape.end(), cell.shape.begin(), cell.shape.end());
   }
   std::vector<PictureBand> bands;
+  bands.reserve(by_class.size());
   for (auto& [number, band] : by_class) bands.push_back(std::move(band));
   return bands;
 }

@@ -167,7 +167,8 @@ class SessionInterpreter : public Interpreter {
                              ? "its vertices are numbered anew, for their numbers are too large"
                              : "its vertices are passed over, for there were points before");
     }
-    return restored;
+    const Added& added = restored;
+    return added;
   }
   void warn(const std::string& file, const std::string& text) {
     surroundings_.warnings.add({file, 0, text, {}});

@@ -274,7 +274,7 @@ std::string NetcdfTimes::text_of(double time) const {
   const bool midnights = reads_bounds_ ? begin_at_midnight_ : are_midnights_;
   if (unit_.is_in_days() && midnights && stamp_ != Stamp::end)
     return time_text(moment, TimePrecision::day);
-  const std::string text = time_text(moment, TimePrecision::instant);
+  std::string text = time_text(moment, TimePrecision::instant);
   if (!unit_.ahead_of_utc) return text;
   IsoTime zoned = parse_iso_time(text).time;
   zoned.ahead_of_utc = unit_.ahead_of_utc;
