@@ -44,12 +44,11 @@ TEST(Summary, tells_of_each_basin_what_the_series_comes_to) {
   EXPECT_EQ(found.empty_steps, 1U);
   EXPECT_EQ(found.most_influential, "B");
   EXPECT_NEAR(found.influence, 9.4868, 1e-4);
-  EXPECT_EQ(
-      summary.text("mm", 80),
-      "              gauges                   std.                  most\n"
-      "              inside  largest   mean  error  largest  empty  influential  moves\n"
-      "basin   area  / used   weight     mm     mm       mm  steps  gauge        it mm\n"
-      "Q      40.00   2 / 2    0.600  17.00   0.50    18.00      1  B              9.5\n");
+  EXPECT_EQ(summary.text("mm", 80),
+            "              gauges                   std.                  most\n"
+            "              inside  largest   mean  error  largest  empty  influential  moves\n"
+            "basin   area  / used   weight     mm     mm       mm  steps  gauge        it mm\n"
+            "Q      40.00   2 / 2    0.600  17.00   0.50    18.00      1  B              9.5\n");
 }
 
 TEST(Summary, leaves_out_what_there_is_none_of) {
