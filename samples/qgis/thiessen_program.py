@@ -46,7 +46,8 @@ def _tell(line, feedback, errors):
 
 
 def run(arguments, feedback):
-    """Runs the program; its messages and its progress are shown, Cancel ends it as Ctrl-C does."""
+    """Runs the program; its messages and its progress are shown, Cancel ends it as Ctrl-C does, but by
+    a signal that is heard in a QGIS from a script, too, whose programs may not hear Ctrl-C."""
     command = [program(), *arguments]
     feedback.pushCommandInfo(" ".join(command))
     # The program shows its progress on a terminal alone, so its messages go through one.
@@ -57,7 +58,7 @@ def run(arguments, feedback):
         rest = ""
         while True:
             if feedback.isCanceled():
-                process.send_signal(signal.SIGINT)
+                process.terminate()
             # A program that is silent, as one that waits for its input, hears of Cancel too.
             if not select.select([ours], [], [], 0.2)[0]:
                 continue
@@ -72,7 +73,7 @@ def run(arguments, feedback):
                 _tell(line, feedback, errors)
         _tell(rest, feedback, errors)
     os.close(ours)
-    if process.returncode == 130:
+    if process.returncode == 128 + signal.SIGTERM:
         raise QgsProcessingException("interrupted")
     if process.returncode != 0:
         raise QgsProcessingException("\n".join(errors) or f"thiessen ended with {process.returncode}")

@@ -135,7 +135,9 @@ def test_what_progress_throws_ends_the_call():
 
 
 INTERRUPTED = """
+import signal
 import sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a program in the background ignores it
 sys.path.insert(0, sys.argv[1])
 from test_calls import many_readings
 study, readings = many_readings()
