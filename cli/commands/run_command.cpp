@@ -26,7 +26,7 @@
 #include "cli/outputs/rain_table.h"
 #include "cli/outputs/report_of.h"
 #include "cli/outputs/study_package_of.h"
-#include "cli/outputs/summary.h"
+#include "cli/summary/summary.h"
 #include "cli/terminal/line_width.h"
 #include "cli/terminal/progress.h"
 #include "rainfall/errors/mean_error.h"

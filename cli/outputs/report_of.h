@@ -6,7 +6,7 @@
 #include "cli/inputs/inputs.h"
 #include "cli/options/option_list.h"
 #include "cli/outputs/check_report.h"
-#include "cli/outputs/summary.h"
+#include "cli/summary/summary.h"
 #include "map/sheet/picture.h"
 #include "rainfall/series/gauge_readings.h"
 #include "rainfall/series/rain_series.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/outputs/fitted_table.h"
+#include "cli/summary/fitted_table.h"
 #include "results/summary_file.h"
 
 namespace thiessen::cli {

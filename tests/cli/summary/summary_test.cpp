@@ -1,4 +1,4 @@
-#include "cli/outputs/summary.h"
+#include "cli/summary/summary.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "cli/outputs/summary.h"
+#include "cli/summary/summary.h"
 
 #include <cmath>
 
 #include "base/error.h"
-#include "cli/outputs/fitted_table.h"
-#include "cli/outputs/summary_columns.h"
+#include "cli/summary/fitted_table.h"
+#include "cli/summary/summary_columns.h"
 #include "rainfall/influence/search_budget.h"
 
 namespace thiessen::cli {

@@ -1,4 +1,4 @@
-#include "cli/outputs/summary_columns.h"
+#include "cli/summary/summary_columns.h"
 
 #include <gtest/gtest.h>
 

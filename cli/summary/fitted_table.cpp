@@ -1,4 +1,4 @@
-#include "cli/outputs/fitted_table.h"
+#include "cli/summary/fitted_table.h"
 
 #include <algorithm>
 #include <array>
