@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -31,6 +32,12 @@ std::string roff_character(std::string_view letter) {
 }
 
 }  // namespace
+
+std::string as_sentence(std::string text) {
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (!text.ends_with('.')) text += '.';
+  return text;
+}
 
 std::string roff_phrase(std::string_view text) {
   std::string escaped;

@@ -9,6 +9,10 @@ namespace thiessen::cli {
 /// Text in the language of man(7): anything in it that would be a command to the formatter is
 /// escaped.
 
+/// A text as a sentence: it begins with a capital, of A to Z, and ends in a full stop. Requires a
+/// text. Nothing is escaped.
+std::string as_sentence(std::string text);
+
 /// A phrase within a line. Backslashes are escaped, and dashes become minus signs, so that what is
 /// copied from the page can be typed.
 std::string roff_phrase(std::string_view text);

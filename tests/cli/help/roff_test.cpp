@@ -7,6 +7,11 @@
 namespace thiessen::cli {
 namespace {
 
+TEST(Roff, a_sentence_begins_with_a_capital_and_ends_in_one_full_stop) {
+  EXPECT_EQ(as_sentence("the weights table"), "The weights table.");
+  EXPECT_EQ(as_sentence("Rain."), "Rain.");
+}
+
 TEST(Roff, EscapesWhatTheFormatterReads) {
   EXPECT_EQ(roff_phrase("--a\\b"), "\\-\\-a\\eb");
   EXPECT_EQ(roff_paragraph(".dly and 'with'"), "\\&.dly and 'with'\n");
