@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "diagram/plane_centres.h"
+#include "diagram/plane_sides.h"
 #include "tessellation/tessellation.h"
 
 namespace thiessen {
@@ -99,17 +101,10 @@ class PlaneDiagramBuilder {
   }
 
   void add_edges() {
-    topology().for_each_vertex([&](VertexId v) {
-      for (std::size_t side = 0; side < 3; ++side) {
-        const VertexId w = topology().neighbour(v, side);
-        if (w < v) continue;
-        const PointId a = topology().forming(v)[(side + 1) % 3];
-        const PointId b = topology().forming(v)[(side + 2) % 3];
-        // The vertex v lies to the left of a→b, so the edge runs from w's centre to v's.
-        if (a == infinite_point || b == infinite_point) continue;
-        add_neighbours(a, b);
-        add_edge(a, b, w, v);
-      }
+    // The edge runs from the centre on the right of a→b to that on the left.
+    for_each_joined_pair(topology(), [&](PointId a, PointId b, VertexId v, std::size_t side) {
+      add_neighbours(a, b);
+      add_edge(a, b, topology().neighbour(v, side), v);
     });
   }
 

@@ -8,6 +8,7 @@
 
 #include "base/interrupt.h"
 #include "diagram/plane_centres.h"
+#include "diagram/plane_sides.h"
 #include "geometry/voronoi_measures.h"
 #include "tessellation/tessellation.h"
 
@@ -55,22 +56,16 @@ class PlaneDual {
 
   void add_borders() {
     PlaneCentres centres(tessellation_);
-    topology().for_each_vertex([&](VertexId v) {
+    for_each_joined_pair(topology(), [&](PointId a, PointId b, VertexId v, std::size_t side) {
       throw_if_interrupted();
-      for (std::size_t side = 0; side < 3; ++side) {
-        const VertexId w = topology().neighbour(v, side);
-        if (w < v) continue;
-        const PointId a = topology().forming(v)[(side + 1) % 3];
-        const PointId b = topology().forming(v)[(side + 2) % 3];
-        if (a == infinite_point || b == infinite_point) continue;
-        if (topology().is_infinite(v) || topology().is_infinite(w)) {
-          add_border(a, b, infinity);
-        } else if (centres.group_of(v) != centres.group_of(w)) {
-          const PointId across = topology().forming(w)[topology().side_towards(w, v)];
-          add_border(a, b,
-                     length(position(a), position(b), position(topology().forming(v)[side]),
-                            position(across)));
-        }
+      const VertexId w = topology().neighbour(v, side);
+      if (topology().is_infinite(v) || topology().is_infinite(w)) {
+        add_border(a, b, infinity);
+      } else if (centres.group_of(v) != centres.group_of(w)) {
+        const PointId across = topology().forming(w)[topology().side_towards(w, v)];
+        add_border(a, b,
+                   length(position(a), position(b), position(topology().forming(v)[side]),
+                          position(across)));
       }
     });
   }

@@ -46,6 +46,15 @@ class CellMesh {
     return {corners_[first], corners_[first + 1], corners_[first + 2]};
   }
 
+  /// Calls visit(s) for each edge once: for the one of its two sides that has the lower number,
+  /// where that lies from `first` up to, and without, `end`.
+  template <typename Visit>
+  void for_each_edge(std::uint32_t first, std::uint32_t end, Visit&& visit) const {
+    for (std::uint32_t i = first; i < end; ++i) {
+      if (SideIndex{i} < twin(SideIndex{i})) visit(SideIndex{i});
+    }
+  }
+
   /// Puts the other diagonal into the quadrilateral of the side's two triangles. Requires that
   /// their apexes are different places.
   void flip(SideIndex s);

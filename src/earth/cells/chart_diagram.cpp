@@ -46,9 +46,7 @@ class ChartDiagramBuilder {
 
   Diagram build() && {
     const CellMesh& mesh = vertices_.mesh();
-    for (std::uint32_t i = 0; i < mesh.sides(); ++i) {
-      if (SideIndex{i} < mesh.twin(SideIndex{i})) add_edge(SideIndex{i});
-    }
+    mesh.for_each_edge(0, mesh.sides(), [this](SideIndex s) { add_edge(s); });
     vertices_.for_each_neighbours(
         [this](PlaceIndex a, PlaceIndex b) { diagram_.neighbours.emplace_back(a, b); });
     return std::move(diagram_);
@@ -71,21 +69,10 @@ class ChartDiagramBuilder {
     double farthest = 0;  ///< metres
   };
 
-  // The edge runs from the vertex on the right of the way between the two places to the vertex on
-  // the left.
   void add_edge(SideIndex s) {
-    const CellMesh& mesh = vertices_.mesh();
-    std::uint32_t start = vertices_.group_of(CellMesh::triangle_of(mesh.twin(s)));
-    std::uint32_t end = vertices_.group_of(CellMesh::triangle_of(s));
-    if (start == end) return;
-    PlaceIndex left = mesh.from(s);
-    PlaceIndex right = mesh.to(s);
-    // Both directions of an edge are computed as one, so that rounding is the same for any order of
-    // places.
-    if (places_[index(right)] < places_[index(left)]) {
-      std::swap(left, right);
-      std::swap(start, end);
-    }
+    const auto border = vertices_.border(s);
+    if (!border) return;
+    const auto& [left, right, start, end] = *border;
     const GeodesicBisector edge = vertices_.edge(left, right);
     const auto [from, to] = vertices_.angles(edge, start, end);
     End first{from, start, vertices_.is_exact(start)};

@@ -99,30 +99,17 @@ class GeodesicDiagramBuilder {
     in_parallel(pieces, threads_, [&](std::size_t, std::size_t piece) {
       const auto first = static_cast<std::uint32_t>(piece * sides_a_piece);
       const std::uint32_t end = std::min(mesh.sides(), first + sides_a_piece);
-      for (std::uint32_t s = first; s < end; ++s) {
-        if (SideIndex{s} < mesh.twin(SideIndex{s}))
-          draw_edge(vertices, node, SideIndex{s}, drawings[piece]);
-      }
+      mesh.for_each_edge(first, end,
+                         [&](SideIndex s) { draw_edge(vertices, node, s, drawings[piece]); });
     });
     for (const EdgeDrawing& drawing : drawings) drawing.add_to(diagram_);
   }
 
-  // The edge runs from the vertex on the right of the way between the two places to the vertex on
-  // the left.
   void draw_edge(const GeodesicVertices& vertices, const std::vector<std::uint32_t>& node,
                  SideIndex s, EdgeDrawing& drawing) const {
-    const CellMesh& mesh = vertices.mesh();
-    std::uint32_t start = CellMesh::triangle_of(mesh.twin(s));
-    std::uint32_t end = CellMesh::triangle_of(s);
-    if (node[start] == node[end]) return;
-    PlaceIndex left = mesh.from(s);
-    PlaceIndex right = mesh.to(s);
-    // Both directions of an edge are drawn as one, so that rounding is the same for any order of
-    // places.
-    if (position(right) < position(left)) {
-      std::swap(left, right);
-      std::swap(start, end);
-    }
+    const auto border = vertices.border(s);
+    if (!border) return;
+    const auto& [left, right, start, end] = *border;
     const GeodesicBisector edge = vertices.edge(left, right);
     const auto [from, to] = vertices.angles(edge, start, end);
     drawing.draw(edge, {from, node[start], diagram_.nodes[node[start]]},

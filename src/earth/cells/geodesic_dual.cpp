@@ -83,31 +83,17 @@ class GeodesicDual {
     in_parallel(pieces, threads_, [&](std::size_t, std::size_t piece) {
       const auto first = static_cast<std::uint32_t>(piece * sides_a_piece);
       const std::uint32_t end = std::min(mesh.sides(), first + sides_a_piece);
-      for (std::uint32_t s = first; s < end; ++s) {
-        if (SideIndex{s} < mesh.twin(SideIndex{s}))
-          add_border(vertices, SideIndex{s}, borders[piece]);
-      }
+      mesh.for_each_edge(first, end, [&](SideIndex s) { add_border(vertices, s, borders[piece]); });
     });
     for (const auto& piece : borders)
       dual_.borders.insert(dual_.borders.end(), piece.begin(), piece.end());
   }
 
-  // The border runs from the vertex on the right of the way between the two places to the vertex on
-  // the left.
   void add_border(const GeodesicVertices& vertices, SideIndex s,
                   std::vector<Border>& borders) const {
-    const CellMesh& mesh = vertices.mesh();
-    std::uint32_t start = vertices.group_of(CellMesh::triangle_of(mesh.twin(s)));
-    std::uint32_t end = vertices.group_of(CellMesh::triangle_of(s));
-    if (start == end) return;
-    PlaceIndex left = mesh.from(s);
-    PlaceIndex right = mesh.to(s);
-    // Both directions of a border are measured as one, so that rounding is the same for any order
-    // of places.
-    if (position(right) < position(left)) {
-      std::swap(left, right);
-      std::swap(start, end);
-    }
+    const auto border = vertices.border(s);
+    if (!border) return;
+    const auto& [left, right, start, end] = *border;
     const GeodesicBisector bisector = vertices.edge(left, right);
     const auto [from, to] = vertices.angles(bisector, start, end);
     const double length =

@@ -86,6 +86,17 @@ void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   vertex.is_exact = true;
 }
 
+std::optional<GeodesicVertices::Border> GeodesicVertices::border(SideIndex s) const {
+  Border border{mesh_.from(s), mesh_.to(s), group_of(CellMesh::triangle_of(mesh_.twin(s))),
+                group_of(CellMesh::triangle_of(s))};
+  if (border.start == border.end) return std::nullopt;
+  if (position(border.right) < position(border.left)) {
+    std::swap(border.left, border.right);
+    std::swap(border.start, border.end);
+  }
+  return border;
+}
+
 std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
                                                    std::uint32_t start, std::uint32_t end) const {
   return edge.arc().between(vertices_[group_of(start)].direction,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -49,6 +50,17 @@ class GeodesicVertices {
       if (may_be_flipped(s)) visit(mesh_.apex(s), mesh_.apex(mesh_.twin(s)));
     }
   }
+  /// An edge from its vertex on the right of the way from one place to the other to that on the
+  /// left.
+  struct Border {
+    PlaceIndex left;
+    PlaceIndex right;
+    std::uint32_t start;  ///< the triangle that stands for the vertex: see group_of
+    std::uint32_t end;
+  };
+  /// The edge across a side of the mesh; nothing where both its ends are one vertex. Both of its
+  /// directions are computed as one, so that rounding is the same for any order of places.
+  std::optional<Border> border(SideIndex s) const;
   /// The angles along an edge of the vertices at its two ends, the second not before the first.
   std::pair<double, double> angles(const GeodesicBisector& edge, std::uint32_t start,
                                    std::uint32_t end) const;
