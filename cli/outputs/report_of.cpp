@@ -10,21 +10,10 @@
 #include "cli/terminal/messages.h"
 #include "files/file_digest.h"
 #include "report/report.h"
+#include "results/weights_file.h"
 
 namespace thiessen::cli {
 namespace {
-
-std::vector<Report::Weight> weights_of(const Inputs& inputs,
-                                       const std::vector<BasinWeights>& weights) {
-  std::vector<Report::Weight> rows;
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    for (const StationWeight& weight : weights[b].stations) {
-      rows.push_back({inputs.basins()[b].id, inputs.network().stations()[index(weight.station)].id,
-                      weight.area * inputs.area_unit().km2, weight.weight});
-    }
-  }
-  return rows;
-}
 
 std::vector<std::size_t> places_of(const Network& network) {
   std::vector<std::size_t> places;
@@ -95,7 +84,7 @@ std::string StudyReport::page(const ReportParts& parts, const Warnings& warnings
   report.places = places_of(inputs_.network());
   report.basins = parts.summary->basins();
   report.remarks = parts.summary->remarks();
-  report.weights = weights_of(inputs_, *parts.weights);
+  report.weights = weight_rows(inputs_.weighing(), *parts.weights, inputs_.area_unit());
   report.series = &series_;
   report.findings = findings(*parts.summary, warnings);
   report.made_by = items_of(parts.made_by);

@@ -6,6 +6,7 @@
 #include "cli/outputs/isohyets_in.h"
 #include "cli/outputs/raster_of.h"
 #include "map/sheet/qgis_layer_style.h"
+#include "results/weights_file.h"
 
 namespace thiessen::cli {
 namespace {
@@ -26,18 +27,6 @@ std::vector<StudyLayers::Gauge> gauges_of(const Inputs& inputs, const GaugeReadi
   from_study(inputs)(places);
   for (std::size_t i = 0; i < gauges.size(); ++i) gauges[i].position = places[i];
   return gauges;
-}
-
-std::vector<StudyLayers::Weight> weights_of(const Inputs& inputs,
-                                            const std::vector<BasinWeights>& weights) {
-  std::vector<StudyLayers::Weight> rows;
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    for (const StationWeight& weight : weights[b].stations) {
-      rows.push_back({b, inputs.network().stations()[index(weight.station)].id,
-                      weight.area * inputs.area_unit().km2, weight.weight});
-    }
-  }
-  return rows;
 }
 
 std::vector<BasinSummary> basins_of(const Inputs& inputs,
@@ -69,7 +58,7 @@ StudyPackage study_package_of(const Inputs& inputs, CellsOutput cells, const Pac
   package.layers.gauges = gauges_of(inputs, parts.readings);
   package.layers.basin_shapes = areas_of(inputs);
   package.layers.basins = basins_of(inputs, *parts.weights);
-  package.layers.weights = weights_of(inputs, *parts.weights);
+  package.layers.weights = weight_rows(inputs.weighing(), *parts.weights, inputs.area_unit());
   if (parts.interval > 0 && parts.readings != nullptr) {
     package.layers.isohyets =
         isohyets_in(inputs, *parts.readings, SurfaceMethod::natural, {}, {parts.interval, {}},

@@ -9,17 +9,12 @@
 #include "map/sheet/picture.h"
 #include "report/thinned_series.h"
 #include "results/summary_file.h"
+#include "results/weights_file.h"
 
 namespace thiessen {
 
 /// All that the page of a study shows. Texts are UTF-8 and may hold anything.
 struct Report {
-  struct Weight {
-    std::string basin;
-    std::string station;
-    double area = 0;  ///< in the unit of the summary's areas
-    double weight = 0;
-  };
   struct Input {
     std::string role;    ///< such as stations
     std::string name;    ///< of the file, without its folder
@@ -35,7 +30,7 @@ struct Report {
   std::vector<std::size_t> places;  ///< by gauge of the network: its place
   std::vector<BasinSummary> basins;
   std::string remarks;  ///< what is to be said of the summary; lines
-  std::vector<Weight> weights;
+  std::vector<WeightRow> weights;
   const ThinnedSeries* series = nullptr;
   std::vector<std::string> findings;  ///< texts of one line or of several aligned ones
   std::vector<std::pair<std::string, std::string>> made_by;  ///< names and values

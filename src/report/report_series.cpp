@@ -188,7 +188,7 @@ void append_cells(std::string& json, const Report& report) {
     const PictureCell& cell = picture.cells[i];
     const std::string& station = picture.gauges[cell.gauge].station;
     const std::string& basin = report.basins[cell.basin].basin;
-    const auto is_of_cell = [&](const Report::Weight& weight) {
+    const auto is_of_cell = [&](const WeightRow& weight) {
       return weight.station == station && weight.basin == basin;
     };
     for (std::size_t tried = 0; tried < report.weights.size() && !is_of_cell(report.weights[at]);

@@ -125,7 +125,7 @@ std::string basins_table(const Report& report) {
 std::string weights_table(const Report& report) {
   HtmlTable table("Weights of the full network",
                   {{"basin"}, {"gauge"}, {area_heading(report), true}, {"weight", true}});
-  for (const Report::Weight& weight : report.weights) {
+  for (const WeightRow& weight : report.weights) {
     table.add({weight.basin, weight.station, significant_text(weight.area, 4),
                significant_text(weight.weight, 4)});
   }

@@ -1,5 +1,6 @@
 #include "results/weights_file.h"
 
+#include <cstddef>
 #include <string>
 
 #include "base/number.h"
@@ -23,6 +24,19 @@ void append_part(std::string& row, const StationWeight& part, AreaUnit unit) {
 }
 
 }  // namespace
+
+std::vector<WeightRow> weight_rows(const Weighing& weighing,
+                                   const std::vector<BasinWeights>& weights, AreaUnit unit) {
+  std::vector<WeightRow> rows;
+  for (std::size_t b = 0; b < weights.size(); ++b) {
+    for (const StationWeight& weight : weights[b].stations) {
+      rows.push_back({weighing.basins()[b].id,
+                      weighing.network().stations()[index(weight.station)].id,
+                      weight.area * unit.km2, weight.weight});
+    }
+  }
+  return rows;
+}
 
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/file.h"
@@ -16,6 +17,18 @@ struct AreaUnit {
   /// What a column of areas is called, so that nobody takes an area of unknown unit for km2.
   const char* column() const { return known() ? "area_km2" : "area"; }
 };
+
+/// A weight with the names of its basin and station.
+struct WeightRow {
+  std::string basin;
+  std::string station;
+  double area = 0;  ///< in the unit that AreaUnit::column tells
+  double weight = 0;
+};
+
+/// The weights with their names, basins in file order, then stations in file order.
+std::vector<WeightRow> weight_rows(const Weighing& weighing,
+                                   const std::vector<BasinWeights>& weights, AreaUnit unit);
 
 /// Writes the table of weights: CSV `basin,station,area_km2,weight`, or with `area` where the unit
 /// is unknown, in the fewest digits that read back to the same double; basins in file order, then

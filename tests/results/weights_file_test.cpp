@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "results/written.h"
 
 namespace thiessen {
@@ -17,6 +19,19 @@ TEST(WeightsFile, has_a_row_a_weight_with_ids_as_written_and_areas_in_km2) {
             "\"B,1\",\"a\"\"b\",0.000006,0.5\n"
             "\"B,1\",007,0.000006,0.5\n"
             "C,007,0.000004,1\n");
+}
+
+TEST(WeightsFile, rows_have_the_names_and_the_unit_of_the_table) {
+  const TwoBasins study;
+  const auto weights = study.weighing.weights({true, true}, 1);
+  const std::vector<WeightRow> rows = weight_rows(study.weighing, weights, AreaUnit{0.5});
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].basin, "B,1");
+  EXPECT_EQ(rows[0].station, "a\"b");
+  EXPECT_DOUBLE_EQ(rows[0].area, 3);
+  EXPECT_DOUBLE_EQ(rows[0].weight, 0.5);
+  EXPECT_EQ(rows[2].basin, "C");
+  EXPECT_EQ(rows[2].station, "007");
 }
 
 TEST(WeightsFile, of_a_change_has_the_stations_that_weigh_before_or_after) {

@@ -149,9 +149,9 @@ class LayersWriter {
   }
 
   void add_weights() {
-    const std::vector<StudyLayers::Weight>& weights = layers_.weights;
+    const std::vector<WeightRow>& weights = layers_.weights;
     LayerBuilder layer("weights", VectorLayer::Shapes::none, weights.size());
-    layer.add("basin", [&](std::size_t row) { return layers_.basins[weights[row].basin].basin; });
+    layer.add("basin", [&](std::size_t row) { return weights[row].basin; });
     layer.add("station", [&](std::size_t row) { return weights[row].station; });
     layer.add(layers_.area_column, FieldType::real,
               [&](std::size_t row) { return std::optional(weights[row].area); });

@@ -13,6 +13,7 @@
 #include "geometry/polygon.h"
 #include "results/provenance.h"
 #include "results/summary_file.h"
+#include "results/weights_file.h"
 
 namespace thiessen {
 
@@ -22,12 +23,6 @@ struct StudyLayers {
     std::string station;
     Point position;
     double rainfall = 0;  ///< NaN where it has none
-  };
-  struct Weight {
-    std::size_t basin = 0;
-    std::string station;
-    double area = 0;  ///< in the unit that the name of its column tells
-    double weight = 0;
   };
   /// A series, of which each value is a row.
   struct Rain {
@@ -43,7 +38,7 @@ struct StudyLayers {
   std::vector<MultiPolygon> basin_shapes;
   std::vector<BasinSummary> basins;
   bool has_series = false;  ///< whether the summaries tell of a series, and not of areas alone
-  std::vector<Weight> weights;
+  std::vector<WeightRow> weights;
   std::optional<Rain> rain;
   std::optional<std::vector<Isohyet>> isohyets;
   std::vector<LayerStyle> styles;

@@ -35,7 +35,7 @@ StudyLayers two_basins() {
   two.area = 2;
   two.empty_steps = 2;
   layers.basins = {one, two};
-  layers.weights = {{0, "a", 1.5, 0.75}, {0, "b", 0.5, 0.25}, {1, "b", 2, 1}};
+  layers.weights = {{"P", "a", 1.5, 0.75}, {"P", "b", 0.5, 0.25}, {"Q", "b", 2, 1}};
   return layers;
 }
 
