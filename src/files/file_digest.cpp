@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "base/hexadecimal.h"
 #include "base/interrupt.h"
 #include "base/utf8.h"
 
@@ -18,16 +19,6 @@ namespace thiessen {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string hexadecimal_of(const unsigned char* bytes, unsigned count) {
-  constexpr char digits[] = "0123456789abcdef";
-  std::string text;
-  for (unsigned i = 0; i < count; ++i) {
-    text += digits[bytes[i] / 16];
-    text += digits[bytes[i] % 16];
-  }
-  return text;
-}
 
 std::string sha256_of(const fs::path& path) {
   InputFile file(path.string());
@@ -45,7 +36,9 @@ std::string sha256_of(const fs::path& path) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> result{};
   unsigned length = 0;
   check(EVP_DigestFinal_ex(digest.get(), result.data(), &length) == 1);
-  return hexadecimal_of(result.data(), length);
+  std::string text;
+  for (unsigned i = 0; i < length; ++i) append_hexadecimal(text, result.at(i));
+  return text;
 }
 
 std::vector<fs::path> files_in(const fs::path& folder) {

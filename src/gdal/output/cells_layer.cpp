@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/colour.h"
+#include "base/hexadecimal.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -92,12 +93,9 @@ class CellRows {
 
 /// How a cell is drawn: filled so that the ground shows through, with a thin outline.
 std::string style_of(Colour colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string text = "BRUSH(fc:#";
-  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
-    text += digits[channel >> 4U];
-    text += digits[channel & 0xFU];
-  }
+  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue})
+    append_hexadecimal(text, channel);
   return text + "b0);PEN(c:#404040ff,w:1px)";
 }
 

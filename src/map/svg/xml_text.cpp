@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "base/hexadecimal.h"
 #include "map/ink/unicode.h"
 
 namespace thiessen {
@@ -46,12 +47,9 @@ std::string xml_text(std::string_view utf8) {
 }
 
 std::string hexadecimal(Colour colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string text = "#";
-  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue}) {
-    text += digits[channel / 16U];
-    text += digits[channel % 16U];
-  }
+  for (const std::uint8_t channel : {colour.red, colour.green, colour.blue})
+    append_hexadecimal(text, channel);
   return text;
 }
 
