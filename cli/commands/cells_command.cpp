@@ -1,6 +1,8 @@
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/outputs.h"
@@ -19,7 +21,6 @@
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/dual_files.h"
 #include "cli/outputs/encoded_files.h"
-#include "cli/outputs/shown_values.h"
 #include "cli/outputs/study_package_of.h"
 #include "gdal/output/cells_layer.h"
 #include "gdal/output/layer_formats.h"
@@ -86,8 +87,7 @@ class CellsCommand : public Command {
     if (file != nullptr) {
       const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
       CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
-      if (shown != nullptr && holds_colours(output_.output))
-        output.colours = colours_of(inputs, output, *shown);
+      if (shown != nullptr && holds_colours(output_.output)) output.colours = colours_of(output);
       const std::string older_bytes = older ? older->bytes() : "";
       if (table) {
         cells_table(output, *table, warnings);
@@ -143,17 +143,21 @@ class CellsCommand : public Command {
     const std::vector<BasinWeights> weights = inputs.weighing().weights(
         readings == nullptr ? inputs.all_report() : readings->reports(), threads);
     parts.weights = &weights;
-    if (readings != nullptr) parts.classes = classes_of(inputs, *readings);
+    if (readings != nullptr) parts.classes = classes_of(output);
     return study_package(study_package_of(inputs, output, parts), output_.output, older, warnings);
   }
 
   /// The classes that a picture of the same cells has.
-  RainfallClasses classes_of(const Inputs& inputs, const GaugeReadings& readings) const {
-    return {shown_values(inputs, readings, static_cast<unsigned>(common_.threads)), {}};
+  static RainfallClasses classes_of(const CellsOutput& output) {
+    std::map<std::size_t, double> readings;  // by station, once each
+    for (const CellFeature& cell : output.cells) readings[cell.attribute_row] = cell.rainfall;
+    std::vector<double> values;
+    values.reserve(readings.size());
+    for (const auto& [station, rainfall] : readings) values.push_back(rainfall);
+    return {std::move(values), {}};
   }
-  std::vector<Colour> colours_of(const Inputs& inputs, const CellsOutput& output,
-                                 const GaugeReadings& readings) const {
-    const RainfallClasses classes = classes_of(inputs, readings);
+  static std::vector<Colour> colours_of(const CellsOutput& output) {
+    const RainfallClasses classes = classes_of(output);
     std::vector<Colour> colours;
     for (const CellFeature& cell : output.cells) colours.push_back(classes.colour(cell.rainfall));
     return colours;
