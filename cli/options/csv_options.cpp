@@ -47,6 +47,7 @@ CsvDialect CsvOptionsOf::or_else(const CsvDialect& all) const {
   if (said.separator == '\0') said.separator = all.separator;
   said.decimal_comma = said.decimal_comma || all.decimal_comma;
   if (said.encoding.empty()) said.encoding = all.encoding;
+  said.skip_is_of_all = !said.skip && all.skip;
   if (!said.skip) said.skip = all.skip;
   said.numbers = all.numbers;
   return said;

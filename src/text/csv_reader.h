@@ -37,6 +37,7 @@ struct CsvOptions {
   /// value are passed over, and so are columns at the end that have neither a name nor a value.
   bool finds_form = false;
   std::optional<std::size_t> skip = {};   ///< lines before the header; nothing: they are found out
+  bool skip_is_of_all = false;            ///< see CsvDialect
   bool decimal_comma = false;             ///< false: the decimal mark is found out
   std::vector<std::string> numbers = {};  ///< see CsvDialect
   std::vector<std::string> names = {};

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "base/wording.h"
+#include "text/csv_dialect.h"
 #include "text/csv_reader.h"
 
 // How a CSV reader begins: what the first bytes tell of how the file is written, its header, and
@@ -86,9 +88,7 @@ void CsvReader::read_header() {
   if (kind == RowKind::none) {
     const bool skips = options_.skip.value_or(0) > 0;
     fail(0, skips ? "has nothing behind the lines that are skipped" : "is empty",
-         skips ? setting("skip") + " is of all CSV files, " + setting("stations_skip") +
-                     " and the like of one"
-               : Wording());
+         skips && options_.skip_is_of_all ? hint_of_skip() : Wording());
   }
   header_line_ = row_line_;
   header_.assign(names.begin(), names.end());

@@ -10,6 +10,7 @@
 #include "base/utf8.h"
 #include "files/places/crs_fit.h"
 #include "files/tables/features.h"
+#include "files/tables/skipped_lines.h"
 #include "geometry/shape_points.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
@@ -187,7 +188,11 @@ class BasinsReader {
 }  // namespace
 
 BasinsFile read_basins(const BasinsRequest& request, Warnings& warnings) {
-  return BasinsReader(request, warnings).read();
+  try {
+    return BasinsReader(request, warnings).read();
+  } catch (const Error& error) {
+    throw told_of_skip(error, request.source);
+  }
 }
 
 }  // namespace thiessen

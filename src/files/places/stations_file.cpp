@@ -12,6 +12,7 @@
 #include "files/places/station_fields.h"
 #include "files/places/station_positions.h"
 #include "files/tables/features.h"
+#include "files/tables/skipped_lines.h"
 #include "readings/stations/named_stations.h"
 #include "text/field_names.h"
 
@@ -195,7 +196,11 @@ class StationsReader {
 }  // namespace
 
 StationsFile read_stations(const StationsRequest& request, Warnings& warnings) {
-  return StationsReader(request, warnings).read();
+  try {
+    return StationsReader(request, warnings).read();
+  } catch (const Error& error) {
+    throw told_of_skip(error, request.source);
+  }
 }
 
 std::string field_that_holds(const StationsRequest& request, const std::string& text) {

@@ -9,6 +9,7 @@
 
 #include "files/rainfall/published_rainfall.h"
 #include "files/rainfall/rainfall_folder.h"
+#include "files/tables/skipped_lines.h"
 #include "readings/dly/dly_files.h"
 #include "readings/joined_readings.h"
 #include "readings/readings_dly.h"
@@ -116,6 +117,17 @@ std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Stati
   return open_readings(std::move(one.table), stations, passed_over, one.options, warnings);
 }
 
+/// The same, whose faults of the header have a hint about lines that were skipped.
+std::unique_ptr<Readings> open_alone(const Source& rainfall, std::span<const Station> stations,
+                                     std::span<const std::string> passed_over,
+                                     const ReadingsOptions& options, Warnings& warnings) {
+  try {
+    return open_one(rainfall, stations, passed_over, options, warnings);
+  } catch (const Error& error) {
+    throw told_of_skip(error, rainfall);
+  }
+}
+
 /// The same of one file of several. Where it is of one station, its readings are of that alone.
 JoinedReadings::Opened open_among_several(const Source& rainfall, std::span<const Station> stations,
                                           std::span<const std::string> passed_over,
@@ -180,7 +192,7 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
                                         const ReadingsOptions& options, Warnings& warnings) {
   const std::vector<std::string> names = rainfall_files(rainfall.files, warnings);
   if (rainfall.files.size() == 1 && names == rainfall.files)
-    return open_one(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
+    return open_alone(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
   ReadingsOptions of_each = options;
   of_each.is_one_of_several = true;
   std::vector<JoinedReadings::File> files;

@@ -69,6 +69,7 @@ std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvDialect& s
   options.encoding = said.encoding;
   options.finds_form = true;
   options.skip = said.skip;
+  options.skip_is_of_all = said.skip_is_of_all;
   options.decimal_comma = said.decimal_comma;
   options.numbers = said.numbers;
   options.names = said.names;

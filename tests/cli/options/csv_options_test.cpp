@@ -78,6 +78,7 @@ TEST(CsvOptions, law_1_what_is_said_of_one_file_goes_before_what_is_said_of_all)
   EXPECT_EQ(same.separator, ';');
   EXPECT_EQ(same.encoding, "Latin-1");
   EXPECT_EQ(same.skip, 3U);
+  EXPECT_TRUE(same.skip_is_of_all);
   EXPECT_EQ(same.numbers, all.numbers);
   EXPECT_FALSE(same.decimal_comma);
   OneFile other;
@@ -87,6 +88,7 @@ TEST(CsvOptions, law_1_what_is_said_of_one_file_goes_before_what_is_said_of_all)
   EXPECT_EQ(own.separator, '\t');
   EXPECT_EQ(own.encoding, "cp932");
   EXPECT_EQ(own.skip, 0U);
+  EXPECT_FALSE(own.skip_is_of_all);
   EXPECT_TRUE(own.decimal_comma);
   all.decimal_comma = true;
   EXPECT_TRUE(nothing.block.or_else(all).decimal_comma);
