@@ -8,6 +8,7 @@
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
+#include "readings/published/swat_steps.h"
 
 namespace thiessen {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t label_width = 7;
 constexpr std::size_t value_width = 5;
 constexpr std::size_t heads_of_gauge = 3;
+constexpr std::size_t heads_of_gauges = 4;
 constexpr std::int64_t day_seconds = 86'400;
 
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -66,21 +68,6 @@ std::string id_of(const std::string& file) {
   return std::filesystem::path(file).stem().string();
 }
 
-/// The files that a list names, in the folder of the list.
-std::vector<std::string> files_of_list(const std::string& list, const OpenNamed& open) {
-  const std::filesystem::path folder = std::filesystem::path(list).parent_path();
-  TextLines lines(open(list));
-  lines.next();
-  lines.next();
-  std::vector<std::string> files;
-  while (const auto line = lines.next()) {
-    const std::string_view name = trimmed(*line);
-    if (!name.empty()) files.push_back((folder / std::string(name)).string());
-  }
-  if (files.empty()) throw Error({list, 0, "it names no files", ""});
-  return files;
-}
-
 /// The numbers above the days of a gauge: years, steps a day, latitude, longitude, elevation.
 std::vector<std::string> head_of_gauge(TextLines& lines) {
   for (std::size_t i = 0; i + 1 < heads_of_gauge; ++i) lines.next();
@@ -120,18 +107,34 @@ SwatFile swat_file(std::string_view beginning) {
     return SwatFile::gauges;
   const auto words = words_of(second);
   constexpr std::array<std::string_view, 5> heads = {"nbyr", "tstep", "lat", "long", "elev"};
-  if (std::ranges::equal(words, heads)) return SwatFile::gauge;
+  constexpr std::array<std::string_view, 5> others = {"nbyr", "tstep", "lat", "lon", "elev"};
+  if (std::ranges::equal(words, heads) || std::ranges::equal(words, others)) return SwatFile::gauge;
   if (words.size() == 1 && words[0] == "filename" && trimmed(third).ends_with(".pcp"))
     return SwatFile::list;
   return SwatFile::none;
 }
 
+std::vector<std::string> files_of_swat_list(const std::string& list, const OpenNamed& open) {
+  const std::filesystem::path folder = std::filesystem::path(list).parent_path();
+  TextLines lines(open(list));
+  lines.next();
+  lines.next();
+  std::vector<std::string> files;
+  while (const auto line = lines.next()) {
+    const std::string_view name = trimmed(*line);
+    if (!name.empty()) files.push_back((folder / std::string(name)).string());
+  }
+  if (files.empty()) throw Error({list, 0, "it names no files", ""});
+  return files;
+}
+
 SwatRainfall::SwatRainfall(std::string file, SwatFile kind, OpenNamed open)
     : file_(std::move(file)), kind_(kind), open_(std::move(open)) {
   if (kind_ == SwatFile::list) {
-    files_ = files_of_list(file_, open_);
+    files_ = files_of_swat_list(file_, open_);
   } else {
     files_ = {file_};
+    if (kind_ == SwatFile::gauges) find_clocks();
   }
 }
 
@@ -141,16 +144,31 @@ std::unique_ptr<Table> SwatRainfall::again() const {
 
 bool SwatRainfall::next(Row& row) {
   while (next_value_ == values_.size()) {
-    if (!next_line()) {
+    if (step_ + 1 < steps_.size()) {
+      go_to_step(step_ + 1);
+    } else if (!next_line()) {
       std::exchange(complaints_, {}).throw_if_any();
       return false;
     }
   }
-  row.line = places_.number(lines_->line());
+  row.line = row_number();
   row.padded = false;
   row.fields = {stations_[next_value_], date_, values_[next_value_]};
   ++next_value_;
   return true;
+}
+
+/// Finds the steps of a day that are shorter than it.
+void SwatRainfall::find_clocks() {
+  TextLines lines(open_(file_));
+  for (std::size_t i = 0; i < heads_of_gauges; ++i) lines.next();
+  clocks_ = swat_clocks(lines);
+}
+
+/// The number of a row, of which no other time's row has the same.
+std::size_t SwatRainfall::row_number() {
+  const std::size_t line = places_.number(lines_->line());
+  return clocks_.empty() ? line : line * steps_a_line + step_;
 }
 
 /// Reads the next line that holds a day.
@@ -181,7 +199,7 @@ bool SwatRainfall::open_next() {
 
 void SwatRainfall::read_heads_of_gauges() {
   stations_ = stations_of(lines_->next().value_or(""));
-  for (int i = 0; i < 3; ++i) lines_->next();
+  for (std::size_t i = 1; i < heads_of_gauges; ++i) lines_->next();
 }
 
 void SwatRainfall::read_head_of_gauge() {
@@ -197,6 +215,7 @@ void SwatRainfall::read_head_of_gauge() {
 
 bool SwatRainfall::next_day(std::string_view line) {
   values_.clear();
+  steps_.clear();
   next_value_ = 0;
   std::optional<int> year;
   std::optional<int> day;
@@ -214,40 +233,65 @@ bool SwatRainfall::next_day(std::string_view line) {
   }
   const bool leap = year && *year % 4 == 0 && (*year % 100 != 0 || *year % 400 == 0);
   if (!year || *year < 1 || !day || *day < 1 || *day > (leap ? 366 : 365) || values_.empty()) {
-    complain("no year, day of the year and rain: " + quoted(line, 40));
-    return false;
+    return complain((clocks_.empty() ? "no year, day of the year and rain: "
+                                     : "no year, day of the year, clock and rain: ") +
+                    quoted(line, 40));
   }
   const auto odd = std::ranges::find_if_not(values_, is_rain);
-  if (odd != values_.end()) {
-    complain("no rain from 0 on, nor -99 for none: " + quoted(*odd, 40));
-    return false;
+  if (odd != values_.end())
+    return complain("no rain from 0 on, nor -99 for none: " + quoted(*odd, 40));
+  IsoTime first;
+  first.year = *year;
+  return next_steps(line, clock_seconds(first) + (*day - 1) * day_seconds);
+}
+
+/// Finds the steps that a line of a day is of.
+bool SwatRainfall::next_steps(std::string_view line, std::int64_t day) {
+  constexpr std::int64_t minute_seconds = 60;
+  if (clocks_.empty()) {
+    steps_ = {day};
+  } else if (const auto clock = swat_clock(line)) {
+    steps_ = {day + *clock * minute_seconds};
+  } else {
+    const auto is_none = [](const std::string& value) { return parse_number(value).value <= 0; };
+    if (!std::ranges::all_of(values_, is_none))
+      return complain("rain of a whole day among steps that are shorter: " + quoted(line, 40));
+    for (const int of_day : clocks_) steps_.push_back(day + of_day * minute_seconds);
   }
-  read_day(*year, *day);
+  go_to_step(0);
   return true;
 }
 
+void SwatRainfall::go_to_step(std::size_t step) {
+  step_ = step;
+  next_value_ = 0;
+  date_ = time_text(steps_[step], clocks_.empty() ? TimePrecision::day : TimePrecision::instant);
+}
+
 void SwatRainfall::read_values_of_gauges(std::string_view line) {
+  if (!clocks_.empty()) {
+    if (swat_clock(line) || is_dry_day_of_swat(line))
+      values_ = swat_values_of_step(line, stations_.size());
+    return;
+  }
   const std::size_t wanted = label_width + stations_.size() * value_width;
   if (stations_.empty() || line.size() > wanted || line.size() + value_width <= wanted) return;
   for (std::size_t i = 0; i < stations_.size(); ++i) values_.emplace_back(column_of(line, i));
 }
 
-void SwatRainfall::read_day(int year, int day) {
-  IsoTime time;
-  time.year = year;
-  date_ = time_text(clock_seconds(time) + (day - 1) * day_seconds, TimePrecision::day);
-}
-
-void SwatRainfall::complain(const std::string& text) {
+bool SwatRainfall::complain(const std::string& text) {
   values_.clear();
+  steps_.clear();
   complaints_.add({lines_->file(), lines_->line(), text, ""});
+  return false;
 }
 
 std::vector<SwatGauge> swat_gauges(const std::string& file, SwatFile kind, const OpenNamed& open) {
   std::vector<SwatGauge> gauges;
   if (kind == SwatFile::gauge) return {gauge_of(file, open)};
   if (kind == SwatFile::list) {
-    for (const std::string& one : files_of_list(file, open)) gauges.push_back(gauge_of(one, open));
+    for (const std::string& one : files_of_swat_list(file, open))
+      gauges.push_back(gauge_of(one, open));
     return gauges;
   }
   TextLines lines(open(file));

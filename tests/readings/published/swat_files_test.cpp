@@ -95,5 +95,51 @@ TEST_F(SwatFilesTest, of_shorter_steps_are_refused) {
             file + ":3: its steps are shorter than a day (tstep 24), which is not read");
 }
 
+constexpr const char* heads =
+    "Station  north,south,\nLati    35.0 34.5\nLong   -81.5-81.0\nElev     200  250\n";
+
+TEST_F(SwatFilesTest, of_shorter_steps_have_a_clock) {
+  EXPECT_EQ(
+      rows(folder_.write("p.pcp", std::string(heads) + "200036600:00004.0008.0\n"
+                                                       "200036612:30  0.5-99.0\n"
+                                                       "200100100:00  1.00  2.25\n"),
+           SwatFile::gauges),
+      (std::vector<std::string>{"north 2000-12-31T00:00 004.0 ", "south 2000-12-31T00:00 008.0 ",
+                                "north 2000-12-31T12:30 0.5 ", "south 2000-12-31T12:30 -99.0 ",
+                                "north 2001-01-01T00:00 1.00 ", "south 2001-01-01T00:00 2.25 "}));
+}
+
+TEST_F(SwatFilesTest, of_shorter_steps_have_them_on_a_dry_day_too) {
+  const std::string text = std::string(heads) +
+                           "2000364     000.0-99.0\n"
+                           "200036500:00004.0008.0\n200036512:00001.0001.0\n"
+                           "2000366     000.0000.0\n";
+  EXPECT_EQ(
+      rows(folder_.write("p.pcp", text), SwatFile::gauges),
+      (std::vector<std::string>{"north 2000-12-29T00:00 000.0 ", "south 2000-12-29T00:00 -99.0 ",
+                                "north 2000-12-29T12:00 000.0 ", "south 2000-12-29T12:00 -99.0 ",
+                                "north 2000-12-30T00:00 004.0 ", "south 2000-12-30T00:00 008.0 ",
+                                "north 2000-12-30T12:00 001.0 ", "south 2000-12-30T12:00 001.0 ",
+                                "north 2000-12-31T00:00 000.0 ", "south 2000-12-31T00:00 000.0 ",
+                                "north 2000-12-31T12:00 000.0 ", "south 2000-12-31T12:00 000.0 "}));
+}
+
+TEST_F(SwatFilesTest, of_shorter_steps_name_every_line_that_is_none) {
+  const std::string text = std::string(heads) +
+                           "200036500:00004.0008.0\n"
+                           "200036524:00004.0008.0\n"
+                           "200036501:00004.0\n"
+                           "2000366     001.0000.0\n"
+                           "2000366001.0000.0\n";
+  const std::string file = folder_.write("p.pcp", text);
+  EXPECT_EQ(complaints_of([&] { rows(file, SwatFile::gauges); }),
+            (std::vector<std::string>{
+                file + ":6: no year, day of the year, clock and rain: '200036524:00004.0008.0'",
+                file + ":7: no year, day of the year, clock and rain: '200036501:00004.0'",
+                file + ":8: rain of a whole day among steps that are shorter: "
+                       "'2000366     001.0000.0'",
+                file + ":9: no year, day of the year, clock and rain: '2000366001.0000.0'"}));
+}
+
 }  // namespace
 }  // namespace thiessen
