@@ -11,6 +11,7 @@
 #include "base/utf8.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -18,6 +19,14 @@ namespace {
 OGRFieldType ogr_type(FieldType type) {
   if (type == FieldType::integer) return OFTInteger64;
   return type == FieldType::real ? OFTReal : OFTString;
+}
+
+/// The fields that there are, where a filter asks for one that there is not.
+std::string fields_in_words(const std::string& fault, const std::vector<FieldName>& fields) {
+  if (fault.find("not recognised as an available field") == std::string::npos) return {};
+  std::vector<std::string> names;
+  for (const FieldName& field : fields) names.push_back(field.name);
+  return "; the fields are " + listed(names);
 }
 
 struct ReleaseDefinition {
@@ -58,8 +67,11 @@ AttributeFilter::AttributeFilter(const std::string& where, const std::string& it
   query_->feature = std::make_unique<OGRFeature>(query_->definition.get());
   const GdalErrors errors;
   if (query_->query.Compile(query_->definition.get(), where.c_str()) != OGRERR_NONE) {
-    throw Error(
-        Message{file, 0, setting(its_setting, quoted(where, 200)) + ": " + errors.text(), {}});
+    throw Error(Message{file,
+                        0,
+                        setting(its_setting, quoted(where, 200)) + ": " + errors.text() +
+                            fields_in_words(errors.text(), fields),
+                        {}});
   }
   query_->find_asked();
 }

@@ -31,6 +31,10 @@ TEST(AttributeFilter, names_the_option_and_the_fault) {
   EXPECT_TRUE(
       complaint_of([] { keeps("elev >", {}); }).starts_with("s.csv: stations_where = 'elev >': "));
   EXPECT_TRUE(contains(complaint_of([] { keeps("height > 3", {}); }), "height"));
+  EXPECT_TRUE(complaint_of([] {
+                keeps("height > 3", {});
+              }).ends_with("; the fields are 'name', 'elev', 'slope'"));
+  EXPECT_FALSE(contains(complaint_of([] { keeps("elev >", {}); }), "the fields are"));
   EXPECT_TRUE(contains(complaint_of([] { keeps("1; DROP TABLE x", {}); }), "stations_where"));
 }
 
