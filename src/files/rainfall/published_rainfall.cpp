@@ -70,6 +70,15 @@ Recognised open_text_format(const Source& rainfall, const std::string& beginning
   return {};
 }
 
+/// ANA's table, which is read twice: where it is packed, by a second reader.
+Recognised open_months(std::unique_ptr<Table> table, const Source& source,
+                       const std::string& beginning) {
+  std::unique_ptr<Table> same = table->again();
+  Warnings told_before;
+  if (!same && !beginning.empty()) same = open_table(source, told_before);
+  return {std::make_unique<MonthRows>(std::move(table), std::move(same)), &ana_format()};
+}
+
 /// The same of a table with a header.
 Recognised open_table_format(const Source& rainfall, const std::string& beginning,
                              Warnings& warnings) {
@@ -77,8 +86,7 @@ Recognised open_table_format(const Source& rainfall, const std::string& beginnin
   Source source = rainfall;
   source.csv = told.dialect;
   auto table = open_table(source, warnings);
-  if (is_ana_header(table->header()))
-    return {std::make_unique<MonthRows>(std::move(table)), &ana_format()};
+  if (is_ana_header(table->header())) return open_months(std::move(table), source, beginning);
   const PublishedFormat* format = format_of_header(table->header(), told.text);
   if (format == nullptr) return {std::move(table)};
   return {std::move(table), format, told.tells_encoding,

@@ -61,7 +61,7 @@ bool is_ana_header(const std::vector<std::string>& header) {
   return published_column(header, day_column(1)) && published_column(header, day_column(31));
 }
 
-MonthRows::MonthRows(std::unique_ptr<Table> table)
+MonthRows::MonthRows(std::unique_ptr<Table> table, std::unique_ptr<Table> same)
     : table_(std::move(table)),
       station_(published_column(table_->header(), "EstacaoCodigo").value()),
       date_(published_column(table_->header(), "Data").value()),
@@ -73,7 +73,7 @@ MonthRows::MonthRows(std::unique_ptr<Table> table)
     }
     days_[day] = *column;
   }
-  find_checked();
+  find_checked(std::move(same));
 }
 
 std::unique_ptr<Table> MonthRows::again() const {
@@ -81,8 +81,8 @@ std::unique_ptr<Table> MonthRows::again() const {
   return table ? std::make_unique<MonthRows>(std::move(table)) : nullptr;
 }
 
-void MonthRows::find_checked() {
-  const auto table = table_->again();
+void MonthRows::find_checked(std::unique_ptr<Table> same) {
+  const auto table = same ? std::move(same) : table_->again();
   if (!table) return;
   try {
     for (Row row; table->next(row);) {

@@ -28,8 +28,10 @@ bool is_ana_header(const std::vector<std::string>& header);
 /// negative.
 class MonthRows : public Table {
  public:
-  /// Requires a table whose header is one of ANA's, and that can be read twice.
-  explicit MonthRows(std::unique_ptr<Table> table);
+  /// Requires a table whose header is one of ANA's. Which months are checked is looked up in the
+  /// table read once more, or in `same`, a second reader of it, where it cannot be (a packed one);
+  /// where there is neither, months that are there raw and checked are read both.
+  explicit MonthRows(std::unique_ptr<Table> table, std::unique_ptr<Table> same = nullptr);
 
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return header_; }
@@ -44,7 +46,7 @@ class MonthRows : public Table {
   static constexpr std::size_t most_days = 31;
   static constexpr std::size_t days_a_line = 32;  ///< rows that may be numbered in a line
 
-  void find_checked();
+  void find_checked(std::unique_ptr<Table> same);
   bool next_month();
   bool read_month();
   void check_day(std::size_t day);

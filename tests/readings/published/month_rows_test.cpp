@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/complaints.h"
+#include "base/file.h"
 #include "base/temporary_folder.h"
 #include "text/csv_reader.h"
 
@@ -58,6 +60,22 @@ TEST_F(MonthRowsTest, takes_the_checked_row_of_a_month) {
     EXPECT_EQ(found.size(), 30U);
     EXPECT_EQ(found.front(), "2020-04-01 5");
   }
+}
+
+TEST_F(MonthRowsTest, of_a_table_that_is_read_once_are_found_in_a_second_reader) {
+  const std::string text = header() + month("7,1,01/04/2020", "9") + month("7,2,01/04/2020", "5");
+  const auto once = [&] {
+    return std::make_unique<CsvReader>(
+        InputFile("r.csv.gz", [text, at = std::size_t{0}](std::span<char> into) mutable {
+          const std::size_t count = text.copy(into.data(), into.size(), at);
+          at += count;
+          return count;
+        }));
+  };
+  MonthRows table(once(), once());
+  std::size_t rows = 0;
+  for (Row row; table.next(row); ++rows) EXPECT_EQ(row.fields[2], "5");
+  EXPECT_EQ(rows, 30U);
 }
 
 TEST_F(MonthRowsTest, days_stand_in_the_line_of_their_month) {
