@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/tables/csv_file.h"
+#include "files/tables/filtered_table.h"
 #include "files/tables/netcdf_rainfall.h"
 #include "files/tables/netcdf_stations.h"
 #include "files/tables/netcdf_unit.h"
@@ -58,7 +59,7 @@ Recognised open_without_header(const std::string& file, const PublishedFormat& f
 /// A text of a published format that is no table with a header; no table where it is none.
 Recognised open_text_format(const Source& rainfall, const std::string& beginning,
                             Warnings& warnings) {
-  if (!rainfall.layer.empty() || !rainfall.where.empty()) return {};
+  if (!rainfall.layer.empty()) return {};
   const std::string& file = rainfall.file;
   if (is_usgs_rdb(beginning)) return open_usgs(file, {}, warnings);
   if (const SwatFile kind = swat_file(beginning); kind != SwatFile::none)
@@ -97,7 +98,7 @@ Recognised open_table_format(const Source& rainfall, const std::string& beginnin
 /// USGS's, whose sensors have a column each. No table where that column is of no such format.
 Recognised open_text_format_of(const std::string& value, const Source& rainfall,
                                const std::string& beginning, Warnings& warnings) {
-  if (!rainfall.layer.empty() || !rainfall.where.empty()) return {};
+  if (!rainfall.layer.empty()) return {};
   if (is_usgs_rdb(beginning) && is_usgs_rain(value))
     return open_usgs(rainfall.file, value, warnings);
   const PublishedFormat* format = format_of_rows(beginning);
@@ -129,7 +130,13 @@ Recognised open_by_content(const Source& rainfall, const ReadingsOptions& option
   const std::string& value = options.value_field;
   Recognised found = value.empty() ? open_text_format(rainfall, beginning, warnings)
                                    : open_text_format_of(value, rainfall, beginning, warnings);
-  if (found.table) return found;
+  if (found.table) {
+    if (!rainfall.where.empty()) {
+      found.table =
+          keep_rows(std::move(found.table), {rainfall.where, rainfall.where_setting}, {}, warnings);
+    }
+    return found;
+  }
   return value.empty() ? open_table_format(rainfall, beginning, warnings)
                        : open_table_format_of(value, rainfall, beginning, warnings);
 }

@@ -91,5 +91,21 @@ TEST(RainfallFile, of_several_files_has_counters_that_go_on_from_file_to_file) {
                                       "2020-01-02 0 5"}));
 }
 
+TEST(RainfallFile, without_a_header_is_filtered_by_the_names_of_its_format) {
+  const TemporaryFolder folder;
+  const std::string text =
+      "USC00050001,20200101,TMAX,280,,,7,0700\nUSC00050001,20200102,PRCP,40,,,7,0700\n"
+      "USC00050001,20200103,PRCP,50,,,7,0700\n";
+  RainfallRequest request{{folder.write("r.csv", text)}, {}};
+  request.said.where = "ELEMENT = 'PRCP' AND DATE > '20200102'";
+  request.said.where_setting = "rainfall_where";
+  Warnings warnings;
+  const auto readings = open_rainfall(request, stations, {}, {}, warnings);
+  TimeStep step;
+  ASSERT_TRUE(readings->next(step));
+  EXPECT_EQ(step.time, "20200103");
+  EXPECT_EQ(step.readings[0], 5.0);
+}
+
 }  // namespace
 }  // namespace thiessen
