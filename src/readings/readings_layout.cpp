@@ -225,14 +225,24 @@ ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
   return layout;
 }
 
+bool is_called_as_values(std::string_view column) {
+  return std::ranges::any_of(known::values,
+                             [&](std::string_view name) { return means(column, name, true); });
+}
+
+bool is_long_header(const std::vector<std::string>& header) {
+  return find_field(header, known::station_ids) &&
+         std::ranges::any_of(header, is_called_as_values) &&
+         (find_field(header, known::times) || find_field(header, known::dates) ||
+          find_field(header, known::years));
+}
+
 std::vector<std::size_t> further_values(const Table& table, const ReadingsLayout& layout) {
   std::vector<std::size_t> further;
   const auto& header = table.header();
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (i == layout.value || i == layout.station || layout.time.has(i)) continue;
-    const bool is_of_values = std::ranges::any_of(
-        known::values, [&](std::string_view name) { return means(header[i], name, true); });
-    if (is_of_values) further.push_back(i);
+    if (is_called_as_values(header[i])) further.push_back(i);
   }
   return further;
 }

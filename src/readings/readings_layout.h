@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "readings/readings_reader.h"
@@ -29,6 +31,13 @@ struct ReadingsLayout {
 /// is not there, or if the columns of a long table cannot be found.
 ReadingsLayout find_layout(const Table& table, const ReadingsStations& stations,
                            const ReadingsOptions& options);
+
+/// Whether a header has columns of stations, of times and of values by their usual names, whatever
+/// the stations are.
+bool is_long_header(const std::vector<std::string>& header);
+
+/// Whether a column is called as one of values is, such as prcp_mm.
+bool is_called_as_values(std::string_view column);
 
 /// The columns of a long table, beside that of its values, that are called as one of values is.
 std::vector<std::size_t> further_values(const Table& table, const ReadingsLayout& layout);

@@ -1,5 +1,6 @@
 #include "files/rainfall/published_rainfall.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -24,7 +25,9 @@
 #include "readings/published/text_beginning.h"
 #include "readings/published/usgs_rdb.h"
 #include "readings/rain_unit.h"
+#include "readings/readings_layout.h"
 #include "text/csv_form.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -38,6 +41,12 @@ struct Recognised {
 };
 
 Recognised open_usgs(const std::string& file, const std::string& wanted, Warnings& warnings) {
+  if (!has_usgs_rain(open_text(file))) {
+    throw NoRain({file, 0,
+                  "it is " + std::string(usgs_rdb_format().name) +
+                      " without a column of precipitation (00045)",
+                  ""});
+  }
   auto table = std::make_unique<UsgsRdb>(
       file, [file] { return open_text(file); }, wanted, warnings);
   return {std::move(table), &usgs_rdb_format()};
@@ -124,6 +133,18 @@ Recognised open_table_format_of(const std::string& value, const Source& rainfall
   return {std::move(found.table)};
 }
 
+/// Refuses a table of a known format that has no column of rain, by whatever name.
+void require_rain(const Table& table, const std::string& beginning) {
+  const std::vector<std::string>& header = table.header();
+  if (std::ranges::any_of(header, is_called_as_values)) return;
+  const std::string_view format = format_without_rain(header, beginning);
+  if (format.empty()) return;
+  throw NoRain({table.file(), table.header_line(),
+                "it is " + std::string(format) + ", without a column of rain; the columns are " +
+                    listed(header),
+                setting("value_field") + " names one that is rain all the same"});
+}
+
 Recognised open_by_content(const Source& rainfall, const ReadingsOptions& options,
                            Warnings& warnings) {
   const std::string beginning = beginning_of_text(rainfall.file, csv_beginning_bytes);
@@ -137,8 +158,10 @@ Recognised open_by_content(const Source& rainfall, const ReadingsOptions& option
     }
     return found;
   }
-  return value.empty() ? open_table_format(rainfall, beginning, warnings)
-                       : open_table_format_of(value, rainfall, beginning, warnings);
+  if (!value.empty()) return open_table_format_of(value, rainfall, beginning, warnings);
+  found = open_table_format(rainfall, beginning, warnings);
+  if (found.format == nullptr) require_rain(*found.table, beginning);
+  return found;
 }
 
 /// What to do about a unit that is not known: one of a rate has no name that the option takes.

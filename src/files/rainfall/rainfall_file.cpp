@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
+#include "files/rainfall/files_without_rain.h"
 #include "files/rainfall/published_rainfall.h"
 #include "files/rainfall/rainfall_folder.h"
 #include "files/tables/skipped_lines.h"
@@ -165,6 +168,18 @@ ReportingStations heard_in(const Source& rainfall, std::span<const Station> stat
   return heard.heard();
 }
 
+/// The same of one file of several; nothing where it holds no rain.
+std::optional<ReportingStations> heard_if_of_rain(const Source& rainfall,
+                                                  std::span<const Station> stations,
+                                                  std::span<const std::string> passed_over,
+                                                  const ReadingsOptions& options) {
+  try {
+    return heard_in(rainfall, stations, passed_over, options);
+  } catch (const NoRain&) {
+    return std::nullopt;
+  }
+}
+
 /// Whether a file is one that brings its bytes once.
 bool is_stream(const std::string& file) {
   using Type = std::filesystem::file_type;
@@ -197,10 +212,12 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
   of_each.is_one_of_several = true;
   std::vector<JoinedReadings::File> files;
   files.reserve(names.size());
+  const auto all = std::make_shared<FilesWithoutRain>(names.size(), rainfall.name());
   for (const std::string& name : names) {
-    files.push_back({name, [=, source = source_of(rainfall, name)](Warnings& of_file) {
-                       return open_among_several(source, stations, passed_over, of_each, of_file);
-                     }});
+    const auto open = [=, source = source_of(rainfall, name)](Warnings& of_file) {
+      return open_among_several(source, stations, passed_over, of_each, of_file);
+    };
+    files.push_back({name, [=](Warnings& of_file) { return all->open_next(open, name, of_file); }});
   }
   std::unique_ptr<Readings> joined =
       std::make_unique<JoinedReadings>(std::move(files), rainfall.name(), stations, warnings);
@@ -228,16 +245,19 @@ ReportingStations stations_that_report(const RainfallRequest& rainfall,
     ReadingsOptions of_each = options;
     of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
     std::size_t silent = stations.size();
+    bool has_rain = false;
     for (const std::string& name : names) {
       if (silent == 0) break;
-      const ReportingStations of_file =
-          heard_in(source_of(rainfall, name), stations, passed_over, of_each);
-      for (std::uint32_t s = 0; s < stations.size(); ++s) {
-        if (!of_file[StationIndex{s}] || heard[StationIndex{s}]) continue;
+      const auto of_file =
+          heard_if_of_rain(source_of(rainfall, name), stations, passed_over, of_each);
+      has_rain = has_rain || of_file;
+      for (std::uint32_t s = 0; of_file && s < stations.size(); ++s) {
+        if (!(*of_file)[StationIndex{s}] || heard[StationIndex{s}]) continue;
         heard.set(StationIndex{s}, true);
         --silent;
       }
     }
+    if (!has_rain) return ReportingStations(stations.size(), true);
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/utf8.h"
+#include "text/field_names.h"
 
 namespace thiessen {
 namespace {
@@ -242,13 +243,56 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .is_of_basins = true},
 }};
 
-bool fits(const std::vector<std::string>& header, const PublishedFormat& format) {
+/// Whether a header has columns of these names, in this order.
+bool has_columns(const std::vector<std::string>& header,
+                 std::span<const std::string_view> columns) {
   std::size_t at = 0;
-  for (const std::string_view names : parted(format.columns, ',')) {
+  for (const std::string_view names : columns) {
     while (at < header.size() && !has_published_name(header[at], names)) ++at;
     if (at++ == header.size()) return false;
   }
   return true;
+}
+
+bool fits(const std::vector<std::string>& header, const PublishedFormat& format) {
+  return has_columns(header, parted(format.columns, ','));
+}
+
+/// The columns of a format but for those of its rain.
+std::vector<std::string_view> columns_without_rain(const PublishedFormat& format) {
+  std::vector<std::string_view> columns = parted(format.columns, ',');
+  std::erase_if(columns, [&](std::string_view names) {
+    return names == format.value || names == format.flags || names == format.source;
+  });
+  return columns;
+}
+
+/// A publisher's table of weather other than rain.
+struct OtherTable {
+  std::string_view name;
+  std::string_view columns;
+};
+constexpr std::array<OtherTable, 1> other_tables = {{
+    {"a product of DWD's other than rain",
+     "STATIONS_ID, MESS_DATUM, QN*, TT_TU|PP_10|TT_10|FF_10|FX_10|SD_SO|DS_10|V_N|TT|F|P|V_TE002"},
+}};
+
+/// Whether a column's name tells of rain, though no format has it.
+bool tells_of_rain(const std::string& name) {
+  constexpr std::array<std::string_view, 8> words = {"rain",  "precip", "prcp", "pcp",
+                                                     "pluie", "chuva",  "rr",   "rs_"};
+  const std::string plain = plain_name(name);
+  return std::ranges::any_of(
+      words, [&](std::string_view word) { return plain.find(word) != std::string::npos; });
+}
+
+/// Whether a header is that of a format but for the columns of its rain, which have names that are
+/// no one else's. DWD's have a name for each step, so that another one may be of rain too.
+bool fits_without_rain(const std::vector<std::string>& header, const PublishedFormat& format) {
+  constexpr std::size_t telling = 3;  // columns, of which fewer may be anybody's
+  const std::vector<std::string_view> columns = columns_without_rain(format);
+  if (columns.front() == "STATIONS_ID") return false;
+  return (columns.size() >= telling || !format.begins.empty()) && has_columns(header, columns);
 }
 
 bool begins_as(std::string_view beginning, const PublishedFormat& format) {
@@ -275,6 +319,19 @@ bool begins_as_published(std::string_view beginning) {
   return std::ranges::any_of(formats, [&](const PublishedFormat& format) {
     return !format.begins.empty() && begins_as(beginning, format);
   });
+}
+
+std::string_view format_without_rain(const std::vector<std::string>& header,
+                                     std::string_view beginning) {
+  if (std::ranges::any_of(header, tells_of_rain)) return {};
+  for (const PublishedFormat& format : formats) {
+    if (begins_as(beginning, format) && fits_without_rain(header, format) &&
+        (!format.unit_is_ordered || is_shouted(header)))
+      return format.name;
+  }
+  for (const OtherTable& table : other_tables)
+    if (has_columns(header, parted(table.columns, ','))) return table.name;
+  return {};
 }
 
 const PublishedFormat* format_of_header(const std::vector<std::string>& header,

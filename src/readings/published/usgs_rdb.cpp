@@ -109,6 +109,16 @@ bool is_usgs_rdb(std::string_view beginning) {
   return false;
 }
 
+bool has_usgs_rain(InputFile file) {
+  TextLines lines(std::move(file));
+  while (const auto line = lines.next()) {
+    if (line->starts_with('#')) continue;
+    const auto fields = parted(*line, '\t');
+    if (is_header(fields) && std::ranges::any_of(fields, is_usgs_rain)) return true;
+  }
+  return false;
+}
+
 UsgsRdb::UsgsRdb(std::string file, OpenInput open, std::string wanted, Warnings& warnings)
     : file_(std::move(file)),
       open_(std::move(open)),

@@ -26,6 +26,9 @@ const PublishedFormat& usgs_rdb_format();
 /// remarks, and then a header of agency_cd, site_no and datetime. Each site has its own.
 bool is_usgs_rdb(std::string_view beginning);
 
+/// Whether a file of USGS's RDB has a site with a column of precipitation. Reads it up to there.
+bool has_usgs_rain(InputFile file);
+
 /// Whether a column of USGS's RDB holds precipitation: 68487_00045, or of days 68487_00045_00006.
 bool is_usgs_rain(std::string_view column);
 

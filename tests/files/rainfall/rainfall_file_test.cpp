@@ -91,6 +91,42 @@ TEST(RainfallFile, of_several_files_has_counters_that_go_on_from_file_to_file) {
                                       "2020-01-02 0 5"}));
 }
 
+constexpr const char* without_rain =
+    "STATION,DATE,LATITUDE,LONGITUDE,ELEVATION,NAME,TMAX\nA,2020-01-01,1,2,3,a,111\n";
+constexpr const char* sites =
+    "agency_cd\tsite_no\tdatetime\t1_00060\n5s\t15s\t20d\t14n\nUSGS\tA\t2020-01-01\t7\n";
+
+TEST(RainfallFile, of_several_passes_over_those_without_rain_and_names_them) {
+  const TemporaryFolder folder;
+  folder.write("1.csv", without_rain);
+  folder.write("2.csv", "time,A,B\n2020-01-01,9,10\n");
+  folder.write("3.txt", sites);
+  Warnings warnings;
+  EXPECT_EQ(steps_of({folder.path()}, {}, warnings), std::vector<std::string>{"2020-01-01 9 10"});
+  ASSERT_EQ(warnings.notices().size(), 1U);
+  EXPECT_EQ(warnings.notices()[0].sentence(),
+            folder.path() + ": files without rain are passed over: " + folder.path("1.csv") + ", " +
+                folder.path("3.txt"));
+}
+
+TEST(RainfallFile, without_rain_in_any_of_several_is_an_error) {
+  const TemporaryFolder folder;
+  const std::string a = folder.write("1.csv", without_rain);
+  const std::string b = folder.write("2.txt", sites);
+  for (const std::vector<std::string>& named :
+       {std::vector<std::string>{a, b}, std::vector<std::string>{folder.path()}}) {
+    Warnings warnings;
+    const auto found = complaints_of([&] { steps_of(named, {}, warnings); });
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0],
+              a + ":1: it is NOAA's GHCN-Daily, a column an element, without a column of rain; the "
+                  "columns are 'STATION', 'DATE', 'LATITUDE', 'LONGITUDE', 'ELEVATION', 'NAME', "
+                  "'TMAX' | 'value_field' names one that is rain all the same");
+    EXPECT_EQ(found[1], b + ": it is USGS's RDB without a column of precipitation (00045)");
+  }
+  EXPECT_TRUE(contains(complaint_of([&] { first(a); }), "without a column of rain"));
+}
+
 TEST(RainfallFile, without_a_header_is_filtered_by_the_names_of_its_format) {
   const TemporaryFolder folder;
   const std::string text =

@@ -74,5 +74,30 @@ TEST(PublishedFormats, none_has_thousands_of_columns) {
   EXPECT_EQ(format_of_header(header), nullptr);
 }
 
+std::string without_rain(const Header& header, std::string_view beginning = {}) {
+  return std::string(format_without_rain(header, beginning));
+}
+
+TEST(PublishedFormats, without_its_rain_is_known_where_the_other_columns_tell_it) {
+  EXPECT_EQ(without_rain({"STATION", "DATE", "LATITUDE", "LONGITUDE", "ELEVATION", "NAME", "TMAX"}),
+            "NOAA's GHCN-Daily, a column an element");
+  EXPECT_EQ(without_rain({"STATION", "NAME", "DATE", "TMAX", "TMIN"}),
+            "an order of NOAA's Climate Data Online, with flags");
+  EXPECT_EQ(without_rain({"STATIONS_ID", "MESS_DATUM", "QN_9", "TT_TU", "RF_TU", "eor"}),
+            "a product of DWD's other than rain");
+  EXPECT_EQ(without_rain({"date", "ind", "maxtp"}, "Station Name: X\n"),
+            "Met \u00c9ireann's hourly or daily data");
+}
+
+TEST(PublishedFormats, that_may_have_rain_by_another_name_is_not_without_it) {
+  EXPECT_EQ(without_rain({"STATIONS_ID", "MESS_DATUM", "QN", "RS_05", "eor"}), "");
+  EXPECT_EQ(without_rain({"STATIONS_ID", "MESS_DATUM_BEGINN", "MESS_DATUM_ENDE", "QN_6", "JA_RR"}),
+            "");
+  EXPECT_EQ(without_rain({"STATION", "NAME", "DATE", "HPCP"}), "");
+  EXPECT_EQ(without_rain({"STATION", "DATE", "TMAX"}), "") << "anybody may call columns so";
+  EXPECT_EQ(without_rain({"station", "name", "date", "tmax"}), "");
+  EXPECT_EQ(without_rain({}), "");
+}
+
 }  // namespace
 }  // namespace thiessen

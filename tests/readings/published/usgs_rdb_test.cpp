@@ -119,5 +119,16 @@ TEST_F(UsgsRdbTest, a_mean_or_an_extreme_of_a_day_is_no_rain) {
   EXPECT_EQ(rows(text, "1_00045_00003"), (Rows{{"1", "2024-03-10", "0.1"}}));
 }
 
+TEST_F(UsgsRdbTest, has_rain_where_any_of_its_sites_has) {
+  const auto has_rain = [&](const std::string& text) {
+    return has_usgs_rain(InputFile(folder_.write("h.txt", text)));
+  };
+  const std::string flow = "# x\nagency_cd\tsite_no\tdatetime\t1_00060\n";
+  EXPECT_FALSE(has_rain(flow));
+  EXPECT_TRUE(has_rain(flow + "USGS\t1\t2020-01-01\t7\n" +
+                       "agency_cd\tsite_no\tdatetime\t1_00045\t1_00045_cd\n"));
+  EXPECT_FALSE(has_rain("agency_cd\tsite_no\tdatetime\t1_00045_cd\n"));
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -1,0 +1,36 @@
+#include "files/rainfall/files_without_rain.h"
+
+#include <algorithm>
+
+#include "files/rainfall/published_rainfall.h"
+
+namespace thiessen {
+
+JoinedReadings::Opened FilesWithoutRain::open_next(const Open& open, const std::string& file,
+                                                   Warnings& warnings) {
+  ++opened_;
+  JoinedReadings::Opened opened;
+  try {
+    opened = open(warnings);
+  } catch (const NoRain& none) {
+    warnings.have_been_told();  // how a file is written that is not read
+    passed_over_.push_back(file);
+    for (const Message& message : none.messages()) faults_.add(message);
+    if (passed_over_.size() == count_) faults_.throw_if_any();
+  }
+  if (opened_ == count_ && !passed_over_.empty()) tell(warnings);
+  return opened;
+}
+
+void FilesWithoutRain::tell(Warnings& warnings) const {
+  constexpr std::size_t most = 5;
+  const std::size_t count = passed_over_.size();
+  std::string text = count == 1 ? "a file without rain is" : "files without rain are";
+  text += " passed over: ";
+  for (std::size_t i = 0; i < std::min(count, most); ++i)
+    text += (i == 0 ? "" : ", ") + passed_over_[i];
+  if (count > most) text += " and " + std::to_string(count - most) + " more";
+  warnings.add_notice({name_, 0, std::move(text), ""});
+}
+
+}  // namespace thiessen
