@@ -197,5 +197,14 @@ TEST(Layout, a_column_that_holds_the_whole_time_needs_no_other) {
             1U);
 }
 
+TEST(Layout, is_long_by_its_header_whatever_the_stations_are) {
+  EXPECT_TRUE(is_long_header({"station", "lon", "lat", "date", "rain_mm"}));
+  EXPECT_TRUE(is_long_header({"id", "year", "month", "day", "prcp"}));
+  EXPECT_FALSE(is_long_header({"station", "lon", "lat"}));
+  EXPECT_FALSE(is_long_header({"date", "rain"}));
+  EXPECT_FALSE(is_long_header({"station", "rain"}));
+  EXPECT_FALSE(is_long_header({}));
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/rainfall/archived_rainfall.h"
 #include "files/tables/csv_file.h"
 #include "files/tables/filtered_table.h"
 #include "files/tables/netcdf_rainfall.h"
@@ -209,8 +210,10 @@ RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warn
 
 }  // namespace
 
-RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions& options,
+RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& options,
                                   Warnings& warnings) {
+  Source rainfall = said;
+  rainfall.file = file_of_readings(said.file, warnings);
   if (!options.keep_flagged && is_netcdf_of_stations(rainfall.file))
     return open_netcdf(rainfall.file, options, warnings);
   Recognised found = open_by_content(rainfall, options, warnings);
@@ -222,9 +225,9 @@ RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions&
   if (found.format == nullptr) return {std::move(found.table), options};
   tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
   // A column that the user names is here the format's own, which the table may call otherwise.
-  ReadingsOptions said = options;
-  said.value_field.clear();
-  ReadingsOptions all = options_of(*found.format, *found.table, std::move(said));
+  ReadingsOptions others = options;
+  others.value_field.clear();
+  ReadingsOptions all = options_of(*found.format, *found.table, std::move(others));
   auto table =
       std::make_unique<PublishedTable>(std::move(found.table), *found.format, options, warnings);
   const bool is_of_one = found.format->station.empty() && all.station_field.empty();

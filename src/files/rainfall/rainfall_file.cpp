@@ -48,10 +48,10 @@ struct Placed {
   ReadingsOptions options;  ///< with what is known of a published format
 };
 
-/// The station of a file of one: as the file calls it, or as its name does. Empty where neither is
-/// known.
-std::string station_of_file(const RainfallTable& opened, const ReadingsStations& known,
-                            Warnings& warnings) {
+/// The station of a file of one: as the file calls it, or as its name does, or that of the archive
+/// in which it stands. Empty where none is known.
+std::string station_of_file(const RainfallTable& opened, const std::string& named,
+                            const ReadingsStations& known, Warnings& warnings) {
   const std::string& file = opened.table->file();
   for (const std::string& told : opened.stations_told) {
     if (known.find(told).standing == ReadingsStations::Standing::unknown) continue;
@@ -59,6 +59,7 @@ std::string station_of_file(const RainfallTable& opened, const ReadingsStations&
     return told;
   }
   std::string id = station_in_name(file, known);
+  if (id.empty() && file != named) id = station_in_name(named, known);
   if (!id.empty()) warnings.add_notice({file, 0, "its station stands in the file's name", ""});
   return id;
 }
@@ -93,7 +94,7 @@ Placed open_placed(const Source& source, const ReadingsStations& known,
       (!options.is_one_of_several || !opened.options.station_field.empty() ||
        !names_no_station(*opened.table, known));
   if (tells_stations) return {std::move(opened.table), "", std::move(opened.options)};
-  std::string id = station_of_file(opened, known, warnings);
+  std::string id = station_of_file(opened, source.file, known, warnings);
   if (!id.empty()) {
     opened.options.station_field = station_of_name;
     auto of_one = of_station(std::move(opened.table), id);

@@ -33,6 +33,12 @@ InputFile open_as(const std::string& file, const Opening& opening) {
   return InputFile(file);
 }
 
+/// Whether a file is a plain one, or one in an archive.
+bool can_be_opened_again(const std::string& file) {
+  std::error_code none;
+  return file.starts_with("/vsi") || std::filesystem::is_regular_file(file, none);
+}
+
 }  // namespace
 
 InputFile open_text(const std::string& file) {
@@ -40,8 +46,7 @@ InputFile open_text(const std::string& file) {
 }
 
 std::string beginning_of_text(const std::string& file, std::size_t bytes) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(file, none)) return {};
+  if (!can_be_opened_again(file)) return {};
   std::string beginning(bytes, '\0');
   std::size_t count = 0;
   try {

@@ -4,6 +4,8 @@
 #include <cpl_vsi.h>
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <string_view>
 
 #include "base/error.h"
@@ -24,31 +26,17 @@ std::string stem_of(const std::string& name) {
   return lower_case(name.substr(0, name.rfind('.')));
 }
 
-std::vector<std::string> data_sets(const std::vector<std::string>& names) {
-  std::vector<std::string> found;
-  std::vector<std::string> texts;
-  for (const std::string& name : names) {
-    const InputFormat* format = format_by_extension(name);
-    if (format == nullptr || is_litter(name)) continue;
-    (format->extension == ".txt" ? texts : found).push_back(name);
-  }
-  std::erase_if(found, [&](const std::string& name) {
-    return lower_case(name).ends_with(".dbf") &&
-           std::any_of(found.begin(), found.end(), [&](const std::string& other) {
-             return lower_case(other).ends_with(".shp") && stem_of(other) == stem_of(name);
-           });
-  });
-  // Beside data a text tells about them; alone it is the data.
-  return found.empty() ? texts : found;
+bool is_text(const std::string& name) {
+  return format_by_extension(name)->extension == ".txt";
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    text += (i == 0 ? "" : ", ") + quoted(names[i], 80);
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
-                             : text;
+/// The data sets of an archive. Beside data a text tells about them; alone it is the data.
+std::vector<std::string> data_sets(const std::vector<std::string>& names) {
+  std::vector<std::string> texts = tables_in_archive(names);
+  std::vector<std::string> found;
+  std::copy_if(texts.begin(), texts.end(), std::back_inserter(found),
+               [](const std::string& name) { return !is_text(name); });
+  return found.empty() ? texts : found;
 }
 
 }  // namespace
@@ -71,16 +59,54 @@ std::vector<std::string> files_in_archive(const std::string& file, const std::st
   return names;
 }
 
+std::vector<std::string> tables_in_archive(const std::vector<std::string>& names) {
+  std::vector<std::string> found;
+  std::copy_if(names.begin(), names.end(), std::back_inserter(found), [](const std::string& name) {
+    return format_by_extension(name) != nullptr && !is_litter(name);
+  });
+  std::erase_if(found, [&](const std::string& name) {
+    return lower_case(name).ends_with(".dbf") &&
+           std::any_of(names.begin(), names.end(), [&](const std::string& other) {
+             return lower_case(other).ends_with(".shp") && stem_of(other) == stem_of(name);
+           });
+  });
+  return found;
+}
+
+std::string path_in_archive(const std::string& file, const std::string& name) {
+  const bool is_plain = lower_case(file).ends_with(".zip");
+  return "/vsizip/" + (is_plain ? file : "{" + file + "}") + "/" + name;
+}
+
+std::string path_in_archive_quoted(const std::string& file, const std::string& name) {
+  std::string path = path_in_archive(file, name);
+  const bool is_plain = std::all_of(path.begin(), path.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("/._-+:@%,").find(c) != std::string_view::npos;
+  });
+  return is_plain ? path : quoted(path, path.size());
+}
+
+std::string files_in_words(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    text += (i == 0 ? "" : ", ") + quoted(names[i], 80);
+  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                             : text;
+}
+
 std::string data_set_in_archive(const std::string& file, const std::vector<std::string>& names) {
   const std::vector<std::string> found = data_sets(names);
   if (found.empty()) {
-    throw Error(Message{file, 0, "a zip archive without a data set that is read: " + listed(names),
+    throw Error(Message{file, 0,
+                        "a zip archive without a data set that is read: " + files_in_words(names),
                         "read are CSV, GeoJSON, GeoPackage, Shapefile, FlatGeobuf, KML and "
                         "spreadsheets"});
   }
   if (found.size() > 1) {
-    throw Error(Message{file, 0, "a zip archive of several data sets: " + listed(found),
-                        "name one as /vsizip/" + file + "/" + found.front()});
+    throw Error(Message{file, 0, "a zip archive of several data sets: " + files_in_words(found),
+                        "name one as " + path_in_archive_quoted(file, found.front())});
   }
   return found.front();
 }

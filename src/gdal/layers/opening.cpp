@@ -113,16 +113,23 @@ bool is_gzip(std::string_view bytes) {
   refuse(file, "is " + std::string(kind.name) + ", which is not read", std::string(kind.hint));
 }
 
+bool has(const std::vector<std::string>& names, std::string_view wanted) {
+  return std::find(names.begin(), names.end(), wanted) != names.end();
+}
+
+/// The driver of a spreadsheet that is a zip of these files; null where it is none.
+const char* spreadsheet_of(const std::vector<std::string>& names) {
+  if (has(names, "xl/workbook.xml")) return "XLSX";
+  return has(names, "content.xml") && has(names, "mimetype") ? "ODS" : nullptr;
+}
+
 /// Opens a zip that no format's extension explains: a spreadsheet under another name, or an archive
 /// of one data set.
 Opening zip_opening(const std::string& file, const std::string& name) {
   const std::vector<std::string> names = files_in_archive(file, name);
-  const auto has = [&](std::string_view wanted) {
-    return std::find(names.begin(), names.end(), wanted) != names.end();
-  };
-  if (const auto kind = unread_archive(has)) refuse_kind(file, *kind);
-  if (has("xl/workbook.xml")) return {{"XLSX"}, name};
-  if (has("content.xml") && has("mimetype")) return {{"ODS"}, name};
+  const auto has_file = [&](std::string_view wanted) { return has(names, wanted); };
+  if (const auto kind = unread_archive(has_file)) refuse_kind(file, *kind);
+  if (const char* driver = spreadsheet_of(names)) return {{driver}, name};
   const std::string member = data_set_in_archive(file, names);
   const InputFormat& format = *format_by_extension(member);
   return {format.drivers, "/vsizip/{" + name + "}/" + member, Opening::Packing::archived};
@@ -185,6 +192,18 @@ Opening find_opening(const std::string& file) {
   require_readable(file);
   if (!regular(file)) return {{}, file};
   return file_opening(file, file.starts_with('/') ? file : "./" + file);
+}
+
+std::vector<std::string> tables_in_zip(const std::string& file) {
+  start_gdal();
+  const InputFormat* format = format_by_extension(file);
+  if (!regular(file) || (format != nullptr && !format->drivers.empty())) return {};
+  const std::string name = file.starts_with('/') ? file : "./" + file;
+  if (!is_zip(first_bytes(file, name))) return {};
+  const std::vector<std::string> names = files_in_archive(file, name);
+  const auto has_file = [&](std::string_view wanted) { return has(names, wanted); };
+  if (unread_archive(has_file) || spreadsheet_of(names) != nullptr) return {};
+  return tables_in_archive(names);
 }
 
 bool read_by_gdal(const std::string& file) {

@@ -23,6 +23,10 @@ struct Opening {
 /// read_by_gdal does.
 Opening find_opening(const std::string& file);
 
+/// The files of a zip archive of data sets that may be one (see tables_in_archive); none where
+/// `file` is no such archive, but a spreadsheet or the like. Throws Error where it is damaged.
+std::vector<std::string> tables_in_zip(const std::string& file);
+
 /// Whether `file` is read by GDAL rather than as a CSV: by its extension, `PG:`, an archive's path,
 /// or its first bytes. Throws Error for files that no command reads: a folder, a missing file, a
 /// URL, a connection other than PG:, a virtual file other than of a local archive, JSON as an

@@ -37,6 +37,29 @@ bool is_list_header(std::string_view line) {
   return std::ranges::equal(names, list_columns, equal_ignoring_case);
 }
 
+std::vector<ArcSwatGauge> gauges_of(const std::string& list, const OpenNamed& open) {
+  const std::filesystem::path folder = std::filesystem::path(list).parent_path();
+  TextLines lines(open(list));
+  lines.next();
+  Complaints complaints;
+  std::vector<ArcSwatGauge> gauges;
+  while (const auto line = lines.next()) {
+    if (trimmed(*line).empty()) continue;
+    const auto fields = parted(*line, ',');
+    if (fields.size() != list_columns.size() || fields[0].empty() || fields[1].empty()) {
+      complaints.add(
+          {list, lines.line(), "no ID, NAME, LAT, LONG and ELEVATION: " + quoted(*line, 60), ""});
+      continue;
+    }
+    std::string name(fields[1]);
+    if (!lower_case(name).ends_with(".txt")) name += ".txt";
+    gauges.push_back({std::string(fields[0]), (folder / name).string()});
+  }
+  complaints.throw_if_any();
+  if (gauges.empty()) throw Error({list, 0, "it names no files", ""});
+  return gauges;
+}
+
 }  // namespace
 
 const PublishedFormat& arcswat_list_format() {
@@ -74,31 +97,16 @@ ArcSwatRainfall::ArcSwatRainfall(std::string file, ArcSwatFile kind, OpenNamed o
   header_ = {"date", "precipitation"};
   if (kind_ == ArcSwatFile::list) {
     header_.insert(header_.begin(), "station");
-    read_list();
+    gauges_ = gauges_of(file_, open_);
   } else {
     gauges_.push_back({"", file_});
   }
 }
 
-void ArcSwatRainfall::read_list() {
-  const std::filesystem::path folder = std::filesystem::path(file_).parent_path();
-  TextLines lines(open_(file_));
-  lines.next();
-  Complaints complaints;
-  while (const auto line = lines.next()) {
-    if (trimmed(*line).empty()) continue;
-    const auto fields = parted(*line, ',');
-    if (fields.size() != list_columns.size() || fields[0].empty() || fields[1].empty()) {
-      complaints.add(
-          {file_, lines.line(), "no ID, NAME, LAT, LONG and ELEVATION: " + quoted(*line, 60), ""});
-      continue;
-    }
-    std::string name(fields[1]);
-    if (!name.ends_with(".txt")) name += ".txt";
-    gauges_.push_back({std::string(fields[0]), (folder / name).string()});
-  }
-  complaints.throw_if_any();
-  if (gauges_.empty()) throw Error({file_, 0, "it names no files", ""});
+std::vector<std::string> files_of_arcswat_list(const std::string& list, const OpenNamed& open) {
+  std::vector<std::string> files;
+  for (ArcSwatGauge& gauge : gauges_of(list, open)) files.push_back(std::move(gauge.file));
+  return files;
 }
 
 std::unique_ptr<Table> ArcSwatRainfall::again() const {

@@ -29,6 +29,16 @@ enum class ArcSwatFile {
 };
 ArcSwatFile arcswat_file(std::string_view beginning);
 
+/// A gauge of a list, and the file of its rain.
+struct ArcSwatGauge {
+  std::string id;
+  std::string file;
+};
+
+/// The files that a list names, beside it. Throws Error with all lines that name none, and where
+/// there are none at all.
+std::vector<std::string> files_of_arcswat_list(const std::string& list, const OpenNamed& open);
+
 /// The rain in files of ArcSWAT, in millimetres, as a table of date (YYYY-MM-DD) and precipitation;
 /// of a list with the gauge's ID as station. Throws Error at the end with all lines that are no
 /// rain from 0 on, nor -99 for none.
@@ -46,19 +56,13 @@ class ArcSwatRainfall : public Table {
   std::unique_ptr<Table> again() const override;
 
  private:
-  struct Gauge {
-    std::string id;
-    std::string file;
-  };
-
-  void read_list();
   bool open_next();
 
   std::string file_;
   ArcSwatFile kind_;
   OpenNamed open_;
   std::vector<std::string> header_;
-  std::vector<Gauge> gauges_;
+  std::vector<ArcSwatGauge> gauges_;
   std::size_t next_gauge_ = 0;
   std::optional<TextLines> lines_;
   std::int64_t seconds_ = 0;  ///< of the day that comes next

@@ -4,7 +4,13 @@
 #include <filesystem>
 
 #include "base/utf8.h"
+#include "readings/published/arcswat_files.h"
+#include "readings/published/headerless_formats.h"
+#include "readings/published/month_rows.h"
 #include "readings/published/published_formats.h"
+#include "readings/published/swat_files.h"
+#include "readings/published/usgs_rdb.h"
+#include "readings/readings_layout.h"
 #include "text/csv_form.h"
 #include "text/csv_records.h"
 #include "text/decoder.h"
@@ -56,6 +62,16 @@ TextBeginning look_at_beginning(std::string_view bytes, const CsvDialect& said) 
   told.tells_encoding = !is_known && said.encoding.empty() && !format->encoding.empty();
   if (told.tells_encoding) told.dialect.encoding = format->encoding;
   return told;
+}
+
+bool begins_as_readings(std::string_view bytes) {
+  if (is_usgs_rdb(bytes) || swat_file(bytes) != SwatFile::none ||
+      arcswat_file(bytes) != ArcSwatFile::none || format_of_rows(bytes) != nullptr)
+    return true;
+  const std::string text = is_utf8(bytes) ? std::string(bytes) : decoded(bytes, "Latin-1");
+  const std::vector<std::string> header = header_in(text, {});
+  return is_ana_header(header) || format_of_header(header, text) != nullptr ||
+         is_long_header(header);
 }
 
 std::vector<std::string> stations_told(const PublishedFormat& format, std::string_view beginning,

@@ -21,6 +21,11 @@ struct TextBeginning {
 /// and begins with the lines of no format.
 TextBeginning look_at_beginning(std::string_view bytes, const CsvDialect& said);
 
+/// Whether a text is surely one of readings, by its first bytes: in a published format (see
+/// PublishedFormat, and the readers of those that are no tables), or a table with columns of
+/// stations, times and values by their usual names.
+bool begins_as_readings(std::string_view bytes);
+
 /// What the lines above a header and the file's name call the one station that a file is of, the
 /// first first; empty where neither tells.
 std::vector<std::string> stations_told(const PublishedFormat& format, std::string_view beginning,

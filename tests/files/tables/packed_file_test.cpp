@@ -53,6 +53,8 @@ TEST(PackedFile, law_1_a_text_is_the_same_however_it_is_packed) {
   }
   const std::string inside = "/vsizip/" + packed().folder.path("a.zip") + "/a.csv";
   EXPECT_EQ(read(inside), text);
+  EXPECT_EQ(beginning_of_text(inside, 4), "id,x");
+  EXPECT_EQ(beginning_of_text("/vsizip/" + packed().folder.path("a.zip") + "/no.csv", 4), "");
 }
 
 TEST(PackedFile, that_cannot_be_opened_is_an_error_and_has_no_beginning) {

@@ -52,6 +52,20 @@ TEST(Archive, a_text_counts_only_where_it_is_alone) {
                        "several data sets: 'a.txt', 'b.txt'"));
 }
 
+TEST(Archive, its_tables_are_all_that_may_be_data_texts_too) {
+  EXPECT_EQ(tables_in_archive({"a.TXT", "b.pdf", "c.csv", "s.shp", "s.dbf", "t.dbf", ".d.csv"}),
+            (Names{"a.TXT", "c.csv", "s.shp", "t.dbf"}));
+  EXPECT_EQ(tables_in_archive({"b.pdf"}), Names{});
+}
+
+TEST(Archive, its_files_are_named_as_gdal_and_a_shell_want_them) {
+  EXPECT_EQ(path_in_archive("in/A.ZIP", "d/b.csv"), "/vsizip/in/A.ZIP/d/b.csv");
+  EXPECT_EQ(path_in_archive("rain", "b.csv"), "/vsizip/{rain}/b.csv");
+  EXPECT_EQ(path_in_archive_quoted("a.zip", "b.csv"), "/vsizip/a.zip/b.csv");
+  EXPECT_EQ(path_in_archive_quoted("a.zip", "b 1.csv"), "'/vsizip/a.zip/b 1.csv'");
+  EXPECT_EQ(path_in_archive_quoted("rain", "b.csv"), "'/vsizip/{rain}/b.csv'");
+}
+
 TEST(Archive, what_its_maker_s_machine_left_in_it_does_not_count) {
   EXPECT_EQ(data_set({"a.csv", "__MACOSX/._a.csv", ".hidden.csv", "in/.b.csv"}), "a.csv");
   EXPECT_TRUE(contains(complaint_of([] { data_set({"__MACOSX/a.csv"}); }), "without a data set"));

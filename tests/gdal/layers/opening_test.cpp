@@ -82,5 +82,23 @@ TEST(Opening, an_archive_of_a_local_file_is_read) {
   EXPECT_EQ(layer.geometry().points.at(0), (Point{1, 2}));
 }
 
+TEST(Opening, a_zip_of_several_tables_has_them_all) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.csv", "b.txt", "c.pdf", "mimetype", "content.xml"})
+    folder.write(name, "x");
+  const auto zip = [&](const std::string& name, const std::string& files) {
+    const std::string pack =
+        "cd '" + folder.path() + "' && python3 -m zipfile -c " + name + " " + files;
+    EXPECT_EQ(std::system(pack.c_str()), 0);
+    return folder.path(name);
+  };
+  EXPECT_EQ(tables_in_zip(zip("a.zip", "a.csv b.txt c.pdf")),
+            (std::vector<std::string>{"a.csv", "b.txt"}));
+  EXPECT_TRUE(tables_in_zip(zip("b.zip", "a.csv mimetype content.xml")).empty()) << "a spreadsheet";
+  EXPECT_TRUE(tables_in_zip(folder.path("a.csv")).empty());
+  EXPECT_TRUE(tables_in_zip(folder.path("no.zip")).empty());
+  EXPECT_TRUE(tables_in_zip("-").empty());
+}
+
 }  // namespace
 }  // namespace thiessen

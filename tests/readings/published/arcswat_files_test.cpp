@@ -81,5 +81,12 @@ TEST(ArcSwatFiles, faults_have_their_file_and_line) {
                Error);
 }
 
+TEST(ArcSwatFiles, of_a_list_are_named_with_its_folder) {
+  const auto open =
+      opening({{"a/pcp.txt", "ID,NAME,LAT,LONG,ELEVATION\n1,p1,41,-93,9\n7,P2.TXT,42,-94,8\n"}});
+  EXPECT_EQ(files_of_arcswat_list("a/pcp.txt", open),
+            (std::vector<std::string>{"a/p1.txt", "a/P2.TXT"}));
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -55,5 +55,17 @@ TEST(TextBeginning, the_lines_above_the_header_and_the_name_of_the_file_tell_the
   EXPECT_EQ(stations_told(format, above, "9532.csv"), std::vector<std::string>{"EASTFIELD (No.2)"});
 }
 
+TEST(TextBeginning, tells_readings_of_a_known_format) {
+  EXPECT_TRUE(begins_as_readings(inmet));
+  EXPECT_TRUE(begins_as_readings("STATION,DATE,PRCP\nA,2020-01-01,1\n"));
+  EXPECT_TRUE(begins_as_readings("USC00000001,20200101,PRCP,40,,,7,0700\n"));
+  EXPECT_TRUE(begins_as_readings("Station  a,\nLati 35.0\nLong-81.5\nElev  200\n"));
+  EXPECT_TRUE(begins_as_readings("20000228\n0.5\n"));
+  EXPECT_TRUE(begins_as_readings("# remark\nid;date;rain (mm)\nA;2020-01-01;1\n"));
+  EXPECT_FALSE(begins_as_readings("time,A,B\n2020-01-01,1,2\n"));
+  EXPECT_FALSE(begins_as_readings("Stations_id;Stationshoehe;Stationsname\n44;4.0;A\n"));
+  EXPECT_FALSE(begins_as_readings(""));
+}
+
 }  // namespace
 }  // namespace thiessen
