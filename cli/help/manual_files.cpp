@@ -75,8 +75,16 @@ std::string files_section() {
              "of it between _, -, . and blanks. Readings that stand in several files alike count "
              "once, and a notice says how many; where they differ, the error names both places. "
              "Steps come in the order of time, after all files have been read. What else lies in a "
-             "folder is passed over with a notice that names it: other kinds of files, and texts "
-             "without any row of as many fields as their first, such as a readme.txt.");
+             "folder is passed over with a notice that names it: folders, other kinds of files, an "
+             "agency's list of stations, and texts without any row of as many fields as their "
+             "first, such as a readme.txt. So are the files that are given as STATIONS and BASINS, "
+             "unless they are surely tables of readings too, and, of several files however they "
+             "are named, those of a known format that hold no rain. Where SWAT+'s pcp.cli or "
+             "ArcSWAT's list of gauges lies in a folder, the files that it names are read by it.") +
+         roff_paragraph(
+             "A .zip may hold several tables, as agencies ship readings with what tells of them: "
+             "the one of a known format is read, or the only one that is a table at all, and a "
+             "notice names it as /vsizip/FILE.zip/NAME. Any other can be named so.");
 }
 
 std::string database_section() {

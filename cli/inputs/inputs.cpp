@@ -35,6 +35,14 @@ ReadingsOptions readings_options(const StudyOptions& study, const RainfallOption
   return options;
 }
 
+/// RAINFALL beside STATIONS and BASINS, which may lie in one folder with it.
+RainfallRequest rainfall_request(const StudyOptions& study, const RainfallOptions& rainfall) {
+  RainfallRequest request = rainfall.request(study.csv());
+  request.beside = {study.stations};
+  if (!study.basins.empty()) request.beside.push_back(study.basins);
+  return request;
+}
+
 std::vector<std::string> passed_over(const StudyFiles& files) {
   std::vector<std::string> ids(files.filtered_ids.begin(), files.filtered_ids.end());
   for (const Station& station : files.never_reporting) ids.push_back(station.id);
@@ -61,11 +69,11 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   } else if (!rainfall.given()) {
     note_whole_network(files.stations_file, count, without_rainfall(), warnings);
-  } else if (!can_be_read_again(rainfall.request(options.csv()))) {
+  } else if (!can_be_read_again(rainfall_request(options, rainfall))) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
   } else {
     const ReportingStations report =
-        stations_that_report(rainfall.request(options.csv()), files.stations, filtered,
+        stations_that_report(rainfall_request(options, rainfall), files.stations, filtered,
                              readings_options(options, rainfall));
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   }
@@ -98,7 +106,7 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
   auto readings = rainfall.is_event()
                       ? open_event(study.request().stations, network().stations(), passed_over_,
                                    options, warnings)
-                      : open_rainfall(rainfall.request(study.csv()), network().stations(),
+                      : open_rainfall(rainfall_request(study, rainfall), network().stations(),
                                       passed_over_, options, warnings);
   if (wanted) {
     readings =

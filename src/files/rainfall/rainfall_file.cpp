@@ -206,7 +206,7 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings) {
-  const std::vector<std::string> names = rainfall_files(rainfall.files, warnings);
+  const std::vector<std::string> names = rainfall_files(rainfall.files, rainfall.beside, warnings);
   if (rainfall.files.size() == 1 && names == rainfall.files)
     return open_alone(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
   ReadingsOptions of_each = options;
@@ -242,7 +242,8 @@ ReportingStations stations_that_report(const RainfallRequest& rainfall,
   ReportingStations heard(stations.size(), false);
   Warnings told_later;
   try {
-    const std::vector<std::string> names = rainfall_files(rainfall.files, told_later);
+    const std::vector<std::string> names =
+        rainfall_files(rainfall.files, rainfall.beside, told_later);
     ReadingsOptions of_each = options;
     of_each.is_one_of_several = rainfall.files.size() > 1 || names != rainfall.files;
     std::size_t silent = stations.size();

@@ -15,6 +15,7 @@ namespace thiessen {
 struct RainfallRequest {
   std::vector<std::string> files;  ///< a folder stands for the files in it (see rainfall_files)
   Source said;                     ///< what is said of each of them; its own file counts nowhere
+  std::vector<std::string> beside = {};  ///< the files of stations and basins: see rainfall_files
 
   /// What all of it is called in messages: `r.csv`, or `r.csv and 2 more files`.
   std::string name() const;

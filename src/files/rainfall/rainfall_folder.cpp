@@ -3,52 +3,79 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
+#include <set>
 #include <string_view>
 #include <system_error>
 
-#include "base/file.h"
 #include "base/utf8.h"
-#include "files/tables/packed_file.h"
+#include "files/rainfall/rainfall_content.h"
 #include "gdal/layers/formats.h"
-#include "readings/published/swat_files.h"
-#include "readings/published/usgs_rdb.h"
-#include "text/csv_form.h"
-#include "text/csv_records.h"
+#include "gdal/layers/opening.h"
 
 namespace thiessen {
 namespace {
 
 namespace fs = std::filesystem;
 
+using FileNames = std::vector<std::string>;
+
 bool is_folder(const std::string& name) {
   std::error_code ignored;
   return name != "-" && fs::is_directory(name, ignored);
 }
 
-std::vector<std::string> names_in(const std::string& folder) {
-  std::vector<std::string> names;
-  std::error_code fault;
-  for (fs::directory_iterator entry(folder, fault), end; !fault && entry != end;
-       entry.increment(fault)) {
-    std::error_code ignored;
-    const std::string name = entry->path().filename().string();
-    if (!name.starts_with('.') && !entry->is_directory(ignored))
-      names.push_back(entry->path().string());
+std::string last_of(const std::string& name) {
+  return fs::path(name).filename().string();
+}
+
+/// The last parts of some names, for a message.
+std::string listed_names(const FileNames& files) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(files.size(), most); ++i) {
+    if (i > 0) text += i + 1 == files.size() ? " and " : ", ";
+    text += last_of(files[i]);
   }
-  if (fault) throw Error(Message{folder, 0, "cannot read: " + fault.message(), ""});
-  std::sort(names.begin(), names.end());
-  return names;
+  if (files.size() > most) text += " and " + std::to_string(files.size() - most) + " more";
+  return text;
+}
+
+std::string one_or_several(const FileNames& names, const char* one, const char* several) {
+  return names.size() == 1 ? one : several;
+}
+
+bool has_extension(const std::string& name, std::string_view extension) {
+  return lower_case(name).ends_with(extension);
 }
 
 bool is_dly_file(const std::string& name) {
-  return lower_case(name).ends_with(".dly");
+  return has_extension(name, ".dly");
+}
+
+/// Whether a zip may hold a file of a format that is read. One that is damaged may: whoever reads
+/// it says so.
+bool holds_tables(const std::string& zip) {
+  try {
+    if (!tables_in_zip(zip).empty()) return true;
+  } catch (const Error&) {
+    return true;
+  }
+  try {
+    read_by_gdal(zip);
+    return true;  // a spreadsheet, or no zip
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 /// Whether a file is of a format that is read, be it packed or not. The other files of a shapefile
 /// beside its .shp do not count.
-bool is_read(const std::string& name, const std::vector<std::string>& names) {
+bool is_read(const std::string& name, const FileNames& names) {
   const std::string lower = lower_case(name);
-  if (lower.ends_with(".zip")) return true;
+  if (lower.ends_with(".zip")) return holds_tables(name);
+  for (const std::string_view extension : {".pcp", ".cli", ".nc"})  // which GDAL's layers have not
+    if (lower.ends_with(extension)) return rainfall_content(name) == RainfallContent::readings;
   const bool packed = lower.ends_with(".gz");
   if (format_by_extension(packed ? lower.substr(0, lower.size() - 3) : lower) == nullptr)
     return false;
@@ -58,89 +85,210 @@ bool is_read(const std::string& name, const std::vector<std::string>& names) {
          });
 }
 
-/// Whether a text has a row of as many fields as its header, one of which begins as a number or a
-/// time does: what is told of readings beside them has none.
-bool has_rows(const std::string& beginning) {
-  CsvHints hints;
-  hints.is_all = beginning.size() < csv_beginning_bytes;
-  const CsvForm form = find_csv_form(beginning, hints);
-  const std::vector<CsvRecord> records = csv_records(beginning, form.header, hints.is_all);
-  if (records.empty()) return false;
-  const std::size_t fields = csv_fields(records[0], form.separator).size();
-  const auto begins_as_number = [](std::string_view field) {
-    const std::size_t digit = field.find_first_not_of("+-.");
-    return digit != std::string_view::npos && field[digit] >= '0' && field[digit] <= '9';
-  };
-  return fields >= 2 && std::any_of(records.begin() + 1, records.end(), [&](const auto& record) {
-           const auto row = csv_fields(record, form.separator);
-           return row.size() == fields && std::ranges::any_of(row, begins_as_number);
-         });
+fs::path real_path(const std::string& name) {
+  std::error_code ignored;
+  return fs::canonical(name, ignored);
 }
 
-/// Whether a JSON may be one of features, and not of what is told of other files.
-bool has_features(const std::string& name) {
-  try {
-    std::string beginning(csv_beginning_bytes, '\0');
-    InputFile file(name);
-    beginning.resize(file.read(beginning));
-    return beginning.empty() || beginning.find("\"Feature") != std::string::npos;
-  } catch (const Error&) {
-    return true;  // whoever reads it says so
+/// Whether two files are one, or the first is part of the second, a shapefile.
+bool is_part_of(const fs::path& file, const fs::path& other) {
+  if (file.empty() || other.empty()) return false;
+  if (file == other) return true;
+  constexpr std::string_view sides[] = {".dbf", ".shx", ".prj", ".cpg", ".sbn",
+                                        ".sbx", ".qpj", ".qix", ".qmd"};
+  return has_extension(other.string(), ".shp") &&
+         fs::path(file).replace_extension() == fs::path(other).replace_extension() &&
+         std::ranges::find(sides, lower_case(file.extension().string())) != std::end(sides);
+}
+
+/// What lies in a folder, sorted by what is done with it.
+class FolderOfReadings {
+ public:
+  FolderOfReadings(const std::string& folder, const FileNames& beside)
+      : folder_(folder), beside_(beside) {
+    find_entries();
+    leave_out_inputs();
   }
-}
 
-/// Whether a file is surely no table, such as a readme.txt. What cannot be looked at may be one.
-bool is_prose(const std::string& name) {
-  const std::string lower = lower_case(name);
-  if (lower.ends_with(".json")) return !has_features(name);
-  const std::string beginning = beginning_of_text(name, csv_beginning_bytes);
-  return !beginning.empty() && !has_rows(beginning) && !is_usgs_rdb(beginning) &&
-         swat_file(beginning) == SwatFile::none;
-}
-
-/// The names of some files without their folder, for a message.
-std::string listed_names(const std::vector<std::string>& files) {
-  constexpr std::size_t most = 5;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(files.size(), most); ++i) {
-    if (i > 0) text += i + 1 == files.size() ? " and " : ", ";
-    text += fs::path(files[i]).filename().string();
+  FileNames files(Warnings& warnings) {
+    for (const std::string& name : entries_) {
+      const bool counts =
+          is_read(name, entries_) && rainfall_content(name) != RainfallContent::none;
+      (counts ? files_ : others_).push_back(name);
+    }
+    if (std::any_of(entries_.begin(), entries_.end(), is_dly_file)) {
+      tell_beside_dly(warnings);
+      return {folder_};
+    }
+    keep_lists();
+    require_some();
+    tell(warnings);
+    return std::move(files_);
   }
-  if (files.size() > most) text += " and " + std::to_string(files.size() - most) + " more";
-  return text;
-}
 
-std::vector<std::string> files_in(const std::string& folder, Warnings& warnings) {
-  const std::vector<std::string> names = names_in(folder);
-  if (std::any_of(names.begin(), names.end(), is_dly_file)) return {folder};
-  std::vector<std::string> files;
-  std::vector<std::string> others;
-  for (const std::string& name : names)
-    (is_read(name, names) && !is_prose(name) ? files : others).push_back(name);
-  if (files.empty()) {
-    throw Error(Message{folder, 0, "is a folder without a file of readings",
-                        "readings are tables, or .dly files of GHCN-Daily"});
+ private:
+  void find_entries() {
+    std::error_code fault;
+    for (fs::directory_iterator entry(folder_, fault), end; !fault && entry != end;
+         entry.increment(fault)) {
+      std::error_code ignored;
+      const std::string name = entry->path().string();
+      if (last_of(name).starts_with('.')) continue;
+      const fs::file_type type = entry->status(ignored).type();
+      if (type == fs::file_type::directory) {
+        folders_.push_back(name);
+      } else if (type == fs::file_type::regular || type == fs::file_type::not_found) {
+        entries_.push_back(name);  // a link to nothing is an error, told where it is opened
+      } else {
+        others_.push_back(name);  // a pipe or a device might be waited for
+      }
+    }
+    if (fault) throw Error(Message{folder_, 0, "cannot read: " + fault.message(), ""});
+    std::sort(entries_.begin(), entries_.end());
+    std::sort(folders_.begin(), folders_.end());
   }
-  if (!others.empty()) {
-    warnings.add_notice({folder, 0,
-                         listed_names(others) + (others.size() == 1 ? " holds" : " hold") +
-                             " no readings, and " + (others.size() == 1 ? "is" : "are") +
-                             " passed over",
+
+  /// Takes out the files of stations and basins. A table of readings may be the one of stations
+  /// too.
+  void leave_out_inputs() {
+    std::vector<fs::path> inputs;
+    for (const std::string& name : beside_) inputs.push_back(real_path(name));
+    const auto is_input = [&](const std::string& name) {
+      const fs::path path = real_path(name);
+      return std::ranges::any_of(inputs,
+                                 [&](const fs::path& input) { return is_part_of(path, input); }) &&
+             rainfall_content(name) != RainfallContent::readings;
+    };
+    std::copy_if(entries_.begin(), entries_.end(), std::back_inserter(left_out_), is_input);
+    std::erase_if(entries_, [&](const std::string& name) {
+      return std::ranges::find(left_out_, name) != left_out_.end();
+    });
+  }
+
+  void pass_over(const std::string& name) {
+    std::erase(files_, name);
+    others_.push_back(name);
+  }
+
+  /// Has a list of files stand for these. Lists of other weather are passed over with their files,
+  /// which may look like those of rain.
+  void keep_lists() {
+    FileNames lists;
+    for (const std::string& name : FileNames(files_)) {
+      if (lists_no_rain(name)) {
+        pass_over(name);
+      } else if (!files_listed_in(name).empty()) {
+        lists.push_back(name);
+      }
+    }
+    if (lists.size() > 1) choose_among(lists);
+    const std::set<fs::path> listed = listed_in(lists);
+    std::erase_if(files_,
+                  [&](const std::string& name) { return listed.contains(real_path(name)); });
+  }
+
+  static std::set<fs::path> listed_in(const FileNames& lists) {
+    std::set<fs::path> listed;
+    for (const std::string& list : lists) {
+      for (const std::string& name : files_listed_in(list)) listed.insert(real_path(name));
+    }
+    return listed;
+  }
+
+  /// Leaves of several lists the one that is called as that of rain is.
+  void choose_among(FileNames& lists) {
+    FileNames of_rain;
+    std::copy_if(
+        lists.begin(), lists.end(), std::back_inserter(of_rain),
+        [](const std::string& name) { return lower_case(last_of(name)).starts_with("pcp"); });
+    if (of_rain.size() != 1) {
+      throw Error(
+          Message{folder_, 0,
+                  "is a folder with several lists of files, each of which may be of rain: " +
+                      listed_names(lists),
+                  "name one as " + input("rainfall")});
+    }
+    std::erase(lists, of_rain.front());
+    const std::set<fs::path> of_others = listed_in(lists);
+    for (const std::string& name : FileNames(files_)) {
+      const bool is_other_list = std::ranges::find(lists, name) != lists.end();
+      if (is_other_list || of_others.contains(real_path(name))) pass_over(name);
+    }
+    lists = of_rain;
+  }
+
+  void require_some() const {
+    if (!files_.empty()) return;
+    std::string text = "is a folder without a file of readings";
+    if (!left_out_.empty()) text += " beside " + listed_names(left_out_);
+    if (!folders_.empty()) {
+      throw Error(Message{folder_, 0,
+                          text + ", and what lies in " +
+                              one_or_several(folders_, "a folder", "folders") +
+                              " in it does not count",
+                          "name the folder that holds them"});
+    }
+    throw Error(Message{folder_, 0, text, "readings are tables, or .dly files of GHCN-Daily"});
+  }
+
+  /// Tells what else may hold readings where .dly files do.
+  void tell_beside_dly(Warnings& warnings) const {
+    FileNames passed = files_;
+    passed.insert(passed.end(), folders_.begin(), folders_.end());
+    if (passed.empty()) return;
+    warnings.add_notice({folder_, 0,
+                         listed_names(passed) + one_or_several(passed, " is", " are") +
+                             " passed over: of a folder with .dly files these alone are read",
                          ""});
   }
-  return files;
-}
+
+  void tell(Warnings& warnings) {
+    std::sort(others_.begin(), others_.end());
+    if (!left_out_.empty()) {
+      warnings.add_notice({folder_, 0,
+                           listed_names(left_out_) + one_or_several(left_out_, " is", " are") +
+                               " given as " + input("stations") + " or " + input("basins") +
+                               ", and left out of its readings",
+                           ""});
+    }
+    if (!others_.empty()) {
+      warnings.add_notice({folder_, 0,
+                           listed_names(others_) + one_or_several(others_, " holds", " hold") +
+                               " no readings, and" + one_or_several(others_, " is", " are") +
+                               " passed over",
+                           ""});
+    }
+    if (!folders_.empty()) {
+      warnings.add_notice({folder_, 0,
+                           one_or_several(folders_, "its folder ", "its folders ") +
+                               listed_names(folders_) + one_or_several(folders_, " is", " are") +
+                               " passed over: of a folder the files count that lie right in it",
+                           ""});
+    }
+  }
+
+  const std::string& folder_;
+  const FileNames& beside_;
+  FileNames entries_;
+  FileNames folders_;
+  FileNames left_out_;
+  FileNames files_;
+  FileNames others_;
+};
 
 }  // namespace
 
-std::vector<std::string> rainfall_files(const std::vector<std::string>& named, Warnings& warnings) {
+std::vector<std::string> rainfall_files(const std::vector<std::string>& named,
+                                        const std::vector<std::string>& beside,
+                                        Warnings& warnings) {
   std::vector<std::string> files;
   for (const std::string& name : named) {
     if (!is_folder(name)) {
       files.push_back(name);
       continue;
     }
-    for (std::string& file : files_in(name, warnings)) files.push_back(std::move(file));
+    for (std::string& file : FolderOfReadings(name, beside).files(warnings))
+      files.push_back(std::move(file));
   }
   return files;
 }
