@@ -57,7 +57,8 @@ std::string csv_section() {
              "columns below it); a preamble, where the first line looks like no header and a later "
              "one has a known name; below the header rows of units, and of formats such as 5s 15s; "
              "blanks round fields; rows without any value; columns at the end that have neither a "
-             "name nor values, or are called eor; a first column without a name where another one "
+             "name nor values, or are called eor; empty fields behind the last column; a first "
+             "column without a name where another one "
              "is the time. Where --time-field, or --id, --x and --y, are numbers that the first "
              "row "
              "does not have as names, the file has no header, and columns are counted from 1.");

@@ -48,6 +48,13 @@ bool has_known_name(const Fields& fields) {
 bool has_known_name_or_unit(const Fields& fields) {
   return has_known_name(fields) || std::ranges::any_of(fields, [](std::string_view field) {
            return field.ends_with(')') && is_known_name(field.substr(0, field.find('(')));
+/// Whether a row has so many fields, or beyond them empty ones alone.
+bool has_as_many(const Fields& row, std::size_t fields) {
+  return row.size() >= fields &&
+         std::all_of(row.begin() + static_cast<std::ptrdiff_t>(fields), row.end(),
+                     [](std::string_view field) { return field.empty(); });
+}
+
          });
 }
 
@@ -176,7 +183,7 @@ class FormFinder {
     if (hints_.one_row) records = 1;
     for (std::size_t i = record + 1; i < records_.size() && seen < records; ++i, ++seen) {
       if (!records_[i].whole) break;
-      if (csv_fields(records_[i], separator).size() != fields) return false;
+      if (!has_as_many(csv_fields(records_[i], separator), fields)) return false;
     }
     return seen > 0;
   }
@@ -217,7 +224,7 @@ class FormFinder {
     if (!has_known_name_or_unit(fields) || has_number(fields)) return 0;
     std::size_t records = 1;
     while (record + records < records_.size() &&
-           csv_fields(records_[record + records], separator).size() == fields.size())
+           has_as_many(csv_fields(records_[record + records], separator), fields.size()))
       ++records;
     const bool is_last = !hints_.one_row && record + 1 == records_.size();
     return records > 1 || is_last ? records * fields.size() : 0;
