@@ -36,7 +36,10 @@ std::string names_section() {
              "CRS that an option or the file of basins names. A table without a station and a "
              "value field is wide: "
              "the first column is the time, and the name of every other one a station's id.") +
-         names_entry("no reading, beside an empty field", known::gaps);
+         names_entry("no reading, beside an empty field", known::gaps) + ".PP\n" +
+         roff_paragraph(
+             "What means no reading means no coordinate, too (--skip-unplaced): such a text, a "
+             "number where no degree can be it, and -999 or -9999 of both coordinates of a plane.");
 }
 
 std::string csv_section() {
