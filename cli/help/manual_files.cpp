@@ -231,7 +231,9 @@ std::string units_section() {
   return ".SH UNITS AND RATES\n" +
          roff_paragraph(
              "A unit is believed that stands below the name of the column of values, in it, in a "
-             "column called unit, uom or the like, or else in a line above the header (Units: "
+             "column called unit, uom or the like, behind the ids in the header of a wide table "
+             "where all "
+             "have the same (A (in), A_in), or else in a line above the header (Units: "
              "inches; Daily rainfall in mm); rows of several units are an error. Rates are depths "
              "by a time: mm/h, mm h-1, inches per day, mm/15min, kg m-2 s-1; those by the second "
              "are taken to the hour.") +
