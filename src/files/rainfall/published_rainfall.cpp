@@ -1,5 +1,6 @@
 #include "files/rainfall/published_rainfall.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -137,8 +138,9 @@ Wording hint_for_unit(const std::string& units) {
 
 /// What is said of a NetCDF's variable of rain.
 std::string netcdf_in_words(const NetcdfRainfall& table, const std::optional<RainUnit>& unit,
-                            const ReadingsOptions& options) {
-  std::string words = "rain of a NetCDF of stations: " + table.header()[2];
+                            const ReadingsOptions& options, bool is_known) {
+  std::string words =
+      (is_known ? "its rain is " : "rain of a NetCDF of stations: ") + table.header()[2];
   if (unit) words += ", in " + unit->name();
   const bool is_told = unit && !options.from_unit && !options.scale;
   const std::string to = is_told ? conversion_from(*unit, options).unit : std::string();
@@ -160,7 +162,11 @@ RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warn
                      ", which is no unit of rain that is known",
                  hint_for_unit(units)});
   }
-  warnings.add_notice({file, 0, netcdf_in_words(*table, unit, options), ""});
+  // Where the stations are of the same file, it was told what it is.
+  const bool is_told = std::ranges::any_of(warnings.notices(), [&](const Message& notice) {
+    return notice.file == file && notice.text == Wording(read_as_netcdf);
+  });
+  warnings.add_notice({file, 0, netcdf_in_words(*table, unit, options, is_told), ""});
   options.station_field = "station";
   options.time_fields = {"time"};
   options.value_field = name;
