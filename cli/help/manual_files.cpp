@@ -260,6 +260,11 @@ std::string format_entry(const PublishedFormat& format) {
   if (!format.flags.empty()) text += "; a flag in " + std::string(format.flags) + " means missing";
   if (!format.encoding.empty()) text += "; in " + std::string(format.encoding) + " or UTF-8";
   if (format.is_of_basins) text += "; means over the basins of river gauges, with a warning";
+  if (!format.marks.empty())
+    text += "; values whose " + std::string(format.marks) + " is not 0 are counted, and told by " +
+            "the publisher's key";
+  if (!format.trace_marks.empty())
+    text += ", those of " + std::string(format.trace_marks) + " are traces";
   if (!format.models.empty()) text += "; values of weather models are counted, with a warning";
   if (!format.period.empty()) text += "; amounts of several days are missing";
   return ".TP\n" + roff_bold(std::string(format.name)) + "\n" + roff_paragraph(as_sentence(text));

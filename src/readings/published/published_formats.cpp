@@ -8,6 +8,12 @@
 namespace thiessen {
 namespace {
 
+/// What KeyHourly.txt and KeyDaily.txt of Met Éireann say of the indicators of rain. A trace stands
+/// as 0 in its files, and what stands there of a sum is the sum.
+constexpr std::string_view met_eireann_key =
+    "1=deposition|2=a trace or a sum|3=a trace or a sum of deposition|4=estimated|"
+    "5=estimated deposition|6=an estimated trace";
+
 // Each row is written from the publisher's own description; tests/formats/README.md names it.
 constexpr std::array<PublishedFormat, 29> formats = {{
     {.name = "NOAA's Global Summary of the Day",
@@ -220,6 +226,8 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .columns = "Data|DATA (YYYY-MM-DD), Hora UTC|HORA (UTC), PRECIPITA\u00c7\u00c3O TOTAL*",
      .station = "",
      .time = "Data|DATA (YYYY-MM-DD), Hora UTC|HORA (UTC)",
+     .key = met_eireann_key,
+     .trace_marks = "6",
      .value = "PRECIPITA\u00c7\u00c3O TOTAL*",
      .unit = "mm",
      .missing = "-9999",
@@ -231,6 +239,8 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .station = "",
      .time = "Year Mnth Day Hr",
      .value = "PRCP(mm/day)",
+     .key = met_eireann_key,
+     .trace_marks = "6",
      .unit = "mm/day",
      .is_of_basins = true},
     {.name = "CAMELS-GB's series of a basin",
