@@ -266,6 +266,10 @@ std::string format_entry(const PublishedFormat& format) {
   if (!format.trace_marks.empty())
     text += ", those of " + std::string(format.trace_marks) + " are traces";
   if (!format.models.empty()) text += "; values of weather models are counted, with a warning";
+  if (format.times_end_steps)
+    text +=
+        "; times end their steps, and hours without a row are dry, but in periods that its "
+        "flags say are missing or summed";
   if (!format.period.empty()) text += "; amounts of several days are missing";
   return ".TP\n" + roff_bold(std::string(format.name)) + "\n" + roff_paragraph(as_sentence(text));
 }

@@ -16,6 +16,7 @@
 #include "readings/converted_readings.h"
 #include "readings/published/arcswat_files.h"
 #include "readings/published/headerless_formats.h"
+#include "readings/published/hourly_order.h"
 #include "readings/published/month_rows.h"
 #include "readings/published/published_format.h"
 #include "readings/published/published_formats.h"
@@ -80,6 +81,8 @@ Recognised open_table_format(const Source& rainfall, const std::string& beginnin
   auto table = open_table(source, warnings);
   if (is_ana_header(table->header()))
     return {std::make_unique<MonthRows>(std::move(table)), &ana_format()};
+  if (is_hourly_order_header(table->header()))
+    return {std::make_unique<HourlyOrder>(std::move(table)), &hourly_order_format()};
   const PublishedFormat* format = format_of_header(table->header(), told.text);
   if (format == nullptr) return {std::move(table)};
   return {std::move(table), format, told.tells_encoding,
@@ -112,7 +115,8 @@ Recognised open_table_format_of(const std::string& value, const Source& rainfall
                     ": what is known of that, its unit, flags and codes, does not count for " +
                     setting("value_field", value),
                 ""});
-  if (found.format == &ana_format()) return {open_table(rainfall, warnings)};
+  if (found.format == &ana_format() || found.format == &hourly_order_format())
+    return {open_table(rainfall, warnings)};
   return {std::move(found.table)};
 }
 
@@ -189,6 +193,13 @@ RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions&
   }
   if (found.format == nullptr) return {std::move(found.table), options};
   tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
+  if (found.format == &hourly_order_format()) {
+    warnings.add_notice({rainfall.file, 0,
+                         "hours that it leaves out between two rows of a station are dry, but in "
+                         "periods that its flags say are missing, deleted or summed; its times end "
+                         "their hours",
+                         ""});
+  }
   // A column that the user names is here the format's own, which the table may call otherwise.
   ReadingsOptions said = options;
   said.value_field.clear();

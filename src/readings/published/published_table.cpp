@@ -17,10 +17,10 @@ bool unit_is_said(const ReadingsOptions& options) {
 std::string in_words(std::string_view unit) {
   if (unit == "0.1mm") return "tenths of a millimetre";
   if (unit == "in") return "inches";
+  if (unit == "0.01in") return "hundredths of an inch";
   return "millimetres";
 }
 
-std::string counted(std::size_t count, const char* one, const char* several) {
 /// What a publisher's key says of a mark; empty where it says nothing.
 std::string_view meaning_of(std::string_view mark, std::string_view key) {
   for (const std::string_view entry : parted(key, '|')) {
@@ -30,6 +30,7 @@ std::string_view meaning_of(std::string_view mark, std::string_view key) {
   return {};
 }
 
+std::string counted(std::size_t count, const char* one, const char* several) {
   return count == 1 ? one : std::to_string(count) + several;
 }
 
@@ -186,7 +187,6 @@ void PublishedTable::tell() {
   }
 }
 
-ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
 /// Tells how many values have which mark, and what became of them. A mark that the publisher's key
 /// lacks may mean anything, which is a warning.
 void PublishedTable::tell_marks() {
@@ -213,6 +213,27 @@ void PublishedTable::tell_marks() {
   }
 }
 
+namespace {
+
+/// The error that only who ordered a file knows its unit.
+Error asks_for_unit(const PublishedFormat& format, const Table& table) {
+  std::string words;
+  Wording hint;
+  const auto units = parted(format.ordered_units, ' ');
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::string between = i == 0 ? "" : i + 1 == units.size() ? " or " : ", ";
+    words += between + "in " + in_words(units[i]);
+    hint += between + setting("from_unit", units[i]);
+  }
+  return Error({table.file(), table.header_line(),
+                "it is " + std::string(format.name) + ", which may be " + words +
+                    ", and it does not say which",
+                hint + " says it"});
+}
+
+}  // namespace
+
+ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
                            ReadingsOptions options) {
   const auto& header = table.header();
   const auto name_of = [&](std::string_view column) {
@@ -230,16 +251,10 @@ void PublishedTable::tell_marks() {
   if (!format.trace.empty()) options.trace.emplace_back(format.trace);
   options.ids_as_numbers = options.ids_as_numbers || format.ids_as_numbers;
   options.day_first = options.day_first || format.day_first;
+  if (format.times_end_steps) options.stamp = Stamp::end;
   if (unit_is_said(options)) return options;
   const std::size_t value = published_column(header, format.value).value();
-  if (format.unit_is_ordered && !rain_unit(table.unit(value))) {
-    throw Error({table.file(), table.header_line(),
-                 "it is " + std::string(format.name) +
-                     ", which may be in millimetres, in tenths of them or in inches, and it does "
-                     "not say which",
-                 setting("from_unit", "mm") + ", " + setting("from_unit", "0.1mm") + " or " +
-                     setting("from_unit", "in") + " says it"});
-  }
+  if (format.unit_is_ordered && !rain_unit(table.unit(value))) throw asks_for_unit(format, table);
   if (!format.unit.empty()) options.from_unit = rain_unit(format.unit);
   return options;
 }
