@@ -194,7 +194,7 @@ RainfallTable open_rainfall_table(const Source& rainfall, const ReadingsOptions&
   if (found.format == nullptr) return {std::move(found.table), options};
   tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
   if (found.format == &hourly_order_format()) {
-    warnings.add_notice({rainfall.file, 0,
+    warnings.add_notice({found.table->file(), 0,
                          "hours that it leaves out between two rows of a station are dry, but in "
                          "periods that its flags say are missing, deleted or summed; its times end "
                          "their hours",
