@@ -36,7 +36,10 @@ std::string names_section() {
              "CRS that an option or the file of basins names. A table without a station and a "
              "value field is wide: "
              "the first column is the time, and the name of every other one a station's id.") +
-         names_entry("no reading, beside an empty field", known::gaps);
+         names_entry("no reading, beside an empty field", known::gaps) + ".PP\n" +
+         roff_paragraph(
+             "What means no reading means no coordinate, too (--skip-unplaced): such a text, a "
+             "number where no degree can be it, and -999 or -9999 of both coordinates of a plane.");
 }
 
 std::string csv_section() {
@@ -57,7 +60,8 @@ std::string csv_section() {
              "columns below it); a preamble, where the first line looks like no header and a later "
              "one has a known name; below the header rows of units, and of formats such as 5s 15s; "
              "blanks round fields; rows without any value; columns at the end that have neither a "
-             "name nor values, or are called eor; a first column without a name where another one "
+             "name nor values, or are called eor; empty fields behind the last column; a first "
+             "column without a name where another one "
              "is the time. Where --time-field, or --id, --x and --y, are numbers that the first "
              "row "
              "does not have as names, the file has no header, and columns are counted from 1.");
@@ -235,7 +239,9 @@ std::string units_section() {
   return ".SH UNITS AND RATES\n" +
          roff_paragraph(
              "A unit is believed that stands below the name of the column of values, in it, in a "
-             "column called unit, uom or the like, or else in a line above the header (Units: "
+             "column called unit, uom or the like, behind the ids in the header of a wide table "
+             "where all "
+             "have the same (A (in), A_in), or else in a line above the header (Units: "
              "inches; Daily rainfall in mm); rows of several units are an error. Rates are depths "
              "by a time: mm/h, mm h-1, inches per day, mm/15min, kg m-2 s-1; those by the second "
              "are taken to the hour.") +
@@ -262,7 +268,16 @@ std::string format_entry(const PublishedFormat& format) {
   if (!format.flags.empty()) text += "; a flag in " + std::string(format.flags) + " means missing";
   if (!format.encoding.empty()) text += "; in " + std::string(format.encoding) + " or UTF-8";
   if (format.is_of_basins) text += "; means over the basins of river gauges, with a warning";
+  if (!format.marks.empty())
+    text += "; values whose " + std::string(format.marks) + " is not 0 are counted, and told by " +
+            "the publisher's key";
+  if (!format.trace_marks.empty())
+    text += ", those of " + std::string(format.trace_marks) + " are traces";
   if (!format.models.empty()) text += "; values of weather models are counted, with a warning";
+  if (format.times_end_steps)
+    text +=
+        "; times end their steps, and hours without a row are dry, but in periods that its "
+        "flags say are missing or summed";
   if (!format.period.empty()) text += "; amounts of several days are missing";
   return ".TP\n" + roff_bold(std::string(format.name)) + "\n" + roff_paragraph(as_sentence(text));
 }

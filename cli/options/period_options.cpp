@@ -33,7 +33,7 @@ void PeriodOptions::settle_stamp(std::optional<Stamp> known, const std::string& 
   if (stamp_option() != nullptr && stamp_ != *known) {
     const bool ends = *known == Stamp::end;
     throw Error({rainfall, 0,
-                 std::string("the bounds of its times say that these ") + (ends ? "end" : "begin") +
+                 std::string("it says that its times ") + (ends ? "end" : "begin") +
                      " their steps, and " + setting("stamp", ends ? "begin" : "end") +
                      " says otherwise",
                  "leave it out"});

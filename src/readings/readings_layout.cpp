@@ -27,8 +27,11 @@ bool means(std::string_view header, std::string_view name, bool with_unit) {
          unit_in_suffix(header.substr(name.size())).has_value();
 }
 
-std::string list(const std::vector<std::string>& header) {
+/// The columns that stand in the file.
+std::string list(const Table& table) {
   constexpr std::size_t shown = 10;
+  std::vector<std::string> header = table.header();
+  header.resize(table.columns_in_file());
   std::string all;
   for (std::size_t i = 0; i < std::min(shown, header.size()); ++i) {
     all += (i > 0 ? ", " : "") + quoted(header[i], 60);
@@ -82,8 +85,8 @@ class LayoutFinder {
   }
 
   [[noreturn]] void fail(const std::string& text, const Wording& hint) const {
-    throw Error({table_.file(), table_.header_line(),
-                 text + "; the columns are " + list(table_.header()), hint});
+    throw Error(
+        {table_.file(), table_.header_line(), text + "; the columns are " + list(table_), hint});
   }
 
  private:

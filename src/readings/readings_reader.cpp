@@ -75,13 +75,15 @@ ReadingGrammar grammar_of(const ReadingsOptions& options, const Table& table) {
 
 namespace {
 
-/// The unit below the names of a wide table's stations. Throws Error where they have several.
-std::string unit_of_stations(const Table& table, const ReadingsStations& stations) {
+/// The unit in or below the names of a wide table's stations; empty where the user says one, and
+/// they have several. Throws Error where they have several else.
+std::string unit_of_stations(const Table& table, const ReadingsStations& stations, bool is_said) {
   std::string unit;
   for (std::size_t i = 0; i < table.header().size(); ++i) {
     const std::string other = table.unit(i);
     if (other.empty() || other == unit) continue;
     if (stations.find(table.header()[i]).standing != ReadingsStations::Standing::known) continue;
+    if (!unit.empty() && is_said) return {};
     if (!unit.empty()) {
       throw Error({table.file(), table.header_line() + 1,
                    "its stations read in " + unit + " and in " + other,
@@ -98,8 +100,8 @@ ValueColumn values_of(const Table& table, const ReadingsLayout& layout,
   if (layout.is_long) {
     column.name = table.header()[layout.value];
     column.unit = table.unit(layout.value);
-  } else if (!options.from_unit) {
-    column.unit = unit_of_stations(table, stations);
+  } else {
+    column.unit = unit_of_stations(table, stations, options.from_unit.has_value());
   }
   return column;
 }

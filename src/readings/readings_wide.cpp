@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/utf8.h"
@@ -13,6 +17,38 @@
 namespace thiessen {
 
 using Standing = ReadingsStations::Standing;
+
+namespace {
+
+/// Whether all columns of a row but the first are called as stations, each as another.
+bool names_stations(const Row& row, const ReadingsStations& stations) {
+  std::set<std::string_view> named;
+  for (std::size_t i = 1; i < row.fields.size(); ++i) {
+    const std::string_view name = trimmed(row.fields[i]);
+    if (name.empty()) continue;
+    const bool is_station = stations.find(name).standing != Standing::unknown;
+    if (!is_station || !named.insert(name).second) return false;
+  }
+  return !named.empty();
+}
+
+/// The line of a row near the beginning that looks like the header; nothing where none does, or the
+/// rows have no lines.
+std::optional<std::size_t> line_of_names(const Table& table, const ReadingsStations& stations) {
+  constexpr std::size_t rows_looked_at = 100;
+  if (table.header_line() == 0 || table.numbers_rows()) return std::nullopt;
+  try {
+    const std::unique_ptr<Table> rows = table.first_rows();
+    Row row;
+    for (std::size_t i = 0; rows && i < rows_looked_at && rows->next(row); ++i)
+      if (names_stations(row, stations)) return row.line;
+  } catch (const Error&) {
+    // A row that has a fault is none of names.
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
     : source_(std::move(source)),
@@ -30,10 +66,14 @@ void WideReadings::match_columns() {
   if (header.size() < 2) {
     std::string fault;
     const bool is_dly_record = header.size() == 1 && read_dly_record(header[0], true, fault);
-    throw Error({source_.table->file(), line,
-                 "has the one column " + quoted(header.empty() ? "" : header[0], 80) +
-                     ", and none of readings",
-                 is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : ""});
+    const Wording skipping = line == 0 ? Wording()
+                                       : "where lines stand above its header, " +
+                                             setting("rainfall_skip") + " says how many";
+    throw Error(
+        {source_.table->file(), line,
+         "has the one column " + quoted(header.empty() ? "" : header[0], 80) +
+             ", and none of readings",
+         is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : skipping});
   }
   require_a_station();
   constexpr std::size_t none = 0;  // a column's number counts from 1
@@ -65,6 +105,11 @@ void WideReadings::require_a_station() const {
     if (source_.stations->find(header[i]).standing != Standing::unknown) return;
   }
   Wording hint;
+  if (const auto names = line_of_names(*source_.table, *source_.stations)) {
+    hint = "line " + std::to_string(*names) +
+           " names stations: " + setting("rainfall_skip", std::to_string(*names - 1)) +
+           " takes it for the header";
+  }
   for (std::size_t i = 0; i < header.size() && hint.empty(); ++i) {
     if (is_of_stations(i)) hint = source_.stations->meant_by(header[i]).hint;
   }

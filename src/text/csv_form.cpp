@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "base/utf8.h"
 #include "text/csv_records.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
+#include "text/unit_row.h"
 
 namespace thiessen {
 namespace {
@@ -18,10 +19,6 @@ using Fields = std::vector<std::string_view>;
 
 constexpr std::string_view separators = ",;\t|";
 constexpr std::size_t rows_compared = 20;
-
-bool has_digit(std::string_view text) {
-  return text.find_first_of("0123456789") != std::string_view::npos;
-}
 
 bool is_known_name(std::string_view name) {
   static const std::unordered_set<std::string> names = [] {
@@ -49,6 +46,13 @@ bool has_known_name_or_unit(const Fields& fields) {
   return has_known_name(fields) || std::ranges::any_of(fields, [](std::string_view field) {
            return field.ends_with(')') && is_known_name(field.substr(0, field.find('(')));
          });
+}
+
+/// Whether a row has so many fields, or beyond them empty ones alone.
+bool has_as_many(const Fields& row, std::size_t fields) {
+  return row.size() >= fields &&
+         std::all_of(row.begin() + static_cast<std::ptrdiff_t>(fields), row.end(),
+                     [](std::string_view field) { return field.empty(); });
 }
 
 bool has_number(const Fields& fields) {
@@ -176,7 +180,7 @@ class FormFinder {
     if (hints_.one_row) records = 1;
     for (std::size_t i = record + 1; i < records_.size() && seen < records; ++i, ++seen) {
       if (!records_[i].whole) break;
-      if (csv_fields(records_[i], separator).size() != fields) return false;
+      if (!has_as_many(csv_fields(records_[i], separator), fields)) return false;
     }
     return seen > 0;
   }
@@ -217,7 +221,7 @@ class FormFinder {
     if (!has_known_name_or_unit(fields) || has_number(fields)) return 0;
     std::size_t records = 1;
     while (record + records < records_.size() &&
-           csv_fields(records_[record + records], separator).size() == fields.size())
+           has_as_many(csv_fields(records_[record + records], separator), fields.size()))
       ++records;
     const bool is_last = !hints_.one_row && record + 1 == records_.size();
     return records > 1 || is_last ? records * fields.size() : 0;
@@ -245,32 +249,11 @@ class FormFinder {
   }
 
   bool is_row_of_units(const Fields& fields) {
-    std::set<std::string_view> units;
-    form_.column_units.assign(fields.size(), "");
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const std::string_view field = fields[i];
-      if (is_unit(field)) {
-        form_.column_units[i] = without_brackets(field);
-        if (units.insert(field).second)
-          form_.units += (form_.units.empty() ? "" : ", ") + std::string(field);
-      } else if (has_digit(field)) {
-        form_.units.clear();
-        form_.column_units.clear();
-        return false;
-      }
-    }
-    return !units.empty() && fields.size() >= 2;
-  }
-
-  static std::string_view without_brackets(std::string_view text) {
-    const bool has_some = text.size() >= 2 && (text.front() == '(' || text.front() == '[');
-    return has_some ? trimmed(text.substr(1, text.size() - 2)) : text;
-  }
-
-  static bool is_unit(std::string_view text) {
-    return std::ranges::any_of(known::units, [&](std::string_view unit) {
-      return equal_ignoring_case(without_brackets(text), unit);
-    });
+    auto row = unit_row(fields);
+    if (!row) return false;
+    form_.units = std::move(row->units);
+    form_.column_units = std::move(row->of_column);
+    return true;
   }
 
   /// Splits the rows below the header.

@@ -137,7 +137,8 @@ void CsvReader::pass_line_feed() {
 }
 
 /// Whether what was read is a row of the table: not where it has other fields than the header,
-/// which is a fault, nor where it has no value at all, as spreadsheets leave such rows behind.
+/// which is a fault, nor where it has no value at all, as spreadsheets leave such rows behind. They
+/// leave empty fields behind a row's last value, too, which are none.
 bool CsvReader::is_row(const Row& row) {
   if (options_.finds_form && header_.size() > 1 && beyond_ == 0) {
     const auto kept = std::span(row.fields).first(std::min(field_count_, header_.size()));
@@ -151,7 +152,8 @@ bool CsvReader::is_row(const Row& row) {
                      "give the column a name"});
     return false;
   }
-  if (field_count_ == columns || field_count_ == header_.size()) return true;
+  const bool ends_in_blanks = options_.finds_form && field_count_ > columns && beyond_ == 0;
+  if (field_count_ == columns || field_count_ == header_.size() || ends_in_blanks) return true;
   complaints_.add(
       {file(), row_line_,
        "row has " + counted(field_count_, "field") + ", the header has " + std::to_string(columns),

@@ -33,8 +33,8 @@ struct CsvOptions {
   std::string encoding = {};  ///< of the text, see Decoder; empty: UTF-8, or UTF-16 with its mark
   /// Whether the file's first 64 kB, from a pipe its first row of data, tell how it is written: see
   /// find_csv_form. Then blanks round a field outside quotes are no part of it, where the beginning
-  /// has some, rows without any
-  /// value are passed over, and so are columns at the end that have neither a name nor a value.
+  /// has some, rows without any value are passed over, and so are columns at the end that have
+  /// neither a name nor a value, and empty fields behind the last column.
   bool finds_form = false;
   std::optional<std::size_t> skip = {};   ///< lines before the header; nothing: they are found out
   bool skip_is_of_all = false;            ///< see CsvDialect

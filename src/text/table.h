@@ -36,6 +36,8 @@ class Table {
   /// The name of the file as the user gave it, for messages.
   virtual const std::string& file() const = 0;
   virtual const std::vector<std::string>& header() const = 0;
+  /// How many of the columns, the first ones, stand in the file.
+  virtual std::size_t columns_in_file() const { return header().size(); }
   /// How numbers are written in it, as far as that is known of its texts.
   virtual DecimalMark decimal_mark() const { return DecimalMark::point; }
   /// What a row of units below the header says of a column; empty where there is none.

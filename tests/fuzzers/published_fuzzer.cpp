@@ -17,6 +17,7 @@
 #include "fuzzers/message_laws.h"
 #include "readings/published/arcswat_files.h"
 #include "readings/published/headerless_formats.h"
+#include "readings/published/hourly_order.h"
 #include "readings/published/month_rows.h"
 #include "readings/published/published_format.h"
 #include "readings/published/published_formats.h"
@@ -70,6 +71,7 @@ std::unique_ptr<Table> known_table(const std::string& file, std::string_view tex
   const TextBeginning told = look_at_beginning(text, {});
   require(!find_invalid_utf8(told.text) || told.text == text, "a beginning that is no text");
   auto csv = open_columns(file, {}, true, told.dialect);
+  if (is_hourly_order_header(csv->header())) return std::make_unique<HourlyOrder>(std::move(csv));
   if (is_ana_header(csv->header())) return std::make_unique<MonthRows>(std::move(csv));
   const PublishedFormat* format = format_of_header(csv->header(), told.text);
   if (format == nullptr) return csv;

@@ -40,6 +40,8 @@ constexpr std::array sound = {
     "30-dec-2019,0,9.7,0,1.2\n01-jan-2020,0,10.0,8, \n"sv,
     "2019-12-30,4.1,1.0,7.2,2.4,,180,12.1,30.2,1010.1,\n2019-12-31,5.0,2.0,8.0,,,190,12.0,,1009.0,1\n"sv,
     "year,month,day,temp,temp_source,prcp,prcp_source\n2024,1,1,4.1,dwd_daily,2.4,dwd_mosmix\n"sv,
+    "STATION,DATE,HPCP,Measurement Flag,Quality Flag\nA,20100101 01:00,0,g,\nA,20100101 "
+    "05:00,99999,[,\nA,20100101 07:00,99999,],\nA,20100101 09:00,20,A,Q\n"sv,
     "45.00\n250.31\n2303950000\nYear Mnth Day Hr\tDayl(s)\tPRCP(mm/day)\tSRAD(W/m2)\n1999 12 31 "
     "12\t30172.51\t4.20\t153.40\n"sv,
     "Station  a,b,\nLati    35.0 35.0\nLong   -81.5-81.0\nElev     200  250\n"

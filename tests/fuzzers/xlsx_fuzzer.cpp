@@ -15,13 +15,12 @@
 #include "fuzzers/message_laws.h"
 #include "gdal/drivers.h"
 #include "gdal/layers/cell_form.h"
+#include "gdal/layers/ods_file.h"
+#include "gdal/layers/sheet_table.h"
 #include "gdal/layers/xlsx_file.h"
-#include "gdal/layers/xlsx_table.h"
 
 namespace thiessen::fuzzers {
 namespace {
-
-constexpr const char* path = "/vsimem/fuzzed.xlsx";
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -41,11 +40,17 @@ Rows rows_of(Table& table) {
 void read_sheet(Bytes& bytes) {
   std::optional<std::size_t> skip;
   if (bytes.below(4) == 0) skip = bytes.below(4);
+  const SheetKind kind = bytes.below(2) == 0 ? SheetKind::xlsx : SheetKind::ods;
+  const char* const path = kind == SheetKind::ods ? "/vsimem/fuzzed.ods" : "/vsimem/fuzzed.xlsx";
   const std::string workbook(bytes.until('\xFE'));
-  write_xlsx(path, {{"rain", std::string(bytes.rest())}}, workbook);
+  if (kind == SheetKind::ods) {
+    write_ods(path, {{"rain", std::string(bytes.rest())}});
+  } else {
+    write_xlsx(path, {{"rain", std::string(bytes.rest())}}, workbook);
+  }
   Warnings warnings;
   try {
-    XlsxTable table({path, path, "", "rainfall_layer", skip}, &warnings);
+    SheetTable table({path, path, "", "rainfall_layer", skip, kind}, &warnings);
     const Rows rows = rows_of(table);
     const auto again = table.again();
     require(again != nullptr && rows_of(*again) == rows, "other rows when read again");

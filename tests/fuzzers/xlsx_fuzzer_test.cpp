@@ -23,11 +23,24 @@ constexpr std::array sound = {
     "</v></c></row><row r=\"4\"><c r=\"A4\" s=\"1\"><v>42369</v></c><c r=\"B4\"><f>1+1</f></c>"
     "</row>"sv};
 
+constexpr std::string_view sound_of_ods =
+    "\xFE<table:table-row table:number-rows-repeated=\"2\"/><table:table-row><table:table-cell "
+    "office:value-type=\"string\"><text:p>time</text:p></table:table-cell><table:table-cell "
+    "office:value-type=\"string\"><text:p>a</text:p></table:table-cell></table:table-row>"
+    "<table:table-row table:number-rows-repeated=\"3\"><table:table-cell "
+    "office:value-type=\"date\" office:date-value=\"2020-01-01T06:00:00\"/><table:table-cell "
+    "table:number-columns-repeated=\"1\" office:value-type=\"float\" office:value=\"1.5\"/>"
+    "</table:table-row>";
+
 TEST(XlsxFuzzer, finds_nothing_in_damaged_sheets) {
   Seeded seeded;
   for (std::uint64_t round = 0; round < seeded.rounds(300); ++round) {
     const std::string text = damaged(seeded, std::string(sound[round % sound.size()]), 4);
-    expect_no_complaint(fuzz_xlsx, input_of({1, round % 8, round % 5}, text));
+    expect_no_complaint(fuzz_xlsx, input_of({1, 1, 0}, text));
+    expect_no_complaint(fuzz_xlsx, input_of({1, 0, round % 4, 0}, text));
+    const std::string of_ods = damaged(seeded, std::string(sound_of_ods), 4);
+    expect_no_complaint(fuzz_xlsx, input_of({1, 1, 1}, of_ods));
+    expect_no_complaint(fuzz_xlsx, input_of({1, 0, round % 4, 1}, of_ods));
     if (HasFailure()) return;
   }
 }

@@ -152,6 +152,21 @@ TEST(WideReadings, need_a_column_of_readings) {
             Texts{"r.csv:1: has the one column 'time', and none of readings"});
 }
 
+TEST(WideReadings, say_how_lines_above_the_header_are_passed_over) {
+  const Outcome titled = Reader().read("Report,,,\n,,,\nWhen,A,B,C\n2020,1,2,3\n");
+  EXPECT_EQ(titled.sentences,
+            Texts{"r.csv:1: no column is called as a station of 'stations', such as 'A'; the "
+                  "columns are 'Report', '', '', ''"});
+  EXPECT_EQ(titled.hints,
+            Texts{"line 3 names stations: rainfall_skip = 2 takes it for the header"});
+  EXPECT_EQ(Reader().read("Report\nWhen,A,B,C\n").hints,
+            Texts{"where lines stand above its header, 'rainfall_skip' says how many"});
+  EXPECT_EQ(Reader({"1", "2"}).read("Report,,\n2020,1,1\n2021,1,2\n").hints.at(0).substr(0, 6),
+            "line 3")
+      << "readings may look like ids";
+  EXPECT_EQ(Reader().read("Report,\n2020,1\n").hints.at(0).substr(0, 5), "where");
+}
+
 TEST(WideReadings, refuse_two_columns_of_one_station) {
   EXPECT_EQ(Reader().read("time,A,\" A\",B,C\n").sentences,
             Texts{"r.csv:1: columns 2 and 3 are both of station 'A'"});

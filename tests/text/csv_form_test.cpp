@@ -39,6 +39,16 @@ TEST(CsvForm, blanks_part_where_nothing_else_does_and_all_rows_agree) {
   EXPECT_EQ(form("some words\nmore words\n").separator, ',') << "no known name";
 }
 
+TEST(CsvForm, empty_fields_behind_a_row_are_none) {
+  EXPECT_EQ(form("When;A\n1;1,5;;\n").separator, ';');
+  const std::string text = "Rain of 2020\ndate,A,B\n1,4,8,,\n2,4,8\n";
+  EXPECT_EQ(header(text), "date,A,B");
+  CsvHints pipe;
+  pipe.one_row = true;
+  pipe.is_all = false;
+  EXPECT_TRUE(form("When,A\n1,4,,\n", pipe).has_rows) << "the header fits the row below it";
+}
+
 TEST(CsvForm, a_first_line_may_say_the_separator) {
   const std::string text = "sep=;\nid,x;y\nA,1;2\n";
   EXPECT_EQ(form(text).separator, ';');

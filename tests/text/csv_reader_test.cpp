@@ -340,6 +340,18 @@ TEST(CsvReader, passes_over_what_stands_round_a_table) {
   EXPECT_EQ(outcome.lines, (std::vector<std::size_t>{6, 8}));
 }
 
+TEST(CsvReader, passes_empty_fields_behind_the_last_column_over) {
+  const Outcome outcome = read("date,A,B\n1,4,8,,\n2,5,6\n3,7,,,,eor\n", finding());
+  EXPECT_EQ(outcome.sentences, Fields{});
+  EXPECT_EQ(outcome.header, (Fields{"date", "A", "B"}));
+  EXPECT_EQ(outcome.rows, (std::vector<Fields>{{"1", "4", "8"}, {"2", "5", "6"}, {"3", "7", ""}}));
+  EXPECT_EQ(read("date,A,B,\n1,4,8,, , \n", finding()).rows, (std::vector<Fields>{{"1", "4", "8"}}))
+      << "blanks are none, and the header may have one, too";
+  EXPECT_EQ(read("date,A,B\n1,4,8,,\n2,4,8,9\n3,4,8,,9\n", finding()).sentences,
+            (Fields{"f.csv:3: row has 4 fields, the header has 3",
+                    "f.csv:4: row has 5 fields, the header has 3"}));
+}
+
 TEST(CsvReader, has_blanks_for_one_separator) {
   const Outcome outcome = read("id  x y\n A 1   2\nB \"3 4\" 5 \n", finding());
   EXPECT_EQ(outcome.header, (Fields{"id", "x", "y"}));

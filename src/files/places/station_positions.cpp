@@ -1,13 +1,49 @@
 #include "files/places/station_positions.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/number.h"
 #include "base/utf8.h"
 #include "geometry/shape_points.h"
 #include "text/csv_records.h"
+#include "text/known_names.h"
 
 namespace thiessen {
+namespace {
+
+constexpr double most_longitude = 360;
+constexpr double most_latitude = 90;
+
+/// Whether a text is one of those that mean that there is no reading, and no number.
+bool means_none(std::string_view text) {
+  return text.empty() || std::ranges::any_of(known::gaps, [&](std::string_view gap) {
+           return !parse_number(gap) && equal_ignoring_case(gap, text);
+         });
+}
+
+/// Whether a number is one of those that mean that there is no reading.
+bool means_none(double number) {
+  return std::ranges::any_of(known::gaps, [&](std::string_view gap) {
+    const auto known = parse_number(gap);
+    return known && known.value == number;
+  });
+}
+
+/// Whether two coordinates that are the same number mean none. In a plane a gauge may stand at
+/// almost any of them, but none at -999 and -999; -99.9 there may be kilometres.
+bool mean_none(double x, double y, bool are_degrees) {
+  constexpr double farthest_of_a_small_plane = -100;
+  return x == y && means_none(x) && (are_degrees || x < farthest_of_a_small_plane);
+}
+
+std::string and_none(std::string_view x, std::string_view y) {
+  if (x.empty() && y.empty()) return {};
+  return ": " + quoted(x, 60) + " and " + quoted(y, 60) + " mean none";
+}
+
+}  // namespace
 
 Placing StationPositions::read(Station& station) {
   return fields_.by_geometry ? read_geometry(station) : read_columns(station);
@@ -16,10 +52,12 @@ Placing StationPositions::read(Station& station) {
 Placing StationPositions::read_columns(Station& station) {
   using Axis = DegreesText::Axis;
   const auto& fields = features_.row().fields;
-  const bool is_nowhere = trimmed(fields[fields_.x]).empty() && trimmed(fields[fields_.y]).empty();
-  if (is_nowhere && request_.skip_unplaced) return Placing::nowhere;
-  if (is_nowhere)
-    return complain("station " + quoted(station.id, 80) + " has no coordinates", leave_out(true));
+  if (is_nowhere()) {
+    if (request_.skip_unplaced) return Placing::nowhere;
+    return complain("station " + quoted(station.id, 80) + " has no coordinates" +
+                        and_none(trimmed(fields[fields_.x]), trimmed(fields[fields_.y])),
+                    leave_out(true));
+  }
   const auto x = read_number(station, fields_.x, Axis::longitude);
   const auto y = read_number(station, fields_.y, Axis::latitude);
   // Adding zero turns -0 into 0, so that both are the same place.
@@ -27,17 +65,36 @@ Placing StationPositions::read_columns(Station& station) {
   return x && y ? Placing::good : Placing::bad;
 }
 
+/// Whether neither column of the feature has a coordinate.
+bool StationPositions::is_nowhere() const {
+  const auto& fields = features_.row().fields;
+  if (is_missing(fields_.x, most_longitude) && is_missing(fields_.y, most_latitude)) return true;
+  const auto x = parse_number(trimmed(fields[fields_.x]), features_.decimal_mark());
+  const auto y = parse_number(trimmed(fields[fields_.y]), features_.decimal_mark());
+  return x && y && mean_none(x.value, y.value, fields_.are_degrees);
+}
+
+/// Whether a column has no coordinate: a number that means none counts where it cannot be a
+/// coordinate, as -999 of degrees.
+bool StationPositions::is_missing(std::size_t field, double most_degrees) const {
+  const std::string_view text = trimmed(features_.row().fields[field]);
+  if (means_none(text)) return true;
+  const auto number = parse_number(text, features_.decimal_mark());
+  return number && fields_.are_degrees && number.value < -most_degrees && means_none(number.value);
+}
+
 std::optional<double> StationPositions::read_number(const Station& station, std::size_t field,
                                                     DegreesText::Axis axis) {
   const std::string_view text = trimmed(features_.row().fields[field]);
   const auto number = parse_number(text, features_.decimal_mark());
-  if (number) return number.value;
   const std::string what =
       quoted(features_.header()[field], 40) + " of station " + quoted(station.id, 80);
-  if (text.empty()) {
-    complain(what + " is empty",
-             setting("skip_unplaced") + " passes over stations without coordinates");
-  } else if (number.fault == NumberFault::out_of_range) {
+  if (is_missing(field, axis == DegreesText::Axis::latitude ? most_latitude : most_longitude)) {
+    complain(what + (text.empty() ? " is empty" : " is missing: " + quoted(text, 60)), leave_out());
+    return std::nullopt;
+  }
+  if (number) return number.value;
+  if (number.fault == NumberFault::out_of_range) {
     complain(what + " is outside the range of numbers: " + quoted(text, 60));
   } else if (const auto angle = degrees_text(text); angle && may_be_angle(*angle)) {
     return read_angle(*angle, text, what, axis);
@@ -86,6 +143,12 @@ Placing StationPositions::read_geometry(Station& station) {
       return complain(what + " has an empty geometry", leave_out(geometry.type == "Point"));
     if (geometry.points.size() > 1) return complain(what + " has more than one point", leave_out());
     const Point at = geometry.points[0];
+    if (mean_none(at.x, at.y, false) || (std::isnan(at.x) && std::isnan(at.y))) {
+      if (request_.skip_unplaced) return Placing::nowhere;
+      return complain(
+          what + " has no coordinates" + and_none(shortest_text(at.x), shortest_text(at.y)),
+          leave_out(true));
+    }
     if (!is_finite(at)) {
       return complain(what + " has a coordinate that is not finite", leave_out());
     }

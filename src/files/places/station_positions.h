@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ enum class Placing {
 
 /// Reads the positions of stations, a feature at a time: from two columns, as numbers or in
 /// degrees, minutes and seconds, or from a geometry that is a point.
+///
+/// A text that means that there is no reading (NA, null, -) means that there is no coordinate, and
+/// so does such a number (-999, -9999, -99.9) where it can be no degree, and -999 or -9999 of both
+/// coordinates of a plane.
 class StationPositions {
  public:
   /// All four must outlive this object.
@@ -41,6 +46,8 @@ class StationPositions {
  private:
   Placing read_columns(Station& station);
   Placing read_geometry(Station& station);
+  bool is_nowhere() const;
+  bool is_missing(std::size_t field, double most_degrees) const;
   std::optional<double> read_number(const Station& station, std::size_t field,
                                     DegreesText::Axis axis);
   bool may_be_angle(const DegreesText& angle) const;

@@ -18,6 +18,7 @@
 #include "readings/converted_readings.h"
 #include "readings/published/arcswat_files.h"
 #include "readings/published/headerless_formats.h"
+#include "readings/published/hourly_order.h"
 #include "readings/published/month_rows.h"
 #include "readings/published/published_format.h"
 #include "readings/published/published_formats.h"
@@ -98,6 +99,8 @@ Recognised open_table_format(const Source& rainfall, const std::string& beginnin
   source.csv = told.dialect;
   auto table = open_table(source, warnings);
   if (is_ana_header(table->header())) return open_months(std::move(table), source, beginning);
+  if (is_hourly_order_header(table->header()))
+    return {std::make_unique<HourlyOrder>(std::move(table)), &hourly_order_format()};
   const PublishedFormat* format = format_of_header(table->header(), told.text);
   if (format == nullptr) return {std::move(table)};
   return {std::move(table), format, told.tells_encoding,
@@ -130,7 +133,8 @@ Recognised open_table_format_of(const std::string& value, const Source& rainfall
                     ": what is known of that, its unit, flags and codes, does not count for " +
                     setting("value_field", value),
                 ""});
-  if (found.format == &ana_format()) return {open_table(rainfall, warnings)};
+  if (found.format == &ana_format() || found.format == &hourly_order_format())
+    return {open_table(rainfall, warnings)};
   return {std::move(found.table)};
 }
 
@@ -176,8 +180,9 @@ Wording hint_for_unit(const std::string& units) {
 
 /// What is said of a NetCDF's variable of rain.
 std::string netcdf_in_words(const NetcdfRainfall& table, const std::optional<RainUnit>& unit,
-                            const ReadingsOptions& options) {
-  std::string words = "rain of a NetCDF of stations: " + table.header()[2];
+                            const ReadingsOptions& options, bool is_known) {
+  std::string words =
+      (is_known ? "its rain is " : "rain of a NetCDF of stations: ") + table.header()[2];
   if (unit) words += ", in " + unit->name();
   const bool is_told = unit && !options.from_unit && !options.scale;
   const std::string to = is_told ? conversion_from(*unit, options).unit : std::string();
@@ -199,7 +204,11 @@ RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warn
                      ", which is no unit of rain that is known",
                  hint_for_unit(units)});
   }
-  warnings.add_notice({file, 0, netcdf_in_words(*table, unit, options), ""});
+  // Where the stations are of the same file, it was told what it is.
+  const bool is_told = std::ranges::any_of(warnings.notices(), [&](const Message& notice) {
+    return notice.file == file && notice.text == Wording(read_as_netcdf);
+  });
+  warnings.add_notice({file, 0, netcdf_in_words(*table, unit, options, is_told), ""});
   options.station_field = "station";
   options.time_fields = {"time"};
   options.value_field = name;
@@ -224,6 +233,13 @@ RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& opt
   }
   if (found.format == nullptr) return {std::move(found.table), options};
   tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
+  if (found.format == &hourly_order_format()) {
+    warnings.add_notice({found.table->file(), 0,
+                         "hours that it leaves out between two rows of a station are dry, but in "
+                         "periods that its flags say are missing, deleted or summed; its times end "
+                         "their hours",
+                         ""});
+  }
   // A column that the user names is here the format's own, which the table may call otherwise.
   ReadingsOptions others = options;
   others.value_field.clear();

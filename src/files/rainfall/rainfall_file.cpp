@@ -18,6 +18,7 @@
 #include "readings/readings_dly.h"
 #include "readings/stations/heard_stations.h"
 #include "readings/stations/station_in_name.h"
+#include "readings/stations/unit_names.h"
 #include "readings/steps/counter_readings.h"
 #include "text/field_names.h"
 
@@ -89,6 +90,7 @@ std::string station_of_file(const RainfallTable& opened, const std::string& name
 Placed open_placed(const Source& source, const ReadingsStations& known,
                    const ReadingsOptions& options, Warnings& warnings) {
   RainfallTable opened = open_rainfall_table(source, options, warnings);
+  opened.table = with_units_in_names(std::move(opened.table), known, opened.options);
   const bool tells_stations =
       !opened.is_of_one_station &&
       (!options.is_one_of_several || !opened.options.station_field.empty() ||

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "files/tables/packed_file.h"
+#include "gdal/layers/formats.h"
 #include "gdal/layers/opening.h"
 
 namespace thiessen {
@@ -36,6 +37,9 @@ std::string lines(std::size_t count) {
 void tell_form(const CsvReader& csv, const CsvDialect& said, Warnings& warnings) {
   const CsvForm& form = csv.form();
   std::vector<std::string> found;
+  const InputFormat* const format = format_by_extension(csv.file());
+  if (format != nullptr && is_spreadsheet(*format))
+    found.emplace_back("it is a text under the name of a spreadsheet");
   if (said.encoding.empty() && !csv.encoding().empty())
     found.push_back("it is written in " + csv.encoding());
   if (said.separator == '\0' && form.separator != ',')

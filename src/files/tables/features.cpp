@@ -41,7 +41,7 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
     : source_(source) {
   if (is_netcdf_of_stations(source.file)) {
     table_ = std::make_unique<NetcdfStationList>(source.file);
-    warnings.add_notice({source.file, 0, "read as a NetCDF of stations", {}});
+    warnings.add_notice({source.file, 0, read_as_netcdf, {}});
   } else if (auto sheet = open_sheet(source, warnings)) {
     table_ = std::move(sheet);
     wkt_ = find_field(header(), known::geometries);

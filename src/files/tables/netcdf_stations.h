@@ -17,6 +17,9 @@ namespace thiessen {
 /// discrete sampling geometries of CF (chapter 9 of its conventions).
 bool is_netcdf_of_stations(const std::string& file);
 
+/// What is said of a file of stations that is one.
+inline constexpr const char* read_as_netcdf = "read as a NetCDF of stations";
+
 /// A NetCDF of stations that is open: its variables by what they are in CF. All
 /// throw Error where the file is damaged.
 class NetcdfStations {

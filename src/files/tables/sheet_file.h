@@ -8,8 +8,8 @@
 
 namespace thiessen {
 
-/// Opens a sheet of a .xlsx as a table of texts (see XlsxTable); null where the source is none.
-/// Throws Error as find_opening and XlsxTable do.
+/// Opens a sheet of a .xlsx or .ods as a table of texts (see SheetTable); null where the source is
+/// none. Throws Error as find_opening and SheetTable do.
 std::unique_ptr<Table> open_sheet(const Source& source, Warnings& warnings);
 
 }  // namespace thiessen

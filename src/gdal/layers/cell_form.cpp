@@ -88,8 +88,10 @@ std::optional<std::string> time_of_serial(double serial, CellForm form, bool wit
   constexpr double year_10000 = 2'958'466;
   constexpr std::int64_t days_to_1970 = 25'569;
   constexpr std::int64_t days_to_1904 = 1'462;
-  if (!form.has_date && serial >= 0 && serial < 1)
-    return clock_text(std::llround(serial * milliseconds_a_day) % milliseconds_a_day);
+  if (!form.has_date && serial >= 0 && serial < 2) {
+    const std::int64_t of_clock = std::llround(serial * milliseconds_a_day);
+    if (of_clock <= milliseconds_a_day) return clock_text(of_clock);
+  }
   const double days = from_1904 ? serial + days_to_1904 : serial;
   if (!(days >= march_1900 && days < year_10000)) return std::nullopt;
   const std::int64_t milliseconds = std::llround(days * milliseconds_a_day);

@@ -22,7 +22,7 @@ CellForm form_of_code(std::string_view code);
 
 /// A serial number of days as ISO 8601 writes its time, whatever of it the cell's form shows: a
 /// date, with a clock where `with_clock` wants one or the number has one, to the millisecond; a
-/// clock alone where the form has no date and the number is less than a day. Nothing where the
+/// clock alone where the form has no date and the number is no more than a day. Nothing where the
 /// number stands for no day: before March 1900, where Excel's own are a day off, and beyond the
 /// year 9999.
 std::optional<std::string> time_of_serial(double serial, CellForm form, bool with_clock,

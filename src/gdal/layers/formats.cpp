@@ -40,4 +40,10 @@ const InputFormat* format_by_extension(const std::string& file) {
   return found;
 }
 
+bool is_spreadsheet(const InputFormat& format) {
+  if (format.drivers.empty()) return false;
+  const std::string_view driver = format.drivers.front();
+  return driver == "XLSX" || driver == "ODS" || driver == "XLS";
+}
+
 }  // namespace thiessen

@@ -15,4 +15,7 @@ struct InputFormat {
 /// The format that a file's name tells by its longest known extension; null where none is known.
 const InputFormat* format_by_extension(const std::string& file);
 
+/// Whether a format is one of spreadsheets.
+bool is_spreadsheet(const InputFormat& format);
+
 }  // namespace thiessen

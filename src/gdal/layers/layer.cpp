@@ -4,6 +4,7 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdint>
 #include <string_view>
@@ -171,6 +172,8 @@ std::optional<Crs> crs_of(const std::string& file, const GeoJsonFindings& findin
 
 struct Layer::Opened {
   std::string file;
+  std::string wanted;  ///< the layer that is named, and the setting that names it
+  std::string its_setting;
   Opening opening;
   GeoJsonFindings findings;
   bool geojson = false;
@@ -196,6 +199,8 @@ Layer::Layer(std::string file, const std::string& layer, const std::string& laye
   Opened& it = *opened_;
   it.told = warnings;
   it.file = std::move(file);
+  it.wanted = layer;
+  it.its_setting = layer_setting;
   it.opening = find_opening(it.file);
   if (it.opening.drivers.empty()) {
     throw Error(Message{it.file, 0, "is of no kind that GDAL reads here", {}});
@@ -281,6 +286,14 @@ bool Layer::next(Row& row) {
   row.line = ++it.number;
   it.geometry = record_of(it.feature->GetGeometryRef());
   return true;
+}
+
+std::unique_ptr<Table> Layer::first_rows() const {
+  constexpr std::array<std::string_view, 4> read_on = {"XLS", "GPKG", "ESRI Shapefile",
+                                                       "FlatGeobuf"};
+  const Opened& it = *opened_;
+  if (std::ranges::find(read_on, it.opening.drivers.front()) == read_on.end()) return nullptr;
+  return std::make_unique<Layer>(it.file, it.wanted, it.its_setting);
 }
 
 void Layer::hear(const GdalErrors& errors) {

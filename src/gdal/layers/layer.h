@@ -32,6 +32,9 @@ class Layer : public Table {
   /// Reads the next row. At the end the number of rows is held against the number that the file
   /// declares. Throws Error where they differ, and where GDAL reports any error.
   bool next(Row& row) override;
+  /// Opens the layer once more; null where that might cost as much as reading all of it (GeoJSON,
+  /// KML), or ask a database again.
+  std::unique_ptr<Table> first_rows() const override;
 
   /// The types of the fields, in the order of the header.
   const std::vector<FieldType>& types() const;

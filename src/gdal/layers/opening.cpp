@@ -145,6 +145,30 @@ Opening gzip_opening(const std::string& file, const std::string& name) {
   return {{}, name, Opening::Packing::gzip};
 }
 
+bool is_text(std::string_view bytes) {
+  constexpr std::array<std::string_view, 2> utf16_marks = {"\xff\xfe", "\xfe\xff"};
+  return bytes.find('\0') == std::string_view::npos ||
+         std::ranges::any_of(utf16_marks,
+                             [&](std::string_view mark) { return bytes.starts_with(mark); });
+}
+
+/// Refuses a page that has the name of a spreadsheet, as web sites give it to their tables.
+void require_no_page(const std::string& file, std::string_view bytes) {
+  const std::size_t begin = bytes.find_first_not_of(" \t\r\n\xef\xbb\xbf");
+  if (begin == std::string_view::npos || bytes[begin] != '<') return;
+  refuse(file, "is a page (HTML or XML) under the name of a spreadsheet",
+         "open it in a spreadsheet program, and save it as .xlsx or .csv");
+}
+
+/// Opens what is called a spreadsheet, by what it is: agencies give that name to texts with tabs,
+/// too, and .xls to a .xlsx.
+Opening spreadsheet_opening(const std::string& file, const std::string& name,
+                            std::string_view bytes, const InputFormat& format) {
+  if (is_zip(bytes) && format.extension == ".xls") return zip_opening(file, name);
+  if (is_zip(bytes) || !is_text(bytes)) return {format.drivers, name};
+  return {{}, name};
+}
+
 void require_no_geodatabase(const std::string& file) {
   struct stat status {};
   if (lower_case(file).ends_with(".gdb") && stat(file.c_str(), &status) == 0 &&
@@ -158,8 +182,11 @@ void require_no_geodatabase(const std::string& file) {
 Opening file_opening(const std::string& file, const std::string& name) {
   const std::string bytes = first_bytes(file, name);
   const InputFormat* format = format_by_extension(file);
+  const bool is_sheet = format != nullptr && is_spreadsheet(*format);
+  if (is_sheet) require_no_page(file, bytes);
   const bool is_kml = format != nullptr && format->extension == ".kml";
   if (const auto kind = unread_kind(bytes); kind && !is_kml) refuse_kind(file, *kind);
+  if (is_sheet) return spreadsheet_opening(file, name, bytes, *format);
   if (format != nullptr && !format->drivers.empty()) return {format->drivers, name};
   if (is_gzip(bytes)) return gzip_opening(file, name);
   if (is_zip(bytes)) return zip_opening(file, name);

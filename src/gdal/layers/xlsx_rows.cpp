@@ -23,17 +23,13 @@ std::size_t column_of(std::string_view place) {
   return column == 0 ? most_columns : column - 1;
 }
 
-bool is_empty(const XlsxCell& cell) {
-  return cell.text.empty() && !cell.is_time;
-}
-
 }  // namespace
 
 class XlsxRows::Listener : public XmlListener {
  public:
   Listener(std::string file, const XlsxBook& book) : file_(std::move(file)), book_(book) {}
 
-  std::deque<XlsxRow> rows;
+  std::deque<SheetRow> rows;
 
   void begin(std::string_view element, const XmlAttributes& attributes) override {
     if (element == "row") {
@@ -55,7 +51,7 @@ class XlsxRows::Listener : public XmlListener {
     if (element == "rPh") in_sound_ = false;
     if (element == "c") end_cell();
     if (element != "row") return;
-    while (!row_.cells.empty() && is_empty(row_.cells.back())) row_.cells.pop_back();
+    while (!row_.cells.empty() && row_.cells.back().is_empty()) row_.cells.pop_back();
     if (!row_.cells.empty()) rows.push_back(std::move(row_));
     row_ = {};
   }
@@ -82,7 +78,7 @@ class XlsxRows::Listener : public XmlListener {
 
   void end_cell() {
     if (row_.cells.size() <= column_) row_.cells.resize(column_ + 1);
-    XlsxCell& cell = row_.cells[column_];
+    SheetCell& cell = row_.cells[column_];
     if (type_.empty() || type_ == "n") {
       read_number(cell);
     } else if (type_ == "s") {
@@ -96,7 +92,7 @@ class XlsxRows::Listener : public XmlListener {
     }
   }
 
-  void read_number(XlsxCell& cell) const {
+  void read_number(SheetCell& cell) const {
     if (value_.empty() && has_formula_) cell.text = "=";
     if (value_.empty()) return;
     const auto number = parse_number(value_);
@@ -113,7 +109,7 @@ class XlsxRows::Listener : public XmlListener {
 
   std::string file_;
   const XlsxBook& book_;
-  XlsxRow row_;
+  SheetRow row_;
   std::size_t last_ = 0;
   std::size_t column_ = 0;
   std::string type_;
@@ -135,7 +131,7 @@ void XlsxRows::read_ahead() {
   }
 }
 
-const XlsxRow* XlsxRows::next() {
+const SheetRow* XlsxRows::next() {
   read_ahead();
   if (listener_->rows.empty()) return nullptr;
   row_ = std::move(listener_->rows.front());
@@ -143,7 +139,7 @@ const XlsxRow* XlsxRows::next() {
   return &row_;
 }
 
-const std::deque<XlsxRow>& XlsxRows::ahead() {
+const std::deque<SheetRow>& XlsxRows::ahead() {
   read_ahead();
   return listener_->rows;
 }

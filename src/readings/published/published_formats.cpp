@@ -9,8 +9,14 @@
 namespace thiessen {
 namespace {
 
+/// What KeyHourly.txt and KeyDaily.txt of Met Éireann say of the indicators of rain. A trace stands
+/// as 0 in its files, and what stands there of a sum is the sum.
+constexpr std::string_view met_eireann_key =
+    "1=deposition|2=a trace or a sum|3=a trace or a sum of deposition|4=estimated|"
+    "5=estimated deposition|6=an estimated trace";
+
 // Each row is written from the publisher's own description; tests/formats/README.md names it.
-constexpr std::array<PublishedFormat, 29> formats = {{
+constexpr std::array<PublishedFormat, 31> formats = {{
     {.name = "NOAA's Global Summary of the Day",
      .columns = "STATION, DATE, TEMP, DEWP, PRCP, FRSHTT",
      .station = "STATION",
@@ -44,18 +50,21 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .value = "PRCP",
      .flags = "PRCP_ATTRIBUTES",
      .flag_place = 1,
+     .ordered_units = "mm 0.1mm in",
      .unit_is_ordered = true},
     {.name = "an order of NOAA's Climate Data Online",
      .columns = "STATION, NAME, DATE, PRCP",
      .station = "STATION",
      .time = "DATE",
      .value = "PRCP",
+     .ordered_units = "mm 0.1mm in",
      .unit_is_ordered = true},
     {.name = "an order of NOAA's daily summaries",
      .columns = "STATION, DATE, PRCP",
      .station = "STATION",
      .time = "DATE",
      .value = "PRCP",
+     .ordered_units = "mm 0.1mm in",
      .unit_is_ordered = true},
     {.name = "DWD's hourly precipitation",
      .columns = "STATIONS_ID, MESS_DATUM, QN_8, R1",
@@ -89,6 +98,14 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .unit = "mm",
      .missing = "-999",
      .ids_as_numbers = true},
+    {.name = "DWD's precipitation of five minutes",
+     .columns = "STATIONS_ID, MESS_DATUM, QN_5min|QN, RS_05",
+     .station = "STATIONS_ID",
+     .time = "MESS_DATUM",
+     .value = "RS_05",
+     .unit = "mm",
+     .missing = "-999",
+     .ids_as_numbers = true},
     {.name = "DWD's precipitation of a minute",
      .columns = "STATIONS_ID, MESS_DATUM|MESS_DATUM_BEGINN, QN, RS_01",
      .station = "STATIONS_ID",
@@ -102,6 +119,14 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .station = "STATIONS_ID",
      .time = "MESS_DATUM_BEGINN",
      .value = "MO_RR",
+     .unit = "mm",
+     .missing = "-999",
+     .ids_as_numbers = true},
+    {.name = "DWD's yearly precipitation",
+     .columns = "STATIONS_ID, MESS_DATUM_BEGINN, MESS_DATUM_ENDE, QN_6, JA_RR",
+     .station = "STATIONS_ID",
+     .time = "MESS_DATUM_BEGINN",
+     .value = "JA_RR",
      .unit = "mm",
      .missing = "-999",
      .ids_as_numbers = true},
@@ -202,6 +227,8 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .value = "rain",
      .unit = "mm",
      .marks = "ind",
+     .key = met_eireann_key,
+     .trace_marks = "6",
      .begins = "Station Name:",
      .label = "Station Name:",
      .prefixes = "dly|hly",
@@ -213,6 +240,8 @@ constexpr std::array<PublishedFormat, 29> formats = {{
      .value = "rain",
      .unit = "mm",
      .marks = "ind",
+     .key = met_eireann_key,
+     .trace_marks = "6",
      .begins = "Station Name:",
      .label = "Station Name:",
      .prefixes = "mly",

@@ -17,7 +17,17 @@ bool unit_is_said(const ReadingsOptions& options) {
 std::string in_words(std::string_view unit) {
   if (unit == "0.1mm") return "tenths of a millimetre";
   if (unit == "in") return "inches";
+  if (unit == "0.01in") return "hundredths of an inch";
   return "millimetres";
+}
+
+/// What a publisher's key says of a mark; empty where it says nothing.
+std::string_view meaning_of(std::string_view mark, std::string_view key) {
+  for (const std::string_view entry : parted(key, '|')) {
+    const auto sides = parted(entry, '=');
+    if (sides.size() == 2 && sides[0] == mark) return sides[1];
+  }
+  return {};
 }
 
 std::string counted(std::size_t count, const char* one, const char* several) {
@@ -121,12 +131,23 @@ bool PublishedTable::is_of_model(const Row& row) const {
   });
 }
 
-void PublishedTable::note_mark(const Row& row) {
-  constexpr std::size_t most = 10;
+/// Counts a mark that is not the usual one. A value that is a trace's becomes 0.
+void PublishedTable::note_mark(Row& row) {
+  constexpr std::size_t most = 20;
   const std::string_view mark = trimmed(row.fields[*marks_]);
   if (mark.empty() || mark == "0") return;
-  ++marked_;
-  if (marks_seen_.size() < most) marks_seen_.emplace(mark);
+  const auto traces = parted(format_.trace_marks, ' ');
+  if (std::ranges::find(traces, mark) != traces.end()) {
+    row.fields[value_] = "0";
+    row.padded = false;
+  }
+  if (const auto known = marked_.find(mark); known != marked_.end()) {
+    ++known->second;
+  } else if (marked_.size() < most) {
+    marked_.emplace(mark, 1);
+  } else {
+    ++otherwise_marked_;
+  }
 }
 
 /// An order of the same columns may be in millimetres or inches, and these have fractions.
@@ -156,14 +177,7 @@ void PublishedTable::tell() {
              " taken as missing, for nothing tells how much fell on which day",
          ""});
   }
-  if (marked_ > 0) {
-    const std::vector<std::string> marks(marks_seen_.begin(), marks_seen_.end());
-    warnings_.add_notice({file(), 0,
-                          counted(marked_, "a value that counts has", " values that count have") +
-                              " another indicator (" + std::string(format_.marks) +
-                              ") than 0: " + listed(marks) + ", as the publisher's key explains",
-                          ""});
-  }
+  if (!marked_.empty()) tell_marks();
   if (of_models_ > 0) {
     warnings_.add({file(), 0,
                    counted(of_models_, "a value is", " values are") +
@@ -172,6 +186,52 @@ void PublishedTable::tell() {
                    ""});
   }
 }
+
+/// Tells how many values have which mark, and what became of them. A mark that the publisher's key
+/// lacks may mean anything, which is a warning.
+void PublishedTable::tell_marks() {
+  std::string all;
+  std::size_t unknown = otherwise_marked_;
+  const auto traces = parted(format_.trace_marks, ' ');
+  for (const auto& [mark, count] : marked_) {
+    const std::string_view meaning = meaning_of(mark, format_.key);
+    const bool is_trace = std::ranges::find(traces, mark) != traces.end();
+    if (meaning.empty()) unknown += count;
+    all += (all.empty() ? "" : ", ") + std::to_string(count) + " of " + quoted(mark, 20) +
+           (meaning.empty() ? std::string(", which the publisher's key lacks")
+                            : " (" + std::string(meaning) + (is_trace ? ", read as 0)" : ")"));
+  }
+  if (otherwise_marked_ > 0) all += ", " + std::to_string(otherwise_marked_) + " of others";
+  const Message message{
+      file(), 0,
+      "values with another indicator (" + std::string(format_.marks) + ") than 0 count: " + all,
+      ""};
+  if (unknown > 0) {
+    warnings_.add(message);
+  } else {
+    warnings_.add_notice(message);
+  }
+}
+
+namespace {
+
+/// The error that only who ordered a file knows its unit.
+Error asks_for_unit(const PublishedFormat& format, const Table& table) {
+  std::string words;
+  Wording hint;
+  const auto units = parted(format.ordered_units, ' ');
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::string between = i == 0 ? "" : i + 1 == units.size() ? " or " : ", ";
+    words += between + "in " + in_words(units[i]);
+    hint += between + setting("from_unit", units[i]);
+  }
+  return Error({table.file(), table.header_line(),
+                "it is " + std::string(format.name) + ", which may be " + words +
+                    ", and it does not say which",
+                hint + " says it"});
+}
+
+}  // namespace
 
 ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
                            ReadingsOptions options) {
@@ -191,16 +251,10 @@ ReadingsOptions options_of(const PublishedFormat& format, const Table& table,
   if (!format.trace.empty()) options.trace.emplace_back(format.trace);
   options.ids_as_numbers = options.ids_as_numbers || format.ids_as_numbers;
   options.day_first = options.day_first || format.day_first;
+  if (format.times_end_steps) options.stamp = Stamp::end;
   if (unit_is_said(options)) return options;
   const std::size_t value = published_column(header, format.value).value();
-  if (format.unit_is_ordered && !rain_unit(table.unit(value))) {
-    throw Error({table.file(), table.header_line(),
-                 "it is " + std::string(format.name) +
-                     ", which may be in millimetres, in tenths of them or in inches, and it does "
-                     "not say which",
-                 setting("from_unit", "mm") + ", " + setting("from_unit", "0.1mm") + " or " +
-                     setting("from_unit", "in") + " says it"});
-  }
+  if (format.unit_is_ordered && !rain_unit(table.unit(value))) throw asks_for_unit(format, table);
   if (!format.unit.empty()) options.from_unit = rain_unit(format.unit);
   return options;
 }

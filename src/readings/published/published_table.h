@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,9 +53,10 @@ class PublishedTable : public Table {
   bool has_flag(const Row& row) const;
   bool is_of_days(const Row& row) const;
   bool is_of_model(const Row& row) const;
-  void note_mark(const Row& row);
+  void note_mark(Row& row);
   void require_whole(const Row& row) const;
   void tell();
+  void tell_marks();
 
   std::unique_ptr<Table> table_;
   const PublishedFormat& format_;
@@ -71,8 +72,8 @@ class PublishedTable : public Table {
   std::size_t flagged_ = 0;
   std::size_t of_days_ = 0;
   std::size_t of_models_ = 0;
-  std::size_t marked_ = 0;
-  std::set<std::string, std::less<>> marks_seen_;  ///< of marked values
+  std::map<std::string, std::size_t, std::less<>> marked_;  ///< values that count, by their mark
+  std::size_t otherwise_marked_ = 0;  ///< with marks beyond the first different ones
   Row ahead_;  ///< the next row, where it was read to see whether it has come
   bool has_ahead_ = false;
   std::shared_ptr<Told> told_ = std::make_shared<Told>();

@@ -58,6 +58,7 @@ class TableOfStation : public Table {
 
   const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return header_; }
+  std::size_t columns_in_file() const override { return table_->columns_in_file(); }
   DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
   std::string unit(std::size_t field) const override { return table_->unit(field); }
   std::vector<std::string> lines_above() const override { return table_->lines_above(); }

@@ -81,7 +81,7 @@ TEST(PeriodOptions, take_from_the_readings_what_times_are_of_their_steps) {
   unknown.block.settle_stamp(Stamp::end, "r.nc");
   EXPECT_EQ(unknown.block.totalling().value().stamp, Stamp::end);
   EXPECT_TRUE(contains(complaint_of([&] { unknown.block.settle_stamp(Stamp::begin, "r.nc"); }),
-                       "r.nc: the bounds of its times say that these begin their steps"));
+                       "r.nc: it says that its times begin their steps"));
 }
 
 }  // namespace

@@ -73,17 +73,16 @@ TEST(StationPositions, have_no_negative_zero) {
 }
 
 TEST(StationPositions, that_are_no_numbers_are_named_each_by_its_column) {
-  const Read read("id,x,y\na,nan,0x10\nb,1e999,2\nc,,2\nd,1,\"1,5\"\ne,3.5,4\n");
+  const Read read("id,x,y\na,nope,0x10\nb,1e999,2\nc,,2\nd,1,\"1,5\"\ne,3.5,4\n");
   EXPECT_EQ(read.placings,
             (Placings{Placing::bad, Placing::bad, Placing::bad, Placing::bad, Placing::good}));
   EXPECT_EQ(read.points, Points({{3.5, 4}}));
   ASSERT_EQ(read.faults.size(), 5U);
-  EXPECT_EQ(read.faults[0], ":2: 'x' of station 'a' is no number: 'nan'");
+  EXPECT_EQ(read.faults[0], ":2: 'x' of station 'a' is no number: 'nope'");
   EXPECT_EQ(read.faults[1], ":2: 'y' of station 'a' is no number: '0x10'");
   EXPECT_EQ(read.faults[2], ":3: 'x' of station 'b' is outside the range of numbers: '1e999'");
   EXPECT_EQ(read.faults[3],
-            ":4: 'x' of station 'c' is empty | 'skip_unplaced' passes over stations without "
-            "coordinates");
+            ":4: 'x' of station 'c' is empty | 'stations_where' leaves stations out");
   EXPECT_TRUE(read.faults[4].starts_with(":5: 'y' of station 'd' is no number")) << read.faults[4];
   EXPECT_TRUE(read.faults[4].ends_with("| 'decimal_comma' reads 1,5 as 1.5")) << read.faults[4];
 }
@@ -100,6 +99,45 @@ TEST(StationPositions, of_a_station_without_coordinates_are_bad_or_nowhere_as_it
   EXPECT_TRUE(skipped.faults.empty());
   EXPECT_EQ(Read("id,x,y\na,,2\n", passing_over()).placings, Placings{Placing::bad})
       << "half a coordinate is a fault";
+}
+
+TEST(StationPositions, that_are_texts_or_numbers_for_no_reading_are_none) {
+  const std::string text = "id,x,y\na,NA,n/a\nb,null, - \nc,-999,-999.0\nd,-9999,-9999\ne,,NaN\n";
+  const Read bad(text);
+  EXPECT_EQ(bad.placings, Placings(5, Placing::bad));
+  ASSERT_EQ(bad.faults.size(), 5U);
+  EXPECT_EQ(bad.faults[0],
+            ":2: station 'a' has no coordinates: 'NA' and 'n/a' mean none | 'skip_unplaced' passes "
+            "over stations without coordinates");
+  EXPECT_EQ(bad.faults[2], ":4: station 'c' has no coordinates: '-999' and '-999.0' mean none");
+  const Read skipped(text, passing_over());
+  EXPECT_EQ(skipped.placings, Placings(5, Placing::nowhere));
+  EXPECT_TRUE(skipped.faults.empty());
+}
+
+// A plane may have its origin where it likes; -999 beside another number is a coordinate there.
+TEST(StationPositions, of_a_plane_may_be_numbers_that_mean_no_reading) {
+  EXPECT_EQ(Read("id,x,y\na,-999,5\nb,-99.9,-99.9\nc,-999,-9999\n", passing_over()).points,
+            (Points{{-999, 5}, {-99.9, -99.9}, {-999, -9999}}));
+}
+
+TEST(StationPositions, in_degrees_are_none_where_no_degree_can_be_such_a_number) {
+  const std::string text = "id,lon,lat\na,-999,-9999\nb,-99.9,-99.9\nc,-99.9,40\nd,-999,40\n";
+  const Read skipped(text, passing_over());
+  EXPECT_EQ(skipped.placings,
+            (Placings{Placing::nowhere, Placing::nowhere, Placing::good, Placing::bad}));
+  EXPECT_EQ(skipped.points, Points({{-99.9, 40}}));
+  EXPECT_EQ(skipped.faults, (Texts{":5: 'lon' of station 'd' is missing: '-999' | "
+                                   "'stations_where' leaves stations out"}));
+}
+
+TEST(StationPositions, of_points_at_a_number_that_means_no_reading_are_none) {
+  const std::string text = "id,wkt\na,POINT (-999 -999)\nb,POINT (-9999 -9999)\nc,POINT (-999 3)\n";
+  EXPECT_EQ(Read(text, passing_over()).placings,
+            (Placings{Placing::nowhere, Placing::nowhere, Placing::good}));
+  EXPECT_EQ(Read(text).faults.at(0),
+            ":2: station 'a' has no coordinates: '-999' and '-999' mean none | 'skip_unplaced' "
+            "passes over stations without coordinates");
 }
 
 TEST(StationPositions, are_read_from_degrees_minutes_and_seconds) {

@@ -79,12 +79,11 @@ TEST(StationsFile, reports_every_bad_row) {
   const auto found = complaints(
       "id,x,y\na,1,2\nb,nan,2\nc,1,1e999\nd,0x10,2\ne,,2\na,3,4\n,1,1\nf,\"1,5\",2\ng,2.5,1\n");
   ASSERT_EQ(found.size(), 7U);
-  EXPECT_EQ(found[0], "s.csv:3: 'x' of station 'b' is no number: 'nan'");
+  EXPECT_EQ(found[0],
+            "s.csv:3: 'x' of station 'b' is missing: 'nan' | 'stations_where' leaves stations out");
   EXPECT_EQ(found[1], "s.csv:4: 'y' of station 'c' is outside the range of numbers: '1e999'");
   EXPECT_EQ(found[2], "s.csv:5: 'x' of station 'd' is no number: '0x10'");
-  EXPECT_EQ(found[3],
-            "s.csv:6: 'x' of station 'e' is empty | 'skip_unplaced' passes over stations without "
-            "coordinates");
+  EXPECT_EQ(found[3], "s.csv:6: 'x' of station 'e' is empty");
   EXPECT_TRUE(
       found[4].starts_with("s.csv:7: station 'a' is already in line 2, at another place | "));
   EXPECT_EQ(found[5], "s.csv:8: a station has no id");
@@ -193,8 +192,7 @@ TEST(StationsFile, passes_over_stations_without_coordinates_where_told) {
       (std::vector<std::string>{wanted.source.file +
                                 ": 2 stations without coordinates are passed over: 'b', 'c'"}));
   EXPECT_EQ(complaints("id,x,y\na,1,2\nb,,3\n", wanted).at(0),
-            "s.csv:3: 'x' of station 'b' is empty | 'skip_unplaced' passes over stations without "
-            "coordinates")
+            "s.csv:3: 'x' of station 'b' is empty | 'stations_where' leaves stations out")
       << "half a coordinate is a fault";
   EXPECT_EQ(
       complaints("id,x,y\na,1,2\nb,,\n").at(0),

@@ -46,6 +46,8 @@ TEST(CellForm, makes_times_of_serial_numbers) {
   EXPECT_EQ(time_of_serial(43831 - 1462, date, false, true), "2020-01-01")
       << "from 1 January 1904 on, which is number 1462 of the others";
   EXPECT_EQ(time_of_serial(0.25, clock, true, false), "06:00");
+  EXPECT_EQ(time_of_serial(1, clock, true, false), "24:00") << "beside a date the end of its day";
+  EXPECT_FALSE(time_of_serial(1.25, clock, true, false));
   EXPECT_EQ(time_of_serial(61, date, false, false), "1900-03-01");
   EXPECT_EQ(time_of_serial(60, date, false, false), std::nullopt) << "29 February 1900";
   EXPECT_EQ(time_of_serial(1e9, date, false, false), std::nullopt);

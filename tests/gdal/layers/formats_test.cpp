@@ -54,5 +54,12 @@ TEST(Formats, are_told_by_nothing_but_the_end_of_the_name) {
   EXPECT_EQ(drivers_of(".csv"), "csv");
 }
 
+TEST(Formats, of_spreadsheets_are_known) {
+  for (const char* file : {"a.xlsx", "a.XLS", "a.ods", "a.xlsm"})
+    EXPECT_TRUE(is_spreadsheet(*format_by_extension(file))) << file;
+  for (const char* file : {"a.csv", "a.txt", "a.gpkg"})
+    EXPECT_FALSE(is_spreadsheet(*format_by_extension(file))) << file;
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -8,7 +8,9 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
+#include "gdal/drivers.h"
 #include "gdal/layers/layer.h"
+#include "gdal/layers/xlsx_file.h"
 
 namespace thiessen {
 namespace {
@@ -42,6 +44,31 @@ TEST(Opening, a_missing_file_a_folder_and_an_unreadable_one_are_named_as_the_sys
   if (geteuid() != 0) {
     EXPECT_EQ(complaint_of([&] { read_by_gdal(locked); }), locked + ": Permission denied");
   }
+}
+
+TEST(Opening, a_text_or_a_page_under_the_name_of_a_spreadsheet_is_what_it_is) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.xls", "b.XLSX", "c.ods"}) {
+    EXPECT_TRUE(find_opening(folder.write(name, "time\ta\n2020-01-01\t4\n")).drivers.empty())
+        << name;
+  }
+  using namespace std::literals;
+  EXPECT_TRUE(find_opening(folder.write("d.xls", "\xff\xfet\0\t\0"sv)).drivers.empty()) << "UTF-16";
+  const std::string workbook = folder.write("e.xls", "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1\0"sv);
+  EXPECT_EQ(std::string(find_opening(workbook).drivers.at(0)), "XLS");
+  const std::string page = folder.write("f.xls", " <html><table></table></html>");
+  EXPECT_EQ(complaint_of([&] { find_opening(page); }),
+            page +
+                ": is a page (HTML or XML) under the name of a spreadsheet | open it in a "
+                "spreadsheet program, and save it as .xlsx or .csv");
+}
+
+TEST(Opening, a_workbook_is_one_under_the_name_of_the_older_kind_too) {
+  const TemporaryFolder folder;
+  const std::string file = folder.path("a.xls");
+  start_gdal();
+  write_xlsx(file, {{"rain", ""}});
+  EXPECT_EQ(std::string(find_opening(file).drivers.front()), "XLSX");
 }
 
 class Connection : public testing::TestWithParam<const char*> {};

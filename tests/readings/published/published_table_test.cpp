@@ -98,17 +98,33 @@ TEST_F(PublishedTableTest, the_unit_of_an_order_is_asked_for) {
   EXPECT_EQ(options_of(format, *table_, said).value_field, "PRCP");
 }
 
-TEST_F(PublishedTableTest, tells_values_with_a_mark_that_is_not_the_usual_one) {
-  auto csv = std::make_unique<CsvReader>(
-      folder_.write("m.csv", "date,ind,rain\n1,0,0.1\n2,4,0.2\n3,6,0.3\n4,4,\n5,4,0.5\n"));
-  const PublishedFormat& format =
-      *format_of_header(csv->header(), "Station Name: A\ndate,ind,rain\n");
-  PublishedTable table(std::move(csv), format, {}, warnings_);
-  EXPECT_EQ(values(table, 2), "0.1 0.2 0.3 - 0.5 ") << "they count";
+class MarkedTable : public PublishedTableTest {
+ protected:
+  std::string values_of(const std::string& rows) {
+    auto csv = std::make_unique<CsvReader>(folder_.write("m.csv", "date,ind,rain\n" + rows));
+    const PublishedFormat& format =
+        *format_of_header(csv->header(), "Station Name: A\ndate,ind,rain\n");
+    PublishedTable table(std::move(csv), format, {}, warnings_);
+    return values(table, 2);
+  }
+};
+
+TEST_F(MarkedTable, counts_values_by_the_publishers_key_and_tells_it) {
+  EXPECT_EQ(values_of("1,0,0.1\n2,4,0.2\n3,6,9\n4,4,\n5,4,0.5\n6,2,0.0\n"), "0.1 0.2 0 - 0.5 0.0 ")
+      << "6 is a trace";
   ASSERT_EQ(warnings_.notices().size(), 1U);
   EXPECT_EQ(warnings_.notices()[0].text.plain(),
-            "3 values that count have another indicator (ind) than 0: '4', '6', as the publisher's "
-            "key explains");
+            "values with another indicator (ind) than 0 count: 1 of '2' (a trace or a sum), 2 of "
+            "'4' (estimated), 1 of '6' (an estimated trace, read as 0)");
+  EXPECT_TRUE(warnings_.messages().empty());
+}
+
+TEST_F(MarkedTable, warns_of_marks_that_the_key_lacks) {
+  EXPECT_EQ(values_of("1,-1,0.1\n2,4,0.2\n"), "0.1 0.2 ");
+  ASSERT_EQ(warnings_.messages().size(), 1U);
+  EXPECT_EQ(warnings_.messages()[0].text.plain(),
+            "values with another indicator (ind) than 0 count: 1 of '-1', which the publisher's "
+            "key lacks, 1 of '4' (estimated)");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
+#include "readings/readings_layout.h"
 #include "text/csv_reader.h"
 
 namespace thiessen {
@@ -46,12 +47,24 @@ TEST(StationInName, is_a_column_of_a_table_that_names_none) {
   EXPECT_FALSE(names_no_station(CsvReader(folder.write("b.csv", "date,id,p\n1,2,3\n")), known));
   const auto with_station = of_station(std::move(table), "G44");
   EXPECT_EQ(with_station->header(), (std::vector<std::string>{"date", "rain", "station"}));
+  EXPECT_EQ(with_station->columns_in_file(), 2U);
   for (const auto& read : {with_station->again(), with_station->first_rows()}) {
     Row row;
     ASSERT_TRUE(read->next(row));
     EXPECT_EQ(row.fields, (std::vector<std::string_view>{"2020-01-01", "5", "G44"}));
     EXPECT_FALSE(read->next(row));
   }
+}
+
+TEST(StationInName, is_no_column_that_a_message_lists) {
+  const TemporaryFolder folder;
+  const auto table = of_station(
+      std::make_unique<CsvReader>(folder.write("G44.csv", "date,depth\n2020-01-01,5\n")), "G44");
+  ReadingsOptions options;
+  options.station_field = station_of_name;
+  EXPECT_TRUE(
+      contains(complaint_of([&] { find_layout(*table, ReadingsStations(stations, {}), options); }),
+               "or the like; the columns are 'date', 'depth' | 'value_field' names it"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "gdal/layers/xlsx_table.h"
+#include "gdal/layers/sheet_table.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ struct Read {
     const TemporaryFolder folder;
     const std::string path = folder.path("r.xlsx");
     write_xlsx(path, {{"rain", rows}}, workbook);
-    XlsxTable table({path, path, "", "rainfall_layer", skip}, &warnings);
+    SheetTable table({path, path, "", "rainfall_layer", skip}, &warnings);
     header = table.header();
     header_line = table.header_line();
     for (Row row; table.next(row);) {
@@ -46,14 +46,14 @@ std::string row(int number, const std::string& cells) {
 
 const std::string header = row(1, "<c r=\"A1\" t=\"s\"><v>0</v></c><c r=\"B1\"><v>7</v></c>");
 
-TEST(XlsxTable, keeps_the_clock_whatever_the_form_of_the_cell) {
+TEST(SheetTable, keeps_the_clock_whatever_the_form_of_the_cell) {
   const Read read(header + row(2, "<c s=\"1\"><v>43831</v></c><c><v>1.5</v></c>") +
                   row(3, "<c s=\"1\"><v>43831.25</v></c><c><v>2</v></c>"));
   EXPECT_EQ(read.header, (std::vector<std::string>{"time", "7"})) << "an id that is a number";
   EXPECT_EQ(read.rows, (Rows{{"2020-01-01T00:00", "1.5"}, {"2020-01-01T06:00", "2"}}));
 }
 
-TEST(XlsxTable, has_dates_where_no_cell_has_a_clock) {
+TEST(SheetTable, has_dates_where_no_cell_has_a_clock) {
   EXPECT_EQ(Read(header + row(2, "<c s=\"1\"><v>43831</v></c>")).rows, (Rows{{"2020-01-01", ""}}));
   EXPECT_EQ(Read(header + row(2, "<c s=\"2\"><v>43831</v></c>")).rows,
             (Rows{{"2020-01-01T00:00", ""}}));
@@ -62,7 +62,7 @@ TEST(XlsxTable, has_dates_where_no_cell_has_a_clock) {
       (Rows{{"2020-01-01", ""}}));
 }
 
-TEST(XlsxTable, numbers_rows_as_the_sheet_does_and_passes_empty_ones_over) {
+TEST(SheetTable, numbers_rows_as_the_sheet_does_and_passes_empty_ones_over) {
   const Read read(row(3,
                       "<c r=\"A3\" t=\"inlineStr\"><is><t>date</t></is></c><c r=\"B3\" "
                       "t=\"s\"><v>1</v></c>") +
@@ -75,7 +75,7 @@ TEST(XlsxTable, numbers_rows_as_the_sheet_does_and_passes_empty_ones_over) {
   EXPECT_TRUE(read.warnings.notices().empty());
 }
 
-TEST(XlsxTable, passes_titles_above_the_header_over_and_says_so) {
+TEST(SheetTable, passes_titles_above_the_header_over_and_says_so) {
   const std::string title = row(1, "<c r=\"A1\" t=\"inlineStr\"><is><t>Rain of 2020</t></is></c>");
   const std::string names =
       row(3, "<c r=\"A3\" t=\"s\"><v>0</v></c><c r=\"B3\" t=\"s\"><v>1</v></c>");
@@ -89,7 +89,27 @@ TEST(XlsxTable, passes_titles_above_the_header_over_and_says_so) {
   EXPECT_EQ(Read(title + names + data, 2).header_line, 3U);
 }
 
-TEST(XlsxTable, takes_na_for_nothing_and_other_errors_and_formulas_for_what_they_are) {
+TEST(SheetTable, passes_a_row_of_units_over_and_has_them) {
+  start_gdal();
+  const TemporaryFolder folder;
+  const std::string path = folder.path("r.xlsx");
+  const std::string unit = "<c r=\"B2\" t=\"inlineStr\"><is><t>[in]</t></is></c>";
+  const std::string data = row(3, "<c r=\"A3\" s=\"1\"><v>43831</v></c><c r=\"B3\"><v>5</v></c>");
+  write_xlsx(path, {{"rain", header + row(2, unit) + data}});
+  Warnings warnings;
+  SheetTable table({path, path, "", "rainfall_layer", {}}, &warnings);
+  EXPECT_EQ(table.unit(0), "");
+  EXPECT_EQ(table.unit(1), "in");
+  Row first;
+  ASSERT_TRUE(table.next(first));
+  EXPECT_EQ(first.line, 3U);
+  ASSERT_EQ(warnings.notices().size(), 1U);
+  EXPECT_TRUE(contains(warnings.notices()[0].sentence(),
+                       "below its header a row of units ([in]) is passed over"));
+  EXPECT_EQ(table.again()->unit(1), "in");
+}
+
+TEST(SheetTable, takes_na_for_nothing_and_other_errors_and_formulas_for_what_they_are) {
   const Read read(header + row(2, "<c s=\"1\"><v>43831</v></c><c t=\"e\"><v>#N/A</v></c>") +
                   row(3, "<c s=\"1\"><v>43832</v></c><c t=\"e\"><v>#DIV/0!</v></c>") +
                   row(4, "<c s=\"1\"><v>43833</v></c><c><f>B2*2</f></c>") +
@@ -100,7 +120,7 @@ TEST(XlsxTable, takes_na_for_nothing_and_other_errors_and_formulas_for_what_they
                              {"2020-01-04", "0.1"}}));
 }
 
-TEST(XlsxTable, refuses_what_is_broken) {
+TEST(SheetTable, refuses_what_is_broken) {
   EXPECT_TRUE(contains(complaint_of([] { Read(header + "<row"); }), "is not whole"));
   EXPECT_TRUE(contains(complaint_of([] { Read(header + row(2, "<c t=\"s\"><v>9</v></c>")); }),
                        "r.xlsx:2: a cell names a text that the file lacks"));
@@ -110,14 +130,14 @@ TEST(XlsxTable, refuses_what_is_broken) {
   EXPECT_TRUE(contains(complaint_of([] { Read(""); }), "has no sheet with a cell"));
 }
 
-TEST(XlsxTable, is_the_sheet_that_is_named_or_the_only_one_with_a_cell) {
+TEST(SheetTable, is_the_sheet_that_is_named_or_the_only_one_with_a_cell) {
   start_gdal();
   const TemporaryFolder folder;
   const std::string path = folder.path("r.xlsx");
   const std::string notes = row(1, "<c t=\"s\"><v>1</v></c>");
   write_xlsx(path, {{"notes", notes}, {"empty", ""}, {"rain", header}});
   const auto open = [&](const std::string& layer) {
-    return XlsxTable({path, path, layer, "rainfall_layer", {}}, nullptr).header();
+    return SheetTable({path, path, layer, "rainfall_layer", {}}, nullptr).header();
   };
   EXPECT_EQ(open("rain"), (std::vector<std::string>{"time", "7"}));
   EXPECT_TRUE(contains(complaint_of([&] { open(""); }), "has several layers: 'notes', 'rain'"));
