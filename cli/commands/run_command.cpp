@@ -20,6 +20,7 @@
 #include "cli/options/study_options.h"
 #include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
+#include "cli/outputs/encoded_files.h"
 #include "cli/outputs/held_rain.h"
 #include "cli/outputs/picture_of.h"
 #include "cli/outputs/provenance_of.h"
@@ -29,6 +30,7 @@
 #include "cli/summary/summary.h"
 #include "cli/terminal/line_width.h"
 #include "cli/terminal/progress.h"
+#include "files/geopackage_copy.h"
 #include "rainfall/errors/mean_error.h"
 #include "rainfall/series/gauge_readings.h"
 #include "results/summary_file.h"
@@ -119,6 +121,7 @@ class RunCommand : public Command {
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
     const Files files = open_files(outputs, warnings);
+    const std::unique_ptr<GeoPackageCopy> older = older_layers(files.package.name());
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
@@ -147,7 +150,7 @@ class RunCommand : public Command {
     table.finish(warnings);
     series.finish(threads());
     write_summary(files.summary, series.summary.basins(), inputs.area_unit());
-    write_maps(files, inputs, rainfall, series, warnings);
+    write_maps(files, inputs, rainfall, series, older ? older->bytes() : "", warnings);
     if (!common_.quiet) outputs.add("-").append(series.summary.text(view_.units, line_width()));
     outputs.commit();
   }
@@ -178,7 +181,7 @@ class RunCommand : public Command {
 
   /// Writes what shows the gauges' means: cells, the picture, the page, and the study in one file.
   void write_maps(const Files& files, const Inputs& inputs, const ArealRainfall& rainfall,
-                  RunSeries& series, Warnings& warnings) const {
+                  RunSeries& series, const std::string& older_package, Warnings& warnings) const {
     GaugeReadings mean = series.means.of_all();
     if (rainfall_.is_event()) mean.label = rainfall_.event();
     const auto cells = cells_of_network(inputs, threads());
@@ -204,7 +207,8 @@ class RunCommand : public Command {
                            ""});
     }
     package.layers.rain = series.held.take();
-    files.package.append(study_package(std::move(package), files.package.name(), "", warnings));
+    files.package.append(
+        study_package(std::move(package), files.package.name(), older_package, warnings));
     files.report.append(
         series.report.page({.picture = &picture,
                             .summary = &series.summary,

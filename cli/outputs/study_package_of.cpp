@@ -44,7 +44,7 @@ std::vector<LayerStyle> styles_of(const PackageParts& parts) {
   const std::vector<StyledClass> classes =
       parts.classes ? styled_classes(*parts.classes, parts.unit) : std::vector<StyledClass>();
   std::vector<LayerStyle> styles{{"cells", style_of_cells(classes)},
-                                 {"gauges", style_of_gauges()},
+                                 {"gauges", style_of_gauges(parts.readings != nullptr)},
                                  {"basins", style_of_basins()}};
   if (parts.interval > 0) styles.push_back({"isohyets", style_of_isohyets()});
   return styles;

@@ -15,9 +15,9 @@ struct StudyPackage {
 };
 
 /// Encodes the study as a GeoPackage: a layer `cells`, what with_study_layers adds to it and, in
-/// each layer's metadata, how it was made. `older` holds the bytes of a GeoPackage whose other
-/// layers are kept; it is empty where there is none. Throws Error as cells_files does. Memory:
-/// twice the file. Cost: linear in its rows, and the R-trees.
+/// each layer's metadata, how it was made. `older` holds the bytes of a GeoPackage of which
+/// kept_layers keeps what is no study's; it is empty where there is none. Throws Error as
+/// cells_files does. Memory: twice the file. Cost: linear in its rows, and the R-trees.
 std::string study_package(StudyPackage package, const std::string& path, const std::string& older,
                           Warnings& warnings);
 

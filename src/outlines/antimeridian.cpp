@@ -274,4 +274,33 @@ void cut_at_antimeridian(CurvedShape& shape) {
   shape = std::move(result);
 }
 
+std::vector<std::vector<Point>> cut_at_antimeridian(std::span<const Point> line) {
+  const auto turn_of = [](double longitude) { return std::floor((longitude + 180) / 360); };
+  std::vector<std::vector<Point>> pieces;
+  double turn = 0;
+  const auto is_within_turn = [&](Point p) { return std::abs(p.x - 360 * turn) <= 180; };
+  const auto add = [&](Point from, Point to) {
+    const double before = turn;
+    if (!is_within_turn(from) || !is_within_turn(to)) turn = turn_of(from.x + (to.x - from.x) / 2);
+    if (pieces.empty() || turn != before) pieces.push_back({{from.x - 360 * turn, from.y}});
+    pieces.back().push_back({to.x - 360 * turn, to.y});
+  };
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    Point from = line[i - 1];
+    const Point to = line[i];
+    const bool eastward = from.x < to.x;
+    // The antimeridians strictly between the two ends, in the order in which they are met.
+    double seam = eastward ? 360 * turn_of(from.x) + 180 : 360 * turn_of(from.x) - 180;
+    if (!eastward && seam == from.x) seam -= 360;
+    for (; eastward ? seam < to.x : seam > to.x; seam += eastward ? 360 : -360) {
+      const double share = (seam - line[i - 1].x) / (to.x - line[i - 1].x);
+      const Point met{seam, line[i - 1].y + share * (to.y - line[i - 1].y)};
+      add(from, met);
+      from = met;
+    }
+    add(from, to);
+  }
+  return pieces;
+}
+
 }  // namespace thiessen

@@ -31,4 +31,9 @@ CurvedShape cut_at_antimeridian(std::span<const WindingRing> rings);
 /// rings that run counter-clockwise. Polygons within [-180, 180] stay as they are, bit for bit.
 void cut_at_antimeridian(CurvedShape& shape);
 
+/// Cuts a line at the antimeridian whose longitudes run on over it, into pieces within [-180, 180].
+/// A line that only touches it stays whole, and one within stays as it is, bit for bit. Cost:
+/// linear in its points and the turns that it spans.
+std::vector<std::vector<Point>> cut_at_antimeridian(std::span<const Point> line);
+
 }  // namespace thiessen

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <vector>
 
 #include "outlines/ellipsoid_strip.h"
 #include "outlines/polygon_validity.h"
@@ -82,6 +83,29 @@ TEST(Antimeridian, pieces_of_an_edge_share_its_bulge) {
     sum += std::accumulate(cut.bulges[part].begin(), cut.bulges[part].end(), 0.0);
   }
   EXPECT_DOUBLE_EQ(sum, 108);
+}
+
+using Line = std::vector<Point>;
+
+TEST(Antimeridian, leaves_lines_that_only_touch_it_bit_for_bit) {
+  for (const Line& line : {Line{{170.1, 0}, {180, 5.1}, {170, 10}}, Line{{180, 0}, {180, 10}},
+                           Line{{-180, 0}, {-170, 3}, {-180, 5}}, Line{{-180, 1}, {180, 1}}}) {
+    EXPECT_EQ(cut_at_antimeridian(line), std::vector<Line>{line});
+  }
+}
+
+// By hand: from (170, 0) to (190, 10) the antimeridian is met halfway, at latitude 5.
+TEST(Antimeridian, cuts_lines_where_they_meet_it) {
+  EXPECT_EQ(cut_at_antimeridian(Line{{170, 0}, {190, 10}, {200, 10}}),
+            (std::vector<Line>{{{170, 0}, {180, 5}}, {{-180, 5}, {-170, 10}, {-160, 10}}}));
+  EXPECT_EQ(cut_at_antimeridian(Line{{190, 10}, {170, 0}}),
+            (std::vector<Line>{{{-170, 10}, {-180, 5}}, {{180, 5}, {170, 0}}}));
+  EXPECT_EQ(cut_at_antimeridian(Line{{180, 0}, {183, 1}}),
+            (std::vector<Line>{{{-180, 0}, {-177, 1}}}));
+  EXPECT_EQ(cut_at_antimeridian(Line{{170, 0}, {180, 1}, {180, 2}, {190, 3}}),
+            (std::vector<Line>{{{170, 0}, {180, 1}, {180, 2}}, {{-180, 2}, {-170, 3}}}));
+  EXPECT_EQ(cut_at_antimeridian(Line{{-190, 0}, {-170, 2}}),
+            (std::vector<Line>{{{170, 0}, {180, 1}}, {{-180, 1}, {-170, 2}}}));
 }
 
 }  // namespace

@@ -3,19 +3,29 @@
 #include <ogr_geometry.h>
 
 #include <memory>
+#include <span>
 
 #include "gdal/output/layer_formats.h"
 #include "gdal/output/vector_layer.h"
+#include "outlines/antimeridian.h"
 
 namespace thiessen {
 namespace {
 
-std::unique_ptr<OGRGeometry> geometry_of(const Isohyet& isohyet) {
+/// The lines of an isohyet; of degrees each longitude lies in [-180, 180].
+std::unique_ptr<OGRGeometry> geometry_of(const Isohyet& isohyet, bool is_in_degrees) {
   auto lines = std::make_unique<OGRMultiLineString>();
-  for (const auto& points : isohyet.lines) {
+  const auto add = [&](std::span<const Point> points) {
     auto line = std::make_unique<OGRLineString>();
     for (const Point p : points) line->addPoint(p.x, p.y);
     lines->addGeometryDirectly(line.release());
+  };
+  for (const std::vector<Point>& points : isohyet.lines) {
+    if (!is_in_degrees) {
+      add(points);
+      continue;
+    }
+    for (const std::vector<Point>& piece : cut_at_antimeridian(points)) add(piece);
   }
   return lines;
 }
@@ -44,7 +54,8 @@ std::vector<EncodedFile> isohyets_file(std::span<const Isohyet> isohyets,
   layer.values.number = [&](std::size_t row, std::size_t field) {
     return field == 1 ? std::optional(isohyets[row].level) : std::nullopt;
   };
-  layer.shape = [&](std::size_t row) { return geometry_of(isohyets[row]); };
+  const bool is_in_degrees = crs && crs->degrees_per_unit() == 1;
+  layer.shape = [&](std::size_t row) { return geometry_of(isohyets[row], is_in_degrees); };
   layer.made_by = made_by;
   return write_vector_layer(layer, crs, path, older, warnings);
 }

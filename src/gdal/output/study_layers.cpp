@@ -10,6 +10,7 @@
 #include "gdal/layers/geometry_conversion.h"
 #include "gdal/output/isohyets_file.h"
 #include "gdal/output/vector_layer.h"
+#include "outlines/antimeridian.h"
 
 namespace thiessen {
 namespace {
@@ -125,8 +126,15 @@ class LayersWriter {
     layer.add(layers_.area_column, FieldType::real,
               [&](std::size_t row) { return std::optional(basins[row].area); });
     if (layers_.has_series) add_series_fields(layer);
-    add(layer.finish([&](std::size_t row) { return ogr_shape(layers_.basin_shapes[row]); },
+    add(layer.finish([&](std::size_t row) { return ogr_shape(basin_shape(row)); },
                      layers_.made_by));
+  }
+
+  /// The shape of a basin; of degrees each longitude lies in [-180, 180].
+  MultiPolygon basin_shape(std::size_t basin) const {
+    CurvedShape shape{layers_.basin_shapes[basin], {}};
+    if (layers_.crs && layers_.crs->degrees_per_unit() == 1) cut_at_antimeridian(shape);
+    return std::move(shape.shape);
   }
 
   void add_series_fields(LayerBuilder& layer) const {
@@ -157,7 +165,14 @@ class LayersWriter {
               [&](std::size_t row) { return std::optional(weights[row].area); });
     layer.add("weight", FieldType::real,
               [&](std::size_t row) { return std::optional(weights[row].weight); });
-    add(layer.finish(no_shape, layers_.made_by));
+    add(layer.finish(no_shape, of_series()));
+  }
+
+  /// How tables were made that are not of the readings which the cells show.
+  std::optional<Provenance> of_series() const {
+    std::optional<Provenance> made_by = layers_.made_by;
+    if (made_by) made_by->rainfall.clear();
+    return made_by;
   }
 
   void add_rain(const StudyLayers::Rain& rain) {
@@ -167,7 +182,7 @@ class LayersWriter {
     layer.add("basin", [&](std::size_t row) { return layers_.basins[row % basins].basin; });
     layer.add("rainfall", FieldType::real,
               [&](std::size_t row) { return finite(rain.values[row]); });
-    add(layer.finish(no_shape, layers_.made_by));
+    add(layer.finish(no_shape, of_series()));
   }
 
   const StudyLayers& layers_;

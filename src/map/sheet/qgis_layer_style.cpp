@@ -47,7 +47,8 @@ enum class Placement { around_point = 0, along_line = 2, within_polygon = 4, bes
 std::string labels(const std::string& field, Placement placement, Colour colour, double size) {
   return "<labeling type=\"simple\">\n<settings calloutType=\"simple\">\n<text-style fieldName=\"" +
          field + "\" isExpression=\"0\" fontSize=\"" + shortest_text(size) +
-         "\" fontSizeUnit=\"Point\" namedStyle=\"Book\" textColor=\"" + colour_text(colour) +
+         "\" fontSizeUnit=\"Point\" fontWeight=\"50\" namedStyle=\"Book\" textColor=\"" +
+         colour_text(colour) +
          "\" textOpacity=\"1\"><text-buffer bufferDraw=\"1\" bufferSize=\"0.5\" "
          "bufferSizeUnits=\"MM\" bufferColor=\"255,255,255,255\" bufferOpacity=\"0.85\" "
          "bufferJoinStyle=\"128\"/></text-style>\n<placement placement=\"" +
@@ -63,6 +64,15 @@ std::string document(const std::string& renderer, const std::string& labeling) {
          "<qgis version=\"3.22\" styleCategories=\"Symbology|Labeling\" labelsEnabled=\"" +
          std::string(labeling.empty() ? "0" : "1") + "\">\n" + renderer + labeling +
          "<blendMode>0</blendMode>\n<layerOpacity>1</layerOpacity>\n</qgis>\n";
+}
+
+std::string dot(std::size_t number, const std::string& fill, const std::string& outline,
+                const std::string& width) {
+  return symbol("marker", number, "SimpleMarker",
+                property("name", "circle") + property("color", fill) +
+                    property("outline_color", outline) + property("outline_width", width) +
+                    property("outline_width_unit", "MM") + property("size", "1.8") +
+                    property("size_unit", "MM"));
 }
 
 }  // namespace
@@ -121,14 +131,21 @@ std::string style_of_basins() {
       labels("basin", Placement::within_polygon, dark, 9));
 }
 
-std::string style_of_gauges() {
+std::string style_of_gauges(bool has_rainfall) {
+  const std::string labelled = labels("station", Placement::beside_point, dark, 7);
+  const std::string full = dot(0, colour_text(dark), "255,255,255,255", "0.2");
+  if (!has_rainfall) return document(single(full), labelled);
+  // As in the picture: a gauge without a reading is hollow.
   return document(
-      single(symbol("marker", 0, "SimpleMarker",
-                    property("name", "circle") + property("color", colour_text(dark)) +
-                        property("outline_color", "255,255,255,255") +
-                        property("outline_width", "0.2") + property("outline_width_unit", "MM") +
-                        property("size", "1.8") + property("size_unit", "MM"))),
-      labels("station", Placement::beside_point, dark, 7));
+      "<renderer-v2 type=\"RuleRenderer\" symbollevels=\"0\" enableorderby=\"0\" "
+      "forceraster=\"0\">\n<rules key=\"gauges\">\n"
+      "<rule key=\"reading\" symbol=\"0\" filter=\"&quot;rainfall&quot; IS NOT NULL\" "
+      "label=\"gauge\"/>\n"
+      "<rule key=\"none\" symbol=\"1\" filter=\"&quot;rainfall&quot; IS NULL\" "
+      "label=\"gauge without a reading\"/>\n</rules>\n<symbols>\n" +
+          full + dot(1, "255,255,255,255", colour_text(dark), "0.4") +
+          "</symbols>\n</renderer-v2>\n",
+      labelled);
 }
 
 std::string style_of_isohyets() {

@@ -22,10 +22,11 @@ std::vector<StyledClass> styled_classes(const RainfallClasses& classes, const st
 
 /// Styles for QGIS of a layer of vectors, in its XML: for the polygons of cells, filled by class
 /// or, where there is none, in one pale colour; for the outlines of basins with their names; for
-/// gauges as dots with their names; for isohyets with their values.
+/// gauges as dots with their names, hollow where a field `rainfall` has none; for isohyets with
+/// their values.
 std::string style_of_cells(std::span<const StyledClass> classes);
 std::string style_of_basins();
-std::string style_of_gauges();
+std::string style_of_gauges(bool has_rainfall);
 std::string style_of_isohyets();
 
 }  // namespace thiessen

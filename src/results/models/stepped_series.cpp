@@ -11,6 +11,8 @@
 namespace thiessen {
 namespace {
 
+constexpr const char* any_steps = "a CSV, a NetCDF and a PI-XML take any steps";
+
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t day_seconds = 86'400;
 
@@ -93,8 +95,8 @@ SteppedSeries::Steps SteppedSeries::steps() {
   if (!is_even) {
     throw Error({subject_.rainfall, 0,
                  "its steps are of " + thiessen::text_of(*length) + ", and " + format_ +
-                     " wants days or parts of them",
-                 "a CSV and a NetCDF take any steps"});
+                     " wants steps of one length",
+                 any_steps});
   }
   steps.length = length->seconds;
   const bool ends = subject_.stamp == Stamp::end && has_clock(times_.first());
@@ -119,7 +121,7 @@ void SteppedSeries::require_parts_of_days(const Steps& steps) const {
                  "its steps are of " + thiessen::text_of(StepLength{0, steps.length}) + ", and " +
                      format_ + " wants a day, or a part of it in whole minutes",
                  steps.length < day_seconds ? setting("every", "day") + " sums them by day"
-                                            : Wording("a CSV and a NetCDF take any steps")});
+                                            : Wording(any_steps)});
   }
   const std::int64_t after_midnight = ((steps.begin % day_seconds) + day_seconds) % day_seconds;
   if (after_midnight % 60 == 0 && (steps.length < day_seconds || after_midnight == 0)) return;

@@ -81,6 +81,10 @@ void SwmmSeries::append_step(std::int64_t begin, std::span<const double> rainfal
     }
     value.clear();
     append_value(value, rainfall[b], "");
+    if (is_nothing(value) && rainfall[b] > 0) {
+      ++too_small_;
+      lost_ += rainfall[b];
+    }
     if (is_nothing(value) && !is_first) continue;
     lines += subject().basins[b] + moment + value + '\n';
   }
@@ -95,6 +99,21 @@ void SwmmSeries::write(const Steps& steps, Warnings& warnings) {
     append_step(begin, rainfall, std::exchange(is_first, false));
   });
   tell_gage(steps, warnings);
+  warn_of_lost(warnings);
+}
+
+/// Warns of rain that is too little for the decimals: drizzle in inches is most of a year's hours.
+void SwmmSeries::warn_of_lost(Warnings& warnings) const {
+  if (too_small_ == 0) return;
+  const int decimals = subject().decimals;
+  std::string lost;
+  append_fixed(lost, lost_, decimals + 2);
+  warnings.add({subject().output, 0,
+                std::to_string(too_small_) +
+                    (too_small_ == 1 ? " value above 0 is" : " values above 0 are") + " 0 to " +
+                    std::to_string(decimals) + " decimals and so dry in it, " + lost + " " +
+                    subject().unit + " in all",
+                setting("decimals", std::to_string(decimals + 2)) + " keeps more of them"});
 }
 
 /// Says what the project has to say of its gages, for the file cannot.

@@ -26,8 +26,11 @@ class SwmmSeries : public SteppedSeries {
   void write(const Steps& steps, Warnings& warnings) override;
   void append_step(std::int64_t begin, std::span<const double> rainfall, bool is_first);
   void tell_gage(const Steps& steps, Warnings& warnings) const;
+  void warn_of_lost(Warnings& warnings) const;
 
   OutputFile& file_;
+  std::size_t too_small_ = 0;  ///< values above 0 that its decimals do not show
+  double lost_ = 0;            ///< their sum
 };
 
 }  // namespace thiessen

@@ -67,11 +67,19 @@ TEST(QgisLayerStyle, cells_without_rainfall_are_of_one_colour) {
 
 TEST(QgisLayerStyle, gauges_basins_and_isohyets_are_named_by_their_field) {
   for (const auto& [style, field] :
-       {std::pair{style_of_gauges(), "station"}, std::pair{style_of_basins(), "basin"},
+       {std::pair{style_of_gauges(false), "station"}, std::pair{style_of_basins(), "basin"},
         std::pair{style_of_isohyets(), "rainfall"}}) {
     EXPECT_NE(style.find("labelsEnabled=\"1\""), std::string::npos);
     EXPECT_NE(style.find("fieldName=\"" + std::string(field) + "\""), std::string::npos);
+    // Without a weight QGIS takes the thinnest face of a font.
+    EXPECT_NE(style.find("fontWeight=\"50\""), std::string::npos);
   }
+}
+
+TEST(QgisLayerStyle, gauges_without_a_reading_are_hollow) {
+  const std::string style = style_of_gauges(true);
+  EXPECT_NE(style.find("symbol=\"1\" filter=\"&quot;rainfall&quot; IS NULL\""), std::string::npos);
+  EXPECT_NE(style.find("<prop k=\"color\" v=\"255,255,255,255\"/>"), std::string::npos);
 }
 
 }  // namespace

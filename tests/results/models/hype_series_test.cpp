@@ -87,7 +87,7 @@ TEST(HypeSeries, refuses_steps_that_it_cannot_hold) {
   };
   EXPECT_EQ(fault({}), "r.csv: there is no time step to write");
   EXPECT_TRUE(contains(fault({{"2020-01", {1}}, {"2020-02", {1}}}),
-                       "its steps are of 1 month, and HYPE's Pobs.txt wants days"));
+                       "its steps are of 1 month, and HYPE's Pobs.txt wants steps of one length"));
   EXPECT_TRUE(contains(fault({{"2020-01-01", {1}}, {"2020-01-08", {1}}, {"2020-01-15", {1}}}),
                        "its steps are of 7 days"));
   EXPECT_TRUE(contains(fault({{"2020-01-01T00:00", {1}}, {"2020-01-01T05:00", {1}}}),

@@ -20,6 +20,22 @@ TEST(SwmmSeries, has_a_line_for_rain_and_for_the_first_step) {
             "is dry");
 }
 
+// 0.0001 and 0.0003 are less than half of the third decimal.
+TEST(SwmmSeries, warns_of_rain_that_its_decimals_lose) {
+  Warnings told;
+  ModelSubject subject = subject_of({"a"});
+  subject.unit = "in";
+  series_text<SwmmSeries>(subject,
+                          {{"2020-01-01T00:00", {0.0001}},
+                           {"2020-01-01T01:00", {0.0003}},
+                           {"2020-01-01T02:00", {0}},
+                           {"2020-01-01T03:00", {0.0006}}},
+                          told);
+  ASSERT_EQ(told.messages().size(), 1);
+  EXPECT_EQ(told.messages()[0].sentence(),
+            "out: 2 values above 0 are 0 to 3 decimals and so dry in it, 0.00040 in in all");
+}
+
 TEST(SwmmSeries, of_inches_an_hour_is_of_intensity) {
   Warnings told;
   ModelSubject subject = subject_of({"a"});
