@@ -18,10 +18,10 @@
 #include "cli/outputs/isohyets_in.h"
 #include "cli/outputs/provenance_of.h"
 #include "cli/outputs/raster_of.h"
-#include "cli/outputs/shown_values.h"
+#include "cli/outputs/surface_maps.h"
 #include "gdal/output/isohyets_file.h"
 #include "gdal/output/layer_formats.h"
-#include "map/sheet/rainfall_classes.h"
+#include "geometry/polygon.h"
 
 namespace thiessen::cli {
 namespace {
@@ -36,7 +36,8 @@ class IsohyetsCommand : public Command {
     OptionGroup method = options().group("Method");
     method.add("--resolution", number(resolution_, above_zero),
                "the pixel of the raster on which lines are drawn, in units of the basins' CRS; "
-               "default: the longer side in 1000 pixels");
+               "default: the longer side in 1000 pixels, or as behind a picture where its classes "
+               "are the levels");
     units_option_ = &options()
                          .group("Readings")
                          .add("--units", any_text(units_, "U"),
@@ -94,11 +95,12 @@ class IsohyetsCommand : public Command {
   std::vector<Isohyet> isohyets_of(const Inputs& inputs, const GaugeReadings& readings) const {
     if (!readings.reports().any()) return {};
     const auto threads = static_cast<unsigned>(common_.threads);
-    IsohyetLevels levels{isohyets_.interval, isohyets_.breaks};
+    const std::vector<MultiPolygon> areas = areas_of(inputs);
+    const IsohyetLevels levels{isohyets_.interval, isohyets_.breaks};
     if (levels.interval == 0 && levels.levels.empty())
-      levels.levels = RainfallClasses(shown_values(inputs, readings, threads), {}).bounds();
+      return pictured_isohyets(inputs, readings, isohyets_.drawn(), resolution_, areas, threads);
     return isohyets_in(inputs, readings, isohyets_.drawn(), {.resolution = resolution_}, levels,
-                       areas_of(inputs), threads);
+                       areas, threads);
   }
 
   StudyOptions study_;

@@ -60,7 +60,7 @@ void IsohyetOptions::declare(OptionList& options) {
   interval_option_ =
       &method.add("--interval", number(interval, above_zero),
                   "the step between levels, which are its multiples; default the bounds of the "
-                  "classes that a picture of the gauges' rainfall has");
+                  "classes that a picture of the surface has");
   breaks_option_ = &method.add("--breaks", rising_numbers(breaks), "the levels themselves");
 }
 

@@ -70,13 +70,10 @@ SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings
   return raster;
 }
 
-std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
-                                 SurfaceMethod method, const RasterSize& size,
-                                 const IsohyetLevels& levels, std::span<const MultiPolygon> shapes,
-                                 unsigned threads) {
-  if (!readings.reports().any()) return {};
-  const SurfaceRaster raster =
-      surface_raster(inputs, readings, method, SurfaceRows::Beyond::continued, size, threads);
+std::vector<Isohyet> isohyets_on(const SurfaceRaster& raster, const Inputs& inputs,
+                                 const GaugeReadings& readings, SurfaceMethod method,
+                                 const IsohyetLevels& levels,
+                                 std::span<const MultiPolygon> shapes) {
   if (!raster.range) return {};
   std::vector<Isohyet> isohyets =
       isohyets_of(raster.grid, raster.values, levels_within(*raster.range, levels), shapes);
@@ -84,6 +81,16 @@ std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& read
   const auto surface = surface_in(inputs, readings.readings, method);
   keep_among_gauges(isohyets, among_gauges_of(*surface, to_study(inputs)));
   return isohyets;
+}
+
+std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& readings,
+                                 SurfaceMethod method, const RasterSize& size,
+                                 const IsohyetLevels& levels, std::span<const MultiPolygon> shapes,
+                                 unsigned threads) {
+  if (!readings.reports().any()) return {};
+  return isohyets_on(
+      surface_raster(inputs, readings, method, SurfaceRows::Beyond::continued, size, threads),
+      inputs, readings, method, levels, shapes);
 }
 
 }  // namespace thiessen::cli

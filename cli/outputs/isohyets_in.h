@@ -51,4 +51,9 @@ std::vector<Isohyet> isohyets_in(const Inputs& inputs, const GaugeReadings& read
                                  const IsohyetLevels& levels, std::span<const MultiPolygon> shapes,
                                  unsigned threads);
 
+/// The same on a raster of the surface that is there, continued beyond the gauges.
+std::vector<Isohyet> isohyets_on(const SurfaceRaster& raster, const Inputs& inputs,
+                                 const GaugeReadings& readings, SurfaceMethod method,
+                                 const IsohyetLevels& levels, std::span<const MultiPolygon> shapes);
+
 }  // namespace thiessen::cli

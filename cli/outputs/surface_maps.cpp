@@ -167,7 +167,33 @@ std::string words_of(SurfaceMethod method) {
   return "";
 }
 
+ShownSurface shown_surface(const Inputs& inputs, const GaugeReadings& readings,
+                           SurfaceMethod method, const RasterSize& size, unsigned threads) {
+  return {surface_raster(inputs, readings, method, SurfaceRows::Beyond::continued, size, threads),
+          surface_in(inputs, readings.readings, method)};
+}
+
+/// The raster behind a picture so wide.
+RasterSize raster_behind(int width) {
+  return {0, std::clamp(width, coarsest, finest)};
+}
+
 }  // namespace
+
+std::vector<Isohyet> pictured_isohyets(const Inputs& inputs, const GaugeReadings& readings,
+                                       SurfaceMethod method, double resolution,
+                                       std::span<const MultiPolygon> shapes, unsigned threads) {
+  if (!readings.reports().any()) return {};
+  ToStudy to_study(inputs);
+  const ShownSurface shown =
+      shown_surface(inputs, readings, method, raster_behind(Picture{}.width), threads);
+  const RainfallClasses classes(values_within(shown, areas_of(inputs), to_study), {});
+  const IsohyetLevels levels{0, classes.bounds()};
+  if (resolution > 0)
+    return isohyets_in(inputs, readings, method, {.resolution = resolution}, levels, shapes,
+                       threads);
+  return isohyets_on(shown.raster, inputs, readings, method, levels, shapes);
+}
 
 std::string title_of(const IsohyetOptions& options) {
   if (options.surface()) return "Rainfall " + words_of(*options.surface());
@@ -177,16 +203,13 @@ std::string title_of(const IsohyetOptions& options) {
 void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
                   const IsohyetOptions& options, std::vector<Picture>& maps, unsigned threads) {
   if (!options.shows_any()) return;
-  const int wanted = maps.size() == 1 ? maps.front().width : coarsest;
-  const RasterSize size{0, std::clamp(wanted, coarsest, finest)};
+  const RasterSize size = raster_behind(maps.size() == 1 ? maps.front().width : coarsest);
   const std::vector<MultiPolygon> areas = areas_of(inputs);
   ToStudy to_study(inputs);
   std::vector<std::optional<ShownSurface>> shown(maps.size());
   for (std::size_t i = 0; i < maps.size(); ++i) {
     if (!options.surface() || !steps[i].reports().any()) continue;
-    shown[i] = {surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Beyond::continued,
-                               size, threads),
-                surface_in(inputs, steps[i].readings, *options.surface())};
+    shown[i] = shown_surface(inputs, steps[i], *options.surface(), size, threads);
     maps[i].surface = values_within(*shown[i], areas, to_study);
   }
   for (auto& [name, value] : maps.front().tags) {

@@ -1,24 +1,31 @@
 // Owners of 10,000 x 10,000 pixels for 1,000 and 100,000 stations, in the plane and on the Earth,
-// beside what only fills the same cells: cv::fillConvexPoly and GDALRasterizeGeometries, which are
-// not exact along the edges. The cells are laid before the clock starts.
+// beside the way in which they were found until cells were filled, which quarters blocks down to
+// single pixels, and beside what only fills the same cells: cv::fillConvexPoly and
+// GDALRasterizeGeometries, which are not exact along the edges. The cells are laid, and the places
+// put in order, before the clock starts.
 #include <benchmark/benchmark.h>
 #include <gdal_alg.h>
 #include <gdal_priv.h>
 #include <ogr_geometry.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "diagram/plane_diagram.h"
+#include "earth/nearest/nearest_places.h"
 #include "geometry/box.h"
 #include "map/raster/owners.h"
+#include "map/raster/pixel_positions.h"
 
 namespace thiessen {
 namespace {
@@ -60,17 +67,28 @@ std::vector<std::vector<Point>> cells_of(const std::vector<Point>& stations) {
   return cells;
 }
 
+/// Stations and pixels in a square. On the Earth a pixel is a thousandth of a degree, from 42
+/// degrees north on.
+struct OwnerSquare {
+  double south;
+  double side;
+  PixelGrid grid;
+  std::vector<Point> stations;
+
+  OwnerSquare(std::int64_t count, Metric metric) : stations(stations_in_pixels(count)) {
+    const double pixel = metric == Metric::planar ? 1 : 1e-3;
+    south = metric == Metric::planar ? 0 : 42;
+    side = pixel * pixels_a_side;
+    grid = {{0, south + side}, pixel, pixels_a_side, pixels_a_side};
+    for (Point& p : stations) p = {pixel * p.x, south + pixel * p.y};
+  }
+};
+
 void owners_alone(benchmark::State& state, Metric metric) {
-  // On the Earth a pixel is a thousandth of a degree, from 42 degrees north on.
-  const bool is_plane = metric == Metric::planar;
-  const double pixel = is_plane ? 1 : 1e-3;
-  const double south = is_plane ? 0 : 42;
-  const double side = pixel * pixels_a_side;
+  const auto [south, side, grid, positions] = OwnerSquare(state.range(0), metric);
   std::vector<Station> stations;
-  for (const Point p : stations_in_pixels(state.range(0)))
-    stations.push_back({std::to_string(stations.size()), {pixel * p.x, south + pixel * p.y}, 0});
+  for (const Point p : positions) stations.push_back({std::to_string(stations.size()), p, 0});
   const Network network(stations, metric);
-  const PixelGrid grid{{0, south + side}, pixel, pixels_a_side, pixels_a_side};
   const Ring square{{0, south}, {side, south}, {side, south + side}, {0, south + side}};
   const auto same = [] { return [](std::vector<Point>&) {}; };
   Owners owners(grid, {{{square, {}}}}, network, metric, ReportingStations(stations.size(), true),
@@ -79,6 +97,76 @@ void owners_alone(benchmark::State& state, Metric metric) {
   for (auto _ : state) {
     for (int row = 0; row < grid.rows; row += band)
       benchmark::DoNotOptimize(owners.rows(row, std::min(band, grid.rows - row)).data());
+  }
+}
+
+/// Owners as they were found until cells were filled: blocks with several rivals are quartered.
+class QuarteredBlocks {
+ public:
+  QuarteredBlocks(const PixelGrid& grid, const NearestPlaces& places, int rows)
+      : grid_(grid),
+        places_(places),
+        owners_(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(rows)) {}
+
+  std::span<const std::int32_t> rows(int row, int count) {
+    constexpr int side = 128;
+    first_row_ = row;
+    for (int r = row; r < row + count; r += side) {
+      for (int column = 0; column < grid_.columns; column += side) {
+        const PixelBlock block{column, r, std::min(side, grid_.columns - column),
+                               std::min(side, row + count - r)};
+        const auto positions = PixelPositions::fit(
+            grid_, block, [](std::vector<Point>&) {}, places_);
+        places_.find_rivals(positions->ball(block), rivals_[0]);
+        divide(*positions, block, 0);
+      }
+    }
+    return owners_;
+  }
+
+ private:
+  void divide(const PixelPositions& positions, const PixelBlock& block, std::size_t depth) {
+    if (rivals_[depth].size() == 1) return fill(block, rivals_[depth].front());
+    if (block.is_pixel()) {
+      return fill(block, *places_.nearest(grid_.centre(block.column, block.row), rivals_[depth]));
+    }
+    const int west = (block.columns + 1) / 2;
+    const int north = (block.rows + 1) / 2;
+    for (const PixelBlock& quarter :
+         {PixelBlock{block.column, block.row, west, north},
+          PixelBlock{block.column + west, block.row, block.columns - west, north},
+          PixelBlock{block.column, block.row + north, west, block.rows - north},
+          PixelBlock{block.column + west, block.row + north, block.columns - west,
+                     block.rows - north}}) {
+      if (quarter.columns == 0 || quarter.rows == 0) continue;
+      places_.keep_rivals(positions.ball(quarter), rivals_[depth], rivals_[depth + 1]);
+      divide(positions, quarter, depth + 1);
+    }
+  }
+  void fill(const PixelBlock& block, PlaceIndex place) {
+    for (int row = block.row; row < block.row + block.rows; ++row) {
+      const auto before =
+          static_cast<std::ptrdiff_t>(row - first_row_) * grid_.columns + block.column;
+      std::fill_n(owners_.begin() + before, block.columns,
+                  static_cast<std::int32_t>(index(place)) + 1);
+    }
+  }
+
+  const PixelGrid& grid_;
+  const NearestPlaces& places_;
+  int first_row_ = 0;
+  std::vector<std::int32_t> owners_;
+  std::array<std::vector<PlaceIndex>, 10> rivals_;  ///< by how often the block was quartered
+};
+
+void owners_by_quartering(benchmark::State& state, Metric metric) {
+  const auto [south, side, grid, stations] = OwnerSquare(state.range(0), metric);
+  const auto places = nearest_places(stations, metric);
+  constexpr int band = 256;
+  QuarteredBlocks blocks(grid, *places, band);
+  for (auto _ : state) {
+    for (int row = 0; row < grid.rows; row += band)
+      benchmark::DoNotOptimize(blocks.rows(row, std::min(band, grid.rows - row)).data());
   }
 }
 
@@ -142,6 +230,8 @@ void stations_alone(benchmark::internal::Benchmark* all) {
 
 BENCHMARK_CAPTURE(owners_alone, planar, Metric::planar)->Apply(stations_and_threads);
 BENCHMARK_CAPTURE(owners_alone, geodesic, Metric::geodesic)->Apply(stations_and_threads);
+BENCHMARK_CAPTURE(owners_by_quartering, planar, Metric::planar)->Apply(stations_alone);
+BENCHMARK_CAPTURE(owners_by_quartering, geodesic, Metric::geodesic)->Apply(stations_alone);
 BENCHMARK(cells_by_opencv)->Apply(stations_alone);
 BENCHMARK(cells_by_gdal)->Apply(stations_alone);
 

@@ -102,12 +102,13 @@ class SurfacesTest(thiessen.ProgramTest):
                 self.assertEqual("no isohyet" in ran.stderr, time == "dry", f"{name}: {ran.stderr}")
 
     def test_without_an_interval_levels_are_where_the_classes_of_a_picture_meet(self):
-        # Gauges with ground in the basins read 5 to 55 in x: equal steps of 5 or 10 from there.
+        # The surface is 10 to 50 in the basins: equal steps of 5 between.
         levels = sorted({f["properties"]["rainfall"] for f in self.isohyets("--time", "x")["features"]})
-        self.output("map", "s.csv", "b.csv", "r.csv", "-o", "m.svg", "--time", "x", "--isohyets", *PLANAR)
+        self.output("map", "s.csv", "b.csv", "r.csv", "-o", "m.svg", "--time", "x", "--method", "natural", "--isohyets", *PLANAR)
         picture = (self.folder / "m.svg").read_text()
         drawn = sorted({float(level) for level in re.findall(r'<g class="isohyet" data-level="([^"]+)"', picture)})
         self.assertEqual(levels, drawn)
+        self.assertEqual(levels, [15, 20, 25, 30, 35, 40, 45])
         legend = picture[picture.index('<g class="legend">'):]
         ticks = [float(text) for text in re.findall(r">(-?[0-9.]+)</text>", legend)]
         self.assertTrue(set(levels) <= set(ticks), f"{levels} {ticks}")

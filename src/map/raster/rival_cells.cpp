@@ -149,23 +149,24 @@ RivalCells::Edge::Edge(const RivalCells& cells, std::size_t cell, std::size_t be
                        Point to, double reach) {
   const Form& own = cells.forms_[cell];
   const Form& across = cells.forms_[beyond];
+  std::array<const Form*, most> added;
+  // Any two of them may be the nearest and the second.
   const auto add = [&](const Form& form) {
+    for (std::size_t i = 0; i < count_; ++i)
+      certain_ = std::max(certain_, cells.certain_between(*added[i], form));
     forms_[count_] = difference(form, own);
-    rivals_[count_++] = form.rival;
+    rivals_[count_] = form.rival;
+    added[count_++] = &form;
   };
   add(own);
   add(across);
-  certain_ = cells.certain_between(own, across);
   for (std::size_t i = 0; i < cells.forms_.size(); ++i) {
     if (i == cell || i == beyond) continue;
     const Form& other = cells.forms_[i];
     const Linear lead = difference(other, own);
     const double least =
         std::min(lead.value(from), lead.value(to)) - change_within(lead, reach, reach);
-    if (least > cells.largest_certain_) continue;
-    add(other);
-    certain_ = std::max(
-        {certain_, cells.certain_between(own, other), cells.certain_between(across, other)});
+    if (least <= cells.largest_certain_) add(other);
   }
 }
 

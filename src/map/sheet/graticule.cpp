@@ -68,6 +68,7 @@ std::vector<double> samples(const std::function<double(double)>& value, double l
 
 using Coordinate = std::function<double(double)>;
 
+// Where a number has no room, its mark is left out too, for it would say nothing.
 void draw_lower(Canvas& canvas, const Page& page, const Coordinate& value, FrameAxis axis,
                 Typesetter& type) {
   const PageStyle& style = page.style;
@@ -79,9 +80,9 @@ void draw_lower(Canvas& canvas, const Page& page, const Coordinate& value, Frame
        frame_ticks(value, panel.width, std::max(1, panel.width / style.ems(3.3)), axis)) {
     const int x = panel.x + static_cast<int>(tick.at);
     const SetText text = type.set(tick.text, size);
-    canvas.fill({x, panel.bottom(), style.hairline, length}, ink::border);
     const int left = x - text.width() / 2;
     if (left < free_from || left + text.width() > panel.right() + style.em) continue;
+    canvas.fill({x, panel.bottom(), style.hairline, length}, ink::border);
     canvas.text(text, left, panel.bottom() + length + style.ems(0.15), {ink::quiet_text});
     free_from = left + text.width() + style.ems(0.5);
   }
@@ -97,11 +98,11 @@ void draw_left(Canvas& canvas, const Page& page, const Coordinate& value, FrameA
   for (const FrameTick& tick :
        frame_ticks(value, panel.height, std::max(1, panel.height / style.ems(3.5)), axis)) {
     const int y = panel.bottom() - 1 - static_cast<int>(tick.at);
-    canvas.fill({panel.x - length, y, length, style.hairline}, ink::border);
     const int room = panel.x - length - style.ems(0.4);
     const SetText text = type.fit(tick.text, size, size * 3 / 4, room);
     const int top = y - text.height() / 2;
     if (text.width() == 0 || top + text.height() > free_below) continue;
+    canvas.fill({panel.x - length, y, length, style.hairline}, ink::border);
     canvas.text(text, panel.x - length - style.ems(0.2) - text.width(), top, {ink::quiet_text});
     free_below = top - style.ems(0.3);
   }

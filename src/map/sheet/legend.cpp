@@ -121,8 +121,11 @@ Legend::Legend(std::span<const Picture> maps, const MapDetail& detail,
   const int most = std::max(style.ems(7), picture.width / 5);
   const int sign = style.ems(2);
   if (picture.by_rainfall) set_heading(picture, style, most, type);
+  const int small = std::max(style.least_type, style.ems(0.5));
+  small_step_ = small + (small + 15) / 16;
   for (const std::string& tick : classes.ticks()) {
     ticks_.push_back(type.fit(tick, size, size, most - sign));
+    small_ticks_.push_back(type.fit(tick, small, small, most - sign));
     width_ = std::max(width_, sign + ticks_.back().width());
   }
   for (const Sign kind : signs_of(maps, classes)) {
@@ -191,6 +194,11 @@ Legend::Layout Legend::layout(const PixelBox& column) const {
     const int for_bar = std::max(least, room - static_cast<int>(result.signs) * result.line);
     result.step = std::clamp(for_bar / n, 2, em_ * 7 / 4);
     result.every = (least_step() + result.step - 1) / result.step;
+    // Where classes are not equally wide, no bound can be told from the others.
+    if (result.every > 1 && result.step >= small_step_) {
+      result.has_small_ticks = true;
+      result.every = 1;
+    }
   }
   result.signs_top = result.top + n * result.step + round_bar();
   return result;
@@ -234,11 +242,12 @@ void Legend::draw_bar(Canvas& canvas, const PixelBox& column, const Layout& plac
     canvas.fill({column.x, top + i * step, bar_width, step}, colour);
   }
   canvas.border({column.x, top, bar_width, n * step}, ink::border, std::max(1, em_ / 16));
-  for (int i = 0; i < static_cast<int>(ticks_.size()); i += places.every) {
-    const SetText& text = ticks_[static_cast<std::size_t>(i)];
-    const int y = ticks_.size() == 1 ? top + step / 2 : top + (n - i) * step;
+  const std::vector<SetText>& ticks = places.has_small_ticks ? small_ticks_ : ticks_;
+  for (int i = 0; i < static_cast<int>(ticks.size()); i += places.every) {
+    const SetText& text = ticks[static_cast<std::size_t>(i)];
+    const int y = ticks.size() == 1 ? top + step / 2 : top + (n - i) * step;
     if (text.width() == 0) continue;  // the class has no end
-    if (ticks_.size() > 1) {
+    if (ticks.size() > 1) {
       canvas.fill({column.x + bar_width, y, em_ / 4, std::max(1, em_ / 16)}, ink::border);
     }
     canvas.text(text, column.x + em_ * 2, y - text.height() / 2, {ink::text});

@@ -46,9 +46,10 @@ class Legend {
   /// How the parts of the legend share the height of its column: the bar comes before the signs,
   /// for without it no colour means anything.
   struct Layout {
-    int top = 0;    ///< of the bar, with half a line of text over it
-    int step = 0;   ///< the height of a class
-    int every = 1;  ///< one tick in so many has its text
+    int top = 0;                   ///< of the bar, with half a line of text over it
+    int step = 0;                  ///< the height of a class
+    int every = 1;                 ///< one tick in so many has its text
+    bool has_small_ticks = false;  ///< because larger ones would not all have room
     int signs_top = 0;
     int line = 0;           ///< the height of a sign's line
     std::size_t signs = 0;  ///< how many have room
@@ -71,6 +72,8 @@ class Legend {
   std::string units_;
   std::vector<SetText> heading_;
   std::vector<SetText> ticks_;
+  std::vector<SetText> small_ticks_;
+  int small_step_ = 0;  ///< the height of a class at which each of these has room
   std::vector<Entry> entries_;
 };
 

@@ -104,6 +104,43 @@ TEST(RivalCells, do_not_tell_a_tie) {
   EXPECT_EQ(edge.nearest(16, 7), 1U);
 }
 
+// Four places lie round a centre. The nearest and the second are opposite each other, 40.2 apart,
+// where with positions 0.1 off a difference of 8.0 of the squares is certain; theirs is 7. The two
+// others, whose edge comes near the centre, are no farther from either than 34.0, which would make
+// 6.8 certain.
+TEST(RivalCells, do_not_tell_the_nearest_of_two_beyond_an_edge_by_what_is_certain_along_it) {
+  const Point centre{20, -15};
+  Rivals rivals;
+  const auto add = [&](double degrees, double square) {
+    const double angle = degrees * M_PI / 180;
+    rivals.indices.push_back(PlaceIndex{static_cast<std::uint32_t>(rivals.positions.size())});
+    rivals.positions.push_back({centre.x + std::sqrt(square) * std::cos(angle),
+                                centre.y + std::sqrt(square) * std::sin(angle)});
+  };
+  add(90, 400);
+  add(-90, 407);
+  add(10, 420);
+  add(-10, 420);
+  const auto places = nearest_places(rivals.positions, Metric::planar);
+  PixelPlane off = pixels;
+  off.off = 0.1;
+  RivalCells cells;
+  ASSERT_TRUE(cells.lay(off, block, *places, rivals.indices));
+  bool is_asked = false;
+  for (std::size_t i = 0; i < cells.cells().size(); ++i) {
+    const RivalCells::Cell& cell = cells.cells()[i];
+    for (std::size_t k = 0; k < cell.count; ++k) {
+      if (cell.beyond[k] == RivalCells::nobody) continue;
+      if (cell.rival < 2 || cells.cells()[cell.beyond[k]].rival < 2) continue;
+      const RivalCells::Edge edge(cells, i, cell.beyond[k], cell.corners[k], cell.next(k), 0.6);
+      ASSERT_EQ(edge.count(), 4U);
+      EXPECT_FALSE(edge.nearest(20, 15));
+      is_asked = true;
+    }
+  }
+  EXPECT_TRUE(is_asked);
+}
+
 TEST(RivalCells, are_not_laid_where_the_plane_does_not_tell) {
   const Rivals rivals{{{10, 0}, {20, 0}}, {PlaceIndex{0}, PlaceIndex{1}}};
   const auto places = nearest_places(rivals.positions, Metric::planar);

@@ -69,5 +69,18 @@ TEST(Graticule, stands_to_the_left_of_the_panel_and_below_it) {
   EXPECT_GT(canvas.darkness({50, 420, 650, 40}), 5000u);
 }
 
+TEST(Graticule, has_no_mark_where_there_is_no_room_for_its_number) {
+  Page page;
+  page.style.em = 20;
+  page.panel = {12, 20, 600, 400};
+  StudyView view;
+  const PanelTransform transform({0, 0, 6, 4}, page.panel);
+  Typesetter type;
+  PixelCanvas canvas(700, 460);
+  draw_graticule(canvas, page, view, transform, FrameEdges(), type);
+  EXPECT_EQ(canvas.darkness({0, 20, 12, 400}), 0u);
+  EXPECT_GT(canvas.darkness({12, 420, 650, 40}), 5000u) << "below there is some";
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -169,6 +169,10 @@ TEST(Legend, gives_up_signs_before_bounds_of_classes_and_tells_of_both) {
   EXPECT_EQ(lower.bounds(), 5U);
   EXPECT_EQ(lower.signs(), 2U) << "60 less than five lines of 23 have room for two";
   EXPECT_EQ(lower.left_out, "3 of the legend's 5 signs");
+  const InColumn low(120);
+  EXPECT_EQ(low.signs(), 0U);
+  EXPECT_EQ(low.bounds(), 5U) << "in small type";
+  EXPECT_EQ(low.left_out, "5 of the legend's 5 signs");
   const InColumn lowest(110);
   EXPECT_EQ(lowest.signs(), 0U);
   EXPECT_EQ(lowest.bounds(), 3U) << "0, 22 and 44";
