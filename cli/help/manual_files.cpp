@@ -112,7 +112,9 @@ std::string feed_section() {
              "are when the pipe ends. What is wrong ends the run as soon as nothing more comes "
              "for a quarter of a second; the rows before it are written. With --every a period is "
              "written when another begins; what it lacks is counted by the step that the times so "
-             "far tell. Outputs that are files appear in the end, whole.") +
+             "far tell, and so are rates, such as mm/h, for which a later time that is not whole "
+             "steps from the one before is an error. Outputs that are files appear in the end, "
+             "whole.") +
          ".SH ADDING TO A TABLE\n" +
          roff_paragraph(
              "rain --append adds to the table that -o names the steps that it lacks, behind those "
