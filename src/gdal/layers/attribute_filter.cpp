@@ -58,8 +58,7 @@ AttributeFilter::AttributeFilter(const std::string& where, const std::string& it
   query_->feature = std::make_unique<OGRFeature>(query_->definition.get());
   const GdalErrors errors;
   if (query_->query.Compile(query_->definition.get(), where.c_str()) != OGRERR_NONE) {
-    throw Error(
-        Message{file, 0, setting(its_setting, quoted(where, 200)) + ": " + errors.text(), {}});
+    throw Error(Message{file, 0, setting(its_setting, where) + ": " + errors.text(), {}});
   }
   query_->find_asked();
 }
