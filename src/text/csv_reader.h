@@ -41,6 +41,7 @@ struct CsvOptions {
   std::vector<std::string> numbers = {};  ///< see CsvDialect
   std::vector<std::string> names = {};
   std::vector<std::string> repeated = {};
+  std::string input = {};
 };
 
 /// A reader of CSV files, which reads one row at a time (RFC 4180).
