@@ -20,6 +20,9 @@ namespace thiessen {
 /// a time such as 1/2/2010 is ambiguous, and its fault shows both readings. A time that contradicts
 /// what was found, or the user's format, is a fault of the file.
 ///
+/// What is nearly a time, such as one with a year of two digits, is a label, the first of which
+/// tells the formats that would read it.
+///
 /// Times may be mere labels (storm 1). Not so where the table begins with two times of the calendar
 /// and most of its first ones are such: a text that is none is then a fault of the file, such as
 /// Total below the last row. Where nothing but the first time was seen beforehand, three times of
@@ -73,6 +76,7 @@ class TimeReader {
   WrittenTime no_time(std::string_view text) const;
   WrittenTime read_given(std::string_view text) const;
   WrittenTime read_ordered(std::string_view text, std::size_t line, const ParsedTime& day_first,
+  std::optional<WrittenTime> left_open(std::string_view text);
                            const ParsedTime& month_first);
   WrittenTime contradiction() const;
   static WrittenTime ambiguous(const ParsedTime& day_first, const ParsedTime& month_first,
@@ -91,6 +95,8 @@ class TimeReader {
   Seen since_;                 ///< of those that were read
   std::string column_;
   std::vector<Formats> formats_;
+  bool are_of_parts_ = false;
+  bool told_open_ = false;  ///< whether it was told what formats would read a text
 };
 
 }  // namespace thiessen

@@ -218,7 +218,7 @@ TEST(RainPeriods, refuse_times_that_do_not_say_them) {
   EXPECT_EQ(fault_of({{"storm", {1}}}, years),
             "r.csv: time 'storm' is not written as ISO 8601 wants it; wanted: 2013, 2013-08, "
             "2013-08-31, 2013-08-31T06:00 or 20130831T0600; 'time_format' says how else, such as "
-            "%d/%m/%y %H:%M");
+            "'%d/%m/%Y %H:%M'");
 }
 
 TEST(RainPeriods, midnight_ends_the_day_before_where_times_end_steps) {
