@@ -130,6 +130,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   findings.are_in(options.input, options.decimal_comma);
   const ReadingGrammar grammar = grammar_of(options, *table);
   TimeReader times(options.time_format, options.day_first);
+  if (layout.time.are_parts()) times.times_are_of_parts();
   look_at_times(*table, layout, times);
   tell_order(*table, times, warnings);
   tell_values(*table, layout, options, warnings);

@@ -85,6 +85,7 @@ void TimeReader::note(bool is_time, Seen& seen) {
 }
 
 bool TimeReader::may_be_labels() const {
+  if (are_of_parts_) return false;
   if (before_.times + before_.labels > 1)
     return !before_.begins_with_times || before_.times < 2 || before_.times <= before_.labels;
   return since_.labels > 0 || since_.times < 3;
@@ -93,6 +94,12 @@ bool TimeReader::may_be_labels() const {
 WrittenTime TimeReader::no_time(std::string_view text) const {
   WrittenTime time;
   time.breaks_format = true;
+  if (are_of_parts_) {
+    time.fault = " is no time";
+    time.hint = setting("time_format") +
+                " says how the texts of its columns are written, with blanks between them";
+    return time;
+  }
   time.fault = " is no time, as those of the other rows are";
   if (!column_.empty() && text.find_first_of("'\"") == std::string_view::npos) {
     time.hint = setting("rainfall_where", "\"" + column_ + "\"<>'" + std::string(text) + "'") +
@@ -103,13 +110,6 @@ WrittenTime TimeReader::no_time(std::string_view text) const {
   return time;
 }
 
-TimeReader::OrderTold TimeReader::order_told() const {
-  if (!told_late_) return {};
-  return {told_by_, told_in_, order_ == Order::day_first};
-}
-
-WrittenTime TimeReader::read_given(std::string_view text) const {
-  WrittenTime time{given_->read(text), {}, {}};
 /// A text that some format reads, if it is one; it is not known by the calendar.
 std::optional<WrittenTime> TimeReader::left_open(std::string_view text) {
   const std::vector<std::string> formats = open_formats(text);
@@ -125,6 +125,13 @@ std::optional<WrittenTime> TimeReader::left_open(std::string_view text) {
   return time;
 }
 
+TimeReader::OrderTold TimeReader::order_told() const {
+  if (!told_late_) return {};
+  return {told_by_, told_in_, order_ == Order::day_first};
+}
+
+WrittenTime TimeReader::read_given(std::string_view text) const {
+  WrittenTime time{given_->read(text), {}, {}};
   if (time.parsed && given_->is_excel() && serials_have_clocks_)
     time.parsed.time.precision = TimePrecision::instant;
   if (time.parsed) return time;
