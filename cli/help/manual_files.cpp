@@ -36,6 +36,11 @@ std::string names_section() {
              "CRS that an option or the file of basins names. A table without a station and a "
              "value field is wide: "
              "the first column is the time, and the name of every other one a station's id.") +
+         names_entry("parts of a time: year", known::years) + names_entry("month", known::months) +
+         names_entry("day", known::days) + names_entry("day of the year", known::days_of_year) +
+         names_entry("hour", known::hours) +
+         names_entry("hour and minute in one number", known::hours_with_minutes) +
+         names_entry("minute", known::minutes) + names_entry("second", known::seconds) +
          names_entry("no reading, beside an empty field", known::gaps) + ".PP\n" +
          roff_paragraph(
              "What means no reading means no coordinate, too (--skip-unplaced): such a text, a "
@@ -124,7 +129,9 @@ std::string feed_section() {
              "are when the pipe ends. What is wrong ends the run as soon as nothing more comes "
              "for a quarter of a second; the rows before it are written. With --every a period is "
              "written when another begins; what it lacks is counted by the step that the times so "
-             "far tell. Outputs that are files appear in the end, whole.") +
+             "far tell, and so are rates, such as mm/h, for which a later time that is not whole "
+             "steps from the one before is an error. Outputs that are files appear in the end, "
+             "whole.") +
          ".SH ADDING TO A TABLE\n" +
          roff_paragraph(
              "rain --append adds to the table that -o names the steps that it lacks, behind those "
@@ -206,8 +213,10 @@ std::string times_section() {
          roff_paragraph(
              "Times of ISO 8601 are read, and those that can be read in one way only: 2010/12/31, "
              "31.12.2010, 12/31/2010 6:00 PM, 31-Dec-2010, 01JAN2000, Dec 31, 2010, 2010123109, "
-             "201012310930, each with a clock (06:00, 0600, 24:00, 2400) and a zone (UTC, GMT, Z, "
-             "+0100) or without. Whether the day or the month stands first is told by a day above "
+             "201012310930, the day of a year 2010-365, each with a clock (06:00, "
+             "0600, 24:00, 2400) and a zone (UTC, GMT, Z, "
+             "+0100) or without; and the months Dec 2010 and 2010 December. Whether the day or the "
+             "month stands first is told by a day above "
              "12 in the first 64 kB; where there is none, 01/02/2010 is an error that shows both "
              "readings where a calendar is needed, and a label elsewhere; what contradicts later "
              "is "
@@ -216,11 +225,14 @@ std::string times_section() {
              "serial numbers of spreadsheets from 1 March 1900 on.") +
          ".PP\n" +
          roff_paragraph(
-             "A time may stand in several columns: year, month and day, with hour and minute or "
-             "without, are found by these names, and so are a date and, in a column called time, "
-             "hour or the like, its clock, where the first row has these; that is said. "
-             "--time-field, repeated, names any, whose texts are put together with blanks "
-             "between.") +
+             "A time may stand in several columns: year, month and day, or year and day of the "
+             "year (doy), with hour, minute and second or a clock behind them or without, and year "
+             "and month alone, are found by these names, and so are a date and, in a column called "
+             "time, hour or the like, its clock, where the first row has these; that is said. "
+             "--time-field, repeated, names any, whose texts are put together with blanks between. "
+             "Where a column seems to be of the time (week, dekad), or holds something else than "
+             "its name says, the error names the options that read it, and --ignore-unknown does "
+             "not pass over it.") +
          ".PP\n" +
          roff_paragraph(
              "A time with a clock begins its step, or with --stamp end ends it: then midnight "

@@ -10,15 +10,19 @@
 namespace thiessen::cli {
 namespace {
 
-[[noreturn]] void fail_without_step(const std::string& file, const std::string& unit,
-                                    const std::string& why) {
-  throw Error({file, 0,
-               "the readings are rates in " + unit +
-                   ", whose totals want the length of each step, and " + why,
-               setting("scale") +
-                   " by that length makes depths of them (0.25 of mm/h in steps of 15 minutes); "
-                   "where they are depths, " +
-                   setting("from_unit", "mm") + " says so"});
+/// Has readings that can be read only once count by the step that their times tell as they come:
+/// not those of months, whose length is that of each.
+void settle_as_they_come(Totalling& totalling, const StepLength& rate, const std::string& file,
+                         const std::string& unit, Warnings& warnings) {
+  if (rate.months > 0)
+    throw rates_without_step(file, unit, "what is read only once does not tell it in time");
+  totalling.rates = {rate, unit};
+  warnings.add_notice({file, 0,
+                       "the readings are rates in " + unit +
+                           ", and count times the step that the times of the first period tell: "
+                           "totals are in " +
+                           std::string(rain_unit(unit)->depth),
+                       ""});
 }
 
 /// The intervals between all times of RAINFALL. What is odd about it is told when it is read again.
@@ -44,12 +48,12 @@ void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& stud
   if (!rate) return;
   const std::string file = rainfall.name();
   if (!can_be_read_again(rainfall.request(study.csv())))
-    fail_without_step(file, unit, "what is read only once does not tell it in time");
+    return settle_as_they_come(totalling, *rate, file, unit, warnings);
   const StepIntervals intervals = intervals_of(inputs, study, rainfall);
   if (intervals.has_labels()) return;  // which have no totals: told where the first of them is read
   const std::optional<StepLength> step = intervals.step();
   if (!step) {
-    fail_without_step(
+    throw rates_without_step(
         file, unit,
         intervals.times() < 2 ? "one time tells none" : "the times have no regular step");
   }
@@ -63,7 +67,8 @@ void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& stud
 
 std::string unit_of_values(const std::string& unit, const std::optional<Totalling>& totalling) {
   const std::optional<RainUnit> known = rain_unit(unit);
-  return totalling && totalling->depths && known ? std::string(known->depth) : unit;
+  const bool are_depths = totalling && (totalling->depths || totalling->rates);
+  return are_depths && known ? std::string(known->depth) : unit;
 }
 
 }  // namespace thiessen::cli

@@ -10,8 +10,8 @@ namespace thiessen::cli {
 
 /// Has totals of readings that are rates, such as mm/h, count each times the length of its step,
 /// and says so. For that RAINFALL is read once more beforehand; readings of any other `unit` cost
-/// nothing. Throws Error where the length is not known: the times have no regular step, or RAINFALL
-/// can be read only once.
+/// nothing. Where RAINFALL can be read only once the totals find the length out themselves. Throws
+/// Error where it is not known, for the times have no regular step.
 void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
                   const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings);
 

@@ -22,10 +22,13 @@ void PeriodOptions::declare_range(OptionList& options) {
 void PeriodOptions::declare_stamp(OptionList& options) {
   stamp_option_ =
       &options.group("Readings", *this)
-           .add("--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
-                "whether a time with a clock begins its step (default) or ends it, for "
-                "totals and for bounds of times; a NetCDF of stations whose times have bounds says "
-                "it itself");
+           .add(
+               "--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
+               "whether a time with a clock begins its step (default) or ends it: decides in which "
+               "total a step counts (--every), and what bounds times have in files that hold them "
+               "(time_bnds); --from and --to are of times as they are written; a NetCDF of "
+               "stations "
+               "whose times have bounds says it itself");
 }
 
 void PeriodOptions::settle_stamp(std::optional<Stamp> known, const std::string& rainfall) {
@@ -66,8 +69,10 @@ void PeriodOptions::check(bool has_bounds) const {
                      "give --every day, month or year, or leave it out"};
   }
   if (every_option_ != nullptr && stamp_option() != nullptr && !every_ && !has_bounds) {
-    throw UsageError{"--stamp is about totals, and there is no --every",
-                     "give --every day, month or year, or leave it out"};
+    throw UsageError{"--stamp decides in which total a step counts, and there is no --every",
+                     "give --every day, month or year, or leave it out: --from and --to are of "
+                     "times as they are "
+                     "written"};
   }
   if (range_.is_empty()) {
     throw UsageError{

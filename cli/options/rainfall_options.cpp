@@ -181,6 +181,7 @@ RainfallRequest RainfallOptions::request(const CsvDialect& all) const {
 
 CsvDialect RainfallOptions::csv(const CsvDialect& all) const {
   CsvDialect said = csv_.or_else(all);
+  said.input = "rainfall";
   std::vector<std::string> columns = readings_.time_fields;
   columns.insert(columns.end(), {readings_.station_field, readings_.value_field});
   said.numbers = readings_.time_fields.empty() ? std::vector<std::string>() : numbers_in(columns);
@@ -190,6 +191,7 @@ CsvDialect RainfallOptions::csv(const CsvDialect& all) const {
 ReadingsOptions RainfallOptions::readings(const CsvDialect& all) const {
   ReadingsOptions options = readings_;
   options.decimal_comma = csv(all).decimal_comma;
+  if (is_event()) options.input = "stations";
   if (scale_option_->is_given()) options.scale = scale_;
   return options;
 }

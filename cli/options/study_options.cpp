@@ -109,6 +109,7 @@ StudyRequest StudyOptions::request() const {
   s.crs = crs_;
   s.csv = stations_csv_.or_else(csv_.said());
   s.csv.numbers = numbers_in({id_, x_, y_});
+  s.csv.input = "stations";
   request.stations.id = id_;
   request.stations.x = x_;
   request.stations.y = y_;
@@ -119,6 +120,7 @@ StudyRequest StudyOptions::request() const {
     BasinsRequest& b = request.basins.emplace();
     b.source = {basins,         basins_layer_,  basins_where_, basins_crs_,
                 "basins_layer", "basins_where", "basins_crs",  basins_csv_.or_else(csv_.said())};
+    b.source.csv.input = "basins";
     b.id = basin_id_;
   }
   request.opened = opened;

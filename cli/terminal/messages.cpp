@@ -8,13 +8,28 @@
 namespace thiessen::cli {
 namespace {
 
+/// A text as a shell takes it for one word and for nothing else. One with single quotes stands in
+/// double ones, which are read more easily than quotes within quotes.
+std::string in_shell(std::string_view text) {
+  constexpr std::string_view plain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-.,:/+=@%^";
+  if (text.find_first_not_of(plain) == std::string_view::npos) return std::string(text);
+  if (text.find('\'') == std::string_view::npos) return "'" + std::string(text) + "'";
+  std::string word = "\"";
+  for (const char c : text) {
+    if (std::string_view("\"\\$`").find(c) != std::string_view::npos) word += '\\';
+    word += c;
+  }
+  return word + "\"";
+}
+
 std::string option(std::string_view name, std::string_view value) {
   std::string text = "--" + std::string(name);
   std::replace(text.begin(), text.end(), '_', '-');
   if (value.empty()) return text;
   // The sign `=` keeps a negative number from being read as an option, as it would be after a
   // space.
-  return text + (value.starts_with('-') ? "=" : " ") + std::string(value);
+  return text + (value.starts_with('-') ? "=" : " ") + in_shell(value);
 }
 
 std::string argument(std::string_view name) {

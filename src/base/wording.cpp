@@ -10,7 +10,9 @@ std::string in_quotes(std::string_view name) {
 }
 
 std::string plain_setting(std::string_view name, std::string_view value) {
-  return value.empty() ? in_quotes(name) : std::string(name) + " = " + std::string(value);
+  if (value.empty()) return in_quotes(name);
+  const bool is_word = value.find(' ') == std::string_view::npos;
+  return std::string(name) + " = " + (is_word ? std::string(value) : in_quotes(value));
 }
 
 }  // namespace

@@ -42,30 +42,56 @@ std::string ReadingsFindings::in_words(std::size_t row) const {
 void ReadingsFindings::note_oddity(const Reading& reading, const Place& place,
                                    std::string_view field, const ReadingGrammar& grammar) {
   if (reading.kind == ReadingKind::amount) return note_amount(reading.amount, place, field);
-  const std::string station = " of station " + quoted(stations_.id(place.station));
-  const std::string shown = quoted(trimmed(field), longest_field_shown);
-  Wording text;
-  if (reading.kind == ReadingKind::negative) {
-    text = "negative reading " + shown + station;
-  } else {
-    text = "reading " + shown + station +
-           (reading.kind == ReadingKind::out_of_range ? " is outside the range of numbers"
-            : grammar.wants_decimal_comma(field)      ? no_number_for_its_comma(trimmed(field))
-                                                      : " is no number");
-  }
-  complaints_.add(at(place.line, std::move(text), hint_for(reading, trimmed(field), grammar)));
+  const bool is_negative = reading.kind == ReadingKind::negative;
+  field = trimmed(field);
+  Wording text = (is_negative ? "negative reading " : "reading ") +
+                 quoted(field, longest_field_shown) + " of station " +
+                 quoted(stations_.id(place.station)) + text_of(reading, field, grammar);
+  complaints_.add(at(place.line, std::move(text), hint_for(reading, field, grammar)));
+}
+
+/// What is wrong with a reading, as the rest of a sentence.
+Wording ReadingsFindings::text_of(const Reading& reading, std::string_view field,
+                                  const ReadingGrammar& grammar) {
+  using Meant = ReadingGrammar::Meant;
+  if (reading.kind == ReadingKind::negative) return {};
+  if (reading.kind == ReadingKind::out_of_range) return " is outside the range of numbers";
+  const Meant meant = grammar.meant_by(field);
+  if (meant == Meant::decimal_comma) return no_number_for_its_comma(field);
+  if (meant == Meant::decimal_point)
+    return " has a decimal point, and numbers are read with decimal commas";
+  return " is no number";
 }
 
 /// What may be done about a reading that is wrong. It is told once for each kind of fault: twenty
 /// lines that say the same hide what differs.
 Wording ReadingsFindings::hint_for(const Reading& reading, std::string_view field,
                                    const ReadingGrammar& grammar) {
+  using Meant = ReadingGrammar::Meant;
   constexpr std::size_t longest_code = 20;
   if (reading.kind == ReadingKind::out_of_range) return {};
-  if (reading.kind == ReadingKind::not_a_number && grammar.wants_decimal_comma(field))
-    return setting("decimal_comma") + " reads 1,5 as 1.5";
-  bool& told = reading.kind == ReadingKind::negative ? told_negative_ : told_code_;
-  if (field.size() > longest_code || std::exchange(told, true)) return {};
+  const bool is_text = reading.kind == ReadingKind::not_a_number;
+  const Meant meant = is_text ? grammar.meant_by(field) : Meant::code;
+  if (meant == Meant::code && field.size() > longest_code) return {};
+  return told_hints_.emplace(reading.kind, meant).second ? hint_for(meant, field) : Wording();
+}
+
+/// The same by what the text is meant for. To take it for a gap or a trace is the way only where it
+/// cannot be what a gauge read.
+Wording ReadingsFindings::hint_for(ReadingGrammar::Meant meant, std::string_view field) const {
+  using Meant = ReadingGrammar::Meant;
+  switch (meant) {
+    case Meant::decimal_comma:
+      return hint_for_its_comma(field, input_);
+    case Meant::decimal_point:
+      return hint_for_its_point(input_, commas_are_said_);
+    case Meant::thousands:
+      return "write it without what parts its thousands";
+    case Meant::more:
+      return "write the number alone, without what stands beside it";
+    case Meant::code:
+      break;
+  }
   return setting("missing", field) + " takes it for a gap, " + setting("trace", field) + " for 0";
 }
 

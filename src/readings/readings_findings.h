@@ -42,11 +42,20 @@ class ReadingsFindings {
   std::size_t line_of(std::size_t row) const {
     return table_ != nullptr && table_->numbers_rows() ? table_->place(row).line : row;
   }
+  /// Whether readings of unknown stations are passed over.
+  bool ignores_unknown() const { return ignore_unknown_; }
   void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
   /// Says how many millimetres a reading of 1 stands for, without which it is one. A number that is
   /// `counted` stands for none: no single one of a counter's readings is much or little.
   void amounts_are_in(double millimetres) { millimetres_ = millimetres; }
+
+  /// Says what the user calls the file, whose settings are named so (rainfall), and whether the
+  /// user says that its decimal marks are commas.
+  void are_in(std::string input, bool commas_are_said) {
+    input_ = std::move(input);
+    commas_are_said_ = commas_are_said;
+  }
 
   /// Says that the stations that are silent in this file may have readings in others.
   void are_of_one_file_of_several() { tells_silent_ = false; }
@@ -99,7 +108,9 @@ class ReadingsFindings {
   void warn_of_silent();
   void warn_of_absurd();
   void warn_of_codes();
+  Wording text_of(const Reading& reading, std::string_view field, const ReadingGrammar& grammar);
   Wording hint_for(const Reading& reading, std::string_view field, const ReadingGrammar& grammar);
+  Wording hint_for(ReadingGrammar::Meant meant, std::string_view field) const;
 
   /// The largest reading that is looked at no further: less than any code for a gap.
   static constexpr double plain_reading = 99.9;
@@ -122,6 +133,8 @@ class ReadingsFindings {
   bool told_format_ = false;
   const ReadingsStations& stations_;
   bool ignore_unknown_;
+  std::string input_ = "rainfall";
+  bool commas_are_said_ = false;
   bool tells_silent_ = true;
   double millimetres_ = 1;  ///< that a reading of 1 stands for
   Warnings& warnings_;
@@ -144,8 +157,7 @@ class ReadingsFindings {
                                  {99999, "99999"}}};
   Message first_passed_ = {};
   std::size_t passed_ = 0;  ///< rows without a time and a reading
-  bool told_negative_ = false;
-  bool told_code_ = false;
+  std::set<std::pair<ReadingKind, ReadingGrammar::Meant>> told_hints_;
   std::set<ReadingsStations::Cause> told_causes_;
 };
 

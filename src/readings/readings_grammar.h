@@ -42,9 +42,15 @@ class ReadingGrammar {
     return read_special(trimmed(field));
   }
 
-  /// Whether the text would be a number if decimal commas were read; false where they are read
-  /// already.
-  bool wants_decimal_comma(std::string_view text) const;
+  /// What a text may be meant for that is no number, nor a gap or a trace.
+  enum class Meant : std::uint8_t {
+    decimal_comma,  ///< a number where decimal commas are read, as they are not
+    decimal_point,  ///< the other way round
+    thousands,      ///< a number whose thousands are parted: 1,234.5, 1 234
+    more,           ///< a number and something else: 0.2E, 4 mm
+    code,           ///< a gap or a trace: M, <0.2
+  };
+  Meant meant_by(std::string_view text) const;
 
  private:
   struct SpecialText {

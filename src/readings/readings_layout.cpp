@@ -6,8 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/iso_time.h"
+#include "base/number.h"
 #include "base/utf8.h"
+#include "readings/first_row.h"
 #include "readings/rain_unit.h"
+#include "readings/times/time_parts.h"
 #include "readings/times/time_shape.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
@@ -48,15 +52,9 @@ class LayoutFinder {
   /// Finds the column that the user names. A column of exactly this name comes before one that
   /// differs in case.
   std::size_t column_named(const std::string& name, const Wording& its_setting) const {
-    const auto& header = table_.header();
-    auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) {
-      found = std::find_if(header.begin(), header.end(), [&](const std::string& other) {
-        return equal_ignoring_case(trimmed(other), trimmed(name));
-      });
-    }
-    if (found == header.end()) fail("there is no column " + quoted(name), "see " + its_setting);
-    return static_cast<std::size_t>(found - header.begin());
+    const std::optional<std::size_t> found = find_named(name);
+    if (!found) fail("there is no column " + quoted(name), "see " + its_setting);
+    return *found;
   }
 
   std::optional<std::size_t> column_among(Names names, bool with_unit) const {
@@ -73,11 +71,20 @@ class LayoutFinder {
                      bool with_unit) const {
     if (!given.empty()) return column_named(given, its_setting);
     const std::optional<std::size_t> found = column_among(names, with_unit);
-    if (!found)
-      fail("no column is called " + listed(names.first(std::min(names_told, names.size()))) +
-               " or the like",
-           its_setting + " names it");
+    if (!found) fail_without(names, its_setting + " names it");
     return *found;
+  }
+
+  /// The same, and a number that no column has where there is none.
+  std::size_t column_or_none(const std::string& given, Names names, bool with_unit) const {
+    const auto found = given.empty() ? column_among(names, with_unit) : find_named(given);
+    return found.value_or(table_.header().size());
+  }
+
+  [[noreturn]] void fail_without(Names names, const Wording& hint) const {
+    fail("no column is called " + listed(names.first(std::min(names_told, names.size()))) +
+             " or the like",
+         hint);
   }
 
   bool is_station(std::size_t column) const {
@@ -90,6 +97,18 @@ class LayoutFinder {
   }
 
  private:
+  std::optional<std::size_t> find_named(const std::string& name) const {
+    const auto& header = table_.header();
+    auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) {
+      found = std::find_if(header.begin(), header.end(), [&](const std::string& other) {
+        return equal_ignoring_case(trimmed(other), trimmed(name));
+      });
+    }
+    if (found == header.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - header.begin());
+  }
+
   const Table& table_;
   const ReadingsStations& stations_;
 };
@@ -113,34 +132,13 @@ std::optional<TimeColumns> named_time(const LayoutFinder& finder, const Readings
   return TimeColumns(std::move(columns));
 }
 
-/// The columns of year, month and day, if the table has them, and those of hour and minute.
-std::optional<TimeColumns> time_in_parts(const LayoutFinder& finder) {
-  using Part = TimeColumns::Part;
-  const std::pair<Names, Part> parts[] = {{known::years, Part::year},
-                                          {known::months, Part::month},
-                                          {known::days, Part::day},
-                                          {known::hours, Part::hour},
-                                          {known::minutes, Part::minute}};
-  std::vector<TimeColumns::Column> columns;
-  for (const auto& [names, part] : parts) {
-    const auto found = finder.column_among(names, false);
-    if (!found && part <= Part::day) return std::nullopt;
-    if (!found) break;
-    columns.push_back({*found, part});
-  }
-  return TimeColumns(std::move(columns));
-}
-
-/// The first row of a table, as texts of its own; empty where it cannot be seen before it is read.
-std::vector<std::string> first_row(const Table& table) {
-  try {
-    const std::unique_ptr<Table> rows = table.first_rows();
-    Row row;
-    if (!rows || !rows->next(row)) return {};
-    return {row.fields.begin(), row.fields.end()};
-  } catch (const Error&) {
-    return {};  // the error is met again, and reported, when the rows are read
-  }
+/// The columns among which those of a time are, but for those that hold something else.
+TimeCandidates candidates_in(const LayoutFinder& finder, const Table& table,
+                             std::vector<std::size_t> others) {
+  return {table.header(), [&table] { return first_row(table); },
+          [&finder, others](std::size_t column) {
+            return std::ranges::find(others, column) == others.end() && !finder.is_station(column);
+          }};
 }
 
 /// A column of dates and one of clocks, if the table has both and no column that holds a whole
@@ -154,12 +152,15 @@ std::optional<TimeColumns> date_and_clock(const LayoutFinder& finder, const Tabl
     if (i != *date && i != *clock && find_field({header[i]}, known::times)) return std::nullopt;
   }
   const std::vector<std::string> row = first_row(table);
-  if (row.empty() || !is_clock(row[*clock])) return std::nullopt;
+  const TimeColumns::Part part = TimeColumns::part_called(header[*clock]);
+  const bool is_number =
+      part == TimeColumns::Part::hour_minute && !row.empty() && parse_size(trimmed(row[*clock]));
+  if (row.empty() || !(is_number || is_clock(row[*clock]))) return std::nullopt;
   if (is_date_with_clock(row[*date])) return TimeColumns(*date);
   if (!is_date(row[*date])) return std::nullopt;
-  const bool is_hour = TimeColumns::part_called(header[*clock]) == TimeColumns::Part::hour;
-  return TimeColumns({{*date, TimeColumns::Part::text},
-                      {*clock, is_hour ? TimeColumns::Part::hour : TimeColumns::Part::text}});
+  const bool is_part = part == TimeColumns::Part::hour || part == TimeColumns::Part::hour_minute;
+  return TimeColumns(
+      {{*date, TimeColumns::Part::text}, {*clock, is_part ? part : TimeColumns::Part::text}});
 }
 
 /// A column that is called time or the like, and not for the day or the hour alone.
@@ -168,6 +169,27 @@ std::optional<std::size_t> whole_time(const LayoutFinder& finder, const Table& t
   if (!found || TimeColumns::part_called(table.header()[*found]) != TimeColumns::Part::text)
     return std::nullopt;
   return found;
+}
+
+/// The same of a long table: of columns of such names one whose first text is a date with a clock,
+/// before one that holds a date or a clock alone.
+std::optional<std::size_t> wholest_time(const LayoutFinder& finder, const Table& table) {
+  const auto found = whole_time(finder, table);
+  const auto& header = table.header();
+  const auto is_called_time = [&](std::size_t i) {
+    return find_field({header[i]}, known::times) &&
+           TimeColumns::part_called(header[i]) == TimeColumns::Part::text;
+  };
+  std::vector<std::size_t> columns;
+  for (std::size_t i = 0; found && i < header.size(); ++i) {
+    if (is_called_time(i)) columns.push_back(i);
+  }
+  if (columns.size() < 2) return found;
+  const std::vector<std::string> row = first_row(table);
+  const auto is_whole = [&](std::size_t i) { return is_date_with_clock(row[i]); };
+  if (row.empty() || is_whole(*found)) return found;
+  const auto whole = std::ranges::find_if(columns, is_whole);
+  return whole == columns.end() ? found : *whole;
 }
 
 void find_time_of_wide(const LayoutFinder& finder, const Table& table,
@@ -181,26 +203,50 @@ void find_time_of_wide(const LayoutFinder& finder, const Table& table,
     layout.time = *pair;
     return;
   }
-  if (whole == std::size_t{0}) return;
+  const TimeCandidates candidates = candidates_in(finder, table, {});
+  const auto parts = time_in_parts(candidates);
   const bool has_index = !table.header().empty() && trimmed(table.header()[0]).empty();
-  if (whole && has_index) {
+  if (whole && !(parts && parts->has(*whole)) && (*whole == 0 || has_index)) {
     layout.time = *whole;
-    layout.index = 0;
-    return;
+    if (*whole != 0) layout.index = 0;
+  } else if (parts && (parts->has(0) || has_index)) {
+    layout.time = *parts;
+    if (!parts->has(0)) layout.index = 0;
   }
-  const auto parts = time_in_parts(finder);
-  if (!parts || !(parts->has(0) || has_index)) return;
-  layout.time = *parts;
-  if (!parts->has(0)) layout.index = 0;
+  if (layout.time.columns().size() == 1)
+    layout.time_meant = time_fields_meant(candidates, layout.time.columns().front().field);
+}
+
+/// A column of years, each a time of its own.
+std::optional<std::size_t> years_alone(const LayoutFinder& finder, const TimeCandidates& table) {
+  const auto found = finder.column_among(known::years, false);
+  if (!found || !table.may_be_of_time(*found)) return std::nullopt;
+  const std::vector<std::string> row = table.first_row();
+  if (row.empty()) return std::nullopt;
+  const ParsedTime time = parse_iso_time(trimmed(row[*found]));
+  if (!time || time.time.precision != TimePrecision::year) return std::nullopt;
+  return time_fields_meant(table, std::nullopt).empty() ? found : std::nullopt;
 }
 
 TimeColumns time_of_long(const LayoutFinder& finder, const Table& table,
                          const ReadingsOptions& options) {
   if (const auto named = named_time(finder, options)) return *named;
   if (const auto pair = date_and_clock(finder, table)) return *pair;
-  if (const auto whole = whole_time(finder, table)) return *whole;
-  if (const auto parts = time_in_parts(finder)) return *parts;
-  return finder.column("", setting("time_field"), known::times, false);
+  const auto whole = wholest_time(finder, table);
+  const TimeCandidates candidates =
+      candidates_in(finder, table,
+                    {finder.column_or_none(options.station_field, known::station_ids, false),
+                     finder.column_or_none(options.value_field, known::values, true)});
+  const auto parts = time_in_parts(candidates);
+  if (whole && !(parts && parts->has(*whole))) {
+    const Wording meant = time_fields_meant(candidates, *whole);
+    if (!meant.empty()) throw time_in_more_columns(table, *whole, meant);
+    return *whole;
+  }
+  if (parts) return *parts;
+  if (const auto year = years_alone(finder, candidates)) return *year;
+  const Wording hint = time_fields_meant(candidates, std::nullopt);
+  finder.fail_without(known::times, hint.empty() ? setting("time_field") + " names it" : hint);
 }
 
 }  // namespace
@@ -238,6 +284,13 @@ bool is_long_header(const std::vector<std::string>& header) {
          std::ranges::any_of(header, is_called_as_values) &&
          (find_field(header, known::times) || find_field(header, known::dates) ||
           find_field(header, known::years));
+}
+
+Error time_in_more_columns(const Table& table, std::size_t column, const Wording& meant) {
+  const std::string& name = table.header()[column];
+  return Error({table.file(), table.header_line(),
+                "its time seems to stand in more columns than " + quoted(name, 60),
+                meant + ", " + setting("time_field", name) + " that in this one alone"});
 }
 
 std::vector<std::size_t> further_values(const Table& table, const ReadingsLayout& layout) {

@@ -129,8 +129,10 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
   if (options.is_one_of_several) findings.are_of_one_file_of_several();
   findings.are_of(*table);
+  findings.are_in(options.input, options.decimal_comma);
   const ReadingGrammar grammar = grammar_of(options, *table);
   TimeReader times(options.time_format, options.day_first);
+  if (layout.time.are_parts()) times.times_are_of_parts();
   look_at_times(*table, layout, times);
   tell_order(*table, times, warnings);
   tell_values(*table, layout, options, warnings);

@@ -28,7 +28,8 @@ struct ReadingsOptions {
   std::vector<std::string> missing;  ///< further texts and numbers that mean "no reading"
   std::vector<std::string> trace;    ///< texts and numbers that mean 0
   bool decimal_comma = false;
-  std::optional<double> scale;        ///< readings are multiplied by it, whatever they are in
+  std::string input = "rainfall";  ///< what the user calls the file: names its settings in messages
+  std::optional<double> scale;     ///< readings are multiplied by it, whatever they are in
   std::optional<RainUnit> from_unit;  ///< what they are in; else as their column's name says
   std::optional<RainUnit> to_unit;    ///< what they are brought to, where their unit is known;
                                       ///< else millimetres

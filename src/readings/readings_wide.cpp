@@ -54,6 +54,7 @@ WideReadings::WideReadings(ReadingsSource source, const ReadingsLayout& layout)
     : source_(std::move(source)),
       time_(layout.time),
       index_(layout.index),
+      time_meant_(layout.time_meant),
       readings_(source_.stations->all().size(), std::numeric_limits<double>::quiet_NaN()),
       repeated_(source_.table->again(), time_) {
   match_columns();
@@ -76,6 +77,7 @@ void WideReadings::match_columns() {
          is_dly_record ? "files of GHCN-Daily are known by names that end in .dly" : skipping});
   }
   require_a_station();
+  require_whole_time();
   constexpr std::size_t none = 0;  // a column's number counts from 1
   std::vector<std::size_t> column_of(readings_.size(), none);
   for (std::size_t i = 0; i < header.size(); ++i) {
@@ -128,10 +130,18 @@ void WideReadings::note_unknown_column(std::size_t field) {
   const std::string& id = source_.table->header()[field];
   const std::string text = id.empty() ? "column " + std::to_string(field + 1) + " has no name"
                                       : "unknown station " + quoted(id);
+  const Wording hint = setting("ignore_unknown") +
+                       " passes over it; a table of one reading a row is told by " +
+                       setting("station_field") + " and " + setting("value_field");
   source_.findings.note_unknown(id, source_.table->header_line(), text,
-                                setting("ignore_unknown") +
-                                    " passes over it; a table of one reading a row is told by " +
-                                    setting("station_field") + " and " + setting("value_field"));
+                                time_meant_.empty() ? hint : time_meant_);
+}
+
+/// Refuses a table in which the time seems to stand in more columns than it is read from: to pass
+/// over these would make one time of several.
+void WideReadings::require_whole_time() const {
+  if (time_meant_.empty() || !source_.findings.ignores_unknown()) return;
+  throw time_in_more_columns(*source_.table, time_.columns().front().field, time_meant_);
 }
 
 bool WideReadings::next(TimeStep& step) {

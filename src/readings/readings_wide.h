@@ -35,6 +35,7 @@ class WideReadings : public Readings {
   void match_columns();
   void require_a_station() const;
   void note_unknown_column(std::size_t field);
+  void require_whole_time() const;
   bool read_row();
   void note_time(std::string_view time);
   bool is_silent() const;
@@ -43,6 +44,7 @@ class WideReadings : public Readings {
   ReadingsSource source_;
   TimeColumns time_;
   std::optional<std::size_t> index_;
+  Wording time_meant_;           ///< see ReadingsLayout
   std::vector<Column> columns_;  ///< the columns of known stations
   std::vector<double> readings_;
   RepeatedTimes repeated_;

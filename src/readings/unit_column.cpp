@@ -75,14 +75,14 @@ class UnitColumn : public Table {
                      " says, and " +
                      (text_.empty() ? "of those above nothing tells what they are in"
                                     : "those above are in " + quoted(text_, 40)),
-                 setting("rainfall_where") + filter_of(name, text_.empty() ? text : text_) +
+                 setting("rainfall_where", filter_of(name, text_.empty() ? text : text_)) +
                      " reads the rows of one unit, and " + setting("from_unit") +
                      " says one for all"});
   }
 
-  /// A filter of the rows with a text in a column, as a shell wants it.
+  /// A filter of the rows with a text in a column.
   static std::string filter_of(const std::string& name, std::string_view text) {
-    return " \"\\\"" + name + "\\\"='" + std::string(text) + "'\"";
+    return "\"" + name + "\"='" + std::string(text) + "'";
   }
 
   std::unique_ptr<Table> table_;

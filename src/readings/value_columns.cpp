@@ -62,7 +62,7 @@ void warn_of_others(const Table& table, std::size_t column, Warnings& warnings) 
   const auto rain = std::ranges::find_if(texts, is_rain);
   Wording hint;
   if (rain != texts.end()) {
-    hint = setting("rainfall_where") + " \"\\\"" + name + "\\\"='" + *rain + "'\" reads those of " +
+    hint = setting("rainfall_where", "\"" + name + "\"='" + *rain + "'") + " reads those of " +
            *rain + " alone";
   }
   warnings.add({table.file(), table.header_line(),

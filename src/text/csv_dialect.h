@@ -21,6 +21,7 @@ struct CsvDialect {
   std::vector<std::string> numbers = {};
   std::vector<std::string> names = {};     ///< of the columns of a file that has no header
   std::vector<std::string> repeated = {};  ///< names that the header may have more than once
+  std::string input = {};                  ///< what the user calls the file; see setting_for
 };
 
 /// What to do where lines that were to be skipped in one file were skipped in all.

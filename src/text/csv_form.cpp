@@ -27,6 +27,7 @@ bool is_known_name(std::string_view name) {
       for (const std::string_view one : some) all.insert(plain_name(one));
     };
     enter(known::times);
+    enter(known::years);
     enter(known::station_ids);
     enter(known::eastings);
     enter(known::northings);

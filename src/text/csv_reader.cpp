@@ -10,6 +10,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "text/csv_records.h"
 #include "text/known_names.h"
 
 namespace thiessen {
@@ -370,13 +371,14 @@ void CsvReader::refuse_bytes(CsvText::Arrival arrival) {
   if (arrival == CsvText::Arrival::not_decoded) {
     fail(line_ + count_line_ends(text_.between(field_, text_.end())),
          "not " + text_.encoding() + " at byte " + std::to_string(fault),
-         setting("encoding") + " names what it is");
+         setting(setting_for(options_.input, "encoding")) + " names what it is");
   }
   const std::size_t line = line_ + count_line_ends(text_.between(field_, fault));
   const std::string place = " at byte " + std::to_string(fault);
   if (arrival == CsvText::Arrival::nul)
     fail(line, "not text: NUL" + place, "is this a text file in UTF-8?");
-  const Wording named = setting("encoding") + " names what it is, such as Latin-1 or cp932";
+  const Wording named = setting(setting_for(options_.input, "encoding")) +
+                        " names what it is, such as Latin-1 or cp932";
   fail(line, "not UTF-8" + place, options_.finds_form ? named : "save the file as UTF-8");
 }
 

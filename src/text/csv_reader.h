@@ -42,6 +42,7 @@ struct CsvOptions {
   std::vector<std::string> numbers = {};  ///< see CsvDialect
   std::vector<std::string> names = {};
   std::vector<std::string> repeated = {};
+  std::string input = {};
 };
 
 /// A reader of CSV files, which reads one row at a time (RFC 4180).
@@ -85,6 +86,7 @@ class CsvReader : public Table {
   double share_read() const override;
   std::unique_ptr<Table> again() const override;
   std::unique_ptr<Table> first_rows() const override;
+  std::vector<std::string> row_seen() const override { return row_seen_; }
   /// Where in the file the row that was read last begins, in bytes. Not of a pipe.
   std::size_t row_offset() const { return row_; }
   /// What parts the fields, be it given or found out.
@@ -106,6 +108,7 @@ class CsvReader : public Table {
   void skip_byte_order_mark();
   void find_form();
   void look_at_beginning(std::size_t begin);
+  void keep_row_seen(std::size_t begin);
   void read_header();
   void pass_columns();
   void number_columns();
@@ -154,6 +157,7 @@ class CsvReader : public Table {
   CsvOptions said_;  ///< the options before anything was found out
   CsvForm form_;
   std::string beginning_;               ///< what told the form, where it can be read only once
+  std::vector<std::string> row_seen_;   ///< the first row of a pipe that is still read
   std::vector<std::string> first_row_;  ///< that of a table without a header
   bool has_first_row_ = false;
   bool trims_ = false;  ///< whether fields lose the blanks at their ends

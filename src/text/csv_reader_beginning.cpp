@@ -8,6 +8,7 @@
 #include "base/wording.h"
 #include "text/csv_dialect.h"
 #include "text/csv_reader.h"
+#include "text/csv_records.h"
 
 // How a CSV reader begins: what the first bytes tell of how the file is written, its header, and
 // the rows below that are none of the table.
@@ -49,8 +50,20 @@ void CsvReader::find_form() {
   if (!is_on_disk_ && !text_.may_wait())
     beginning_ = text_.between(begin, std::min(text_.end(), begin + csv_beginning_bytes));
   if (!options_.finds_form) return;
+  if (text_.may_wait()) keep_row_seen(begin);
   next_row_ = begin + form_.header;
   line_ += count_line_ends(text_.between(begin, next_row_));
+}
+
+/// Keeps the first row of data of a pipe, which is the last that has to have come.
+void CsvReader::keep_row_seen(std::size_t begin) {
+  const auto records = csv_records(text_.between(begin, text_.end()), form_.header, false);
+  const bool has_names = options_.numbers.empty() && options_.names.empty();
+  const std::size_t row = form_.rows_passed + (has_names ? 1 : 0);
+  if (row >= records.size()) return;
+  for (const std::string_view field : csv_fields(records[row], form_.separator))
+    row_seen_.emplace_back(field);
+  if (row_seen_.size() != csv_fields(records.front(), form_.separator).size()) row_seen_.clear();
 }
 
 /// Reads the beginning, and finds out what it tells. A pipe may bring no more than one row for

@@ -24,6 +24,18 @@ std::size_t end_of_record(std::string_view text, std::size_t from) {
   return quoted ? std::min(text.find_first_of("\r\n", from), text.size()) : text.size();
 }
 
+/// A number that has a comma, read with that as its decimal mark, and as none.
+std::string with_point(std::string_view number) {
+  std::string text(number);
+  text[text.find(',')] = '.';
+  return text;
+}
+
+std::string without_comma(std::string_view number) {
+  std::string text(number);
+  return text.erase(text.find(','), 1);
+}
+
 }  // namespace
 
 std::vector<CsvRecord> csv_records(std::string_view beginning, std::size_t from, bool is_all) {
@@ -66,10 +78,24 @@ bool may_part_thousands(std::string_view number) {
 
 std::string no_number_for_its_comma(std::string_view text) {
   if (!may_part_thousands(text)) return " is no number";
-  const std::size_t comma = text.find(',');
-  const std::string whole(text.substr(0, comma));
-  const std::string rest(text.substr(comma + 1));
-  return " could be " + whole + "." + rest + " or " + whole + rest;
+  return " could be " + with_point(text) + " or " + without_comma(text);
+}
+
+Wording hint_for_its_comma(std::string_view text, std::string_view input) {
+  const Wording comma = setting(setting_for(input, "decimal_comma"));
+  if (!may_part_thousands(text)) return comma + " reads 1,5 as 1.5";
+  return comma + " reads it as " + with_point(text) + "; where it is " + without_comma(text) +
+         ", write it without the comma";
+}
+
+Wording hint_for_its_point(std::string_view input, bool commas_are_said) {
+  if (!commas_are_said) return "write all numbers of the file with one decimal mark";
+  return "without " + setting(setting_for(input, "decimal_comma")) + " or " +
+         setting("decimal_comma") + " the decimal mark is found out";
+}
+
+std::string setting_for(std::string_view input, std::string_view name) {
+  return std::string(input) + (input.empty() ? "" : "_") + std::string(name);
 }
 
 }  // namespace thiessen

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/wording.h"
+
 namespace thiessen {
 
 /// A record in the beginning of a CSV: a line, or several where quotes hold line ends.
@@ -29,5 +31,16 @@ bool may_part_thousands(std::string_view number);
 /// Why a text that has a decimal comma is no number where points are read: ` is no number`, or the
 /// two numbers that it may be.
 std::string no_number_for_its_comma(std::string_view text);
+
+/// What may be done about such a text in the file that the user calls so (stations, rainfall).
+Wording hint_for_its_comma(std::string_view text, std::string_view input);
+
+/// What may be done about a number with a point where decimal commas are read, as the user says or
+/// as was found out.
+Wording hint_for_its_point(std::string_view input, bool commas_are_said);
+
+/// The setting of how one file is written, which is called as `input` (`rainfall_encoding`), or of
+/// all files where that is empty.
+std::string setting_for(std::string_view input, std::string_view name);
 
 }  // namespace thiessen

@@ -59,6 +59,20 @@ std::string_view without_degrees(std::string_view name) {
   return name;
 }
 
+/// A letter of ASCII as plain_name writes it.
+constexpr char plain_letter(char c) {
+  if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
+  return c == ' ' || c == '-' ? '_' : c;
+}
+
+/// Whether plain_name changes nothing about a name but its letters, one by one: thousands of names
+/// of stations are compared with all known names of fields.
+bool is_bare(std::string_view name) {
+  return std::ranges::none_of(name, [](char c) {
+    return c == '.' || c == '(' || c == '[' || static_cast<unsigned char>(c) >= 0x80;
+  });
+}
+
 }  // namespace
 
 std::string plain_name(std::string_view name) {
@@ -80,17 +94,18 @@ std::string plain_name(std::string_view name) {
 }
 
 bool same_name(std::string_view a, std::string_view b) {
+  a = trimmed(a);
+  b = trimmed(b);
+  if (is_bare(a) && is_bare(b)) return std::ranges::equal(a, b, {}, plain_letter, plain_letter);
   return plain_name(a) == plain_name(b);
 }
 
 std::optional<std::size_t> find_field(const std::vector<std::string>& header,
                                       std::span<const std::string_view> names) {
-  std::vector<std::string> plain;
-  plain.reserve(header.size());
-  for (const std::string& field : header) plain.push_back(plain_name(field));
   for (const std::string_view name : names) {
-    const auto found = std::find(plain.begin(), plain.end(), plain_name(name));
-    if (found != plain.end()) return static_cast<std::size_t>(found - plain.begin());
+    const auto found = std::ranges::find_if(
+        header, [&](const std::string& field) { return same_name(field, name); });
+    if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
   }
   return std::nullopt;
 }

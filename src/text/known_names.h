@@ -312,15 +312,28 @@ inline constexpr std::array<std::string_view, 34> times = {"time",        "date"
                                                            "年月日時",    "時刻"};
 
 /// The parts of a time that stands in several columns.
-inline constexpr std::array<std::string_view, 7> years = {"year", "yyyy",  "yr", "jahr",
-                                                          "año",  "annee", "ano"};
-inline constexpr std::array<std::string_view, 6> months = {"month", "mm",  "mon",
-                                                           "monat", "mes", "mois"};
-inline constexpr std::array<std::string_view, 5> days = {"day", "dd", "tag", "dia", "jour"};
+inline constexpr std::array<std::string_view, 9> years = {"year",  "yyyy", "yr",    "jahr", "año",
+                                                          "annee", "ano",  "année", "yy"};
+inline constexpr std::array<std::string_view, 8> months = {"month", "mm",   "mon", "monat",
+                                                           "mes",   "mois", "mo",  "mês"};
+inline constexpr std::array<std::string_view, 10> days = {
+    "day", "dd", "tag", "dia", "jour", "dy", "día", "dom", "mday", "day_of_month"};
+inline constexpr std::array<std::string_view, 9> days_of_year = {
+    "doy",        "jday",      "day_of_year", "dayofyear", "yday",
+    "julian_day", "julianday", "julday",      "jul_day"};
 inline constexpr std::array<std::string_view, 6> hours = {"hour",   "hh",   "hr",
                                                           "stunde", "hora", "heure"};
+/// An hour and its minute as one number: 30, 100, 2400.
+inline constexpr std::array<std::string_view, 3> hours_with_minutes = {"hhmm", "hrmn", "hrmin"};
 inline constexpr std::array<std::string_view, 5> minutes = {"minute", "min", "minuto", "mi",
                                                             "minuten"};
+inline constexpr std::array<std::string_view, 6> seconds = {"second",  "sec",     "ss",
+                                                            "segundo", "sekunde", "seconde"};
+/// Parts of months, and of years, that make up no date by themselves.
+inline constexpr std::array<std::string_view, 9> parts_of_months = {
+    "week", "wk", "woche", "semana", "semaine", "dekad", "decade", "pentad", "period"};
+inline constexpr std::array<std::string_view, 6> parts_of_years = {
+    "season", "quarter", "trimester", "trimestre", "saison", "quartal"};
 
 /// A date in one column whose clock stands in another. Either counts only where its values are
 /// that.
@@ -334,7 +347,7 @@ inline constexpr std::array<std::string_view, 22> clocks = {
     "ora",      "時刻",     "時",         "hhmm"};
 
 /// The value of a reading in such a table; a unit may follow (prcp_mm, rain (mm)).
-inline constexpr std::array<std::string_view, 48> values = {"value",
+inline constexpr std::array<std::string_view, 49> values = {"value",
                                                             "rain",
                                                             "rainfall",
                                                             "precipitation",
@@ -381,7 +394,8 @@ inline constexpr std::array<std::string_view, 48> values = {"value",
                                                             "降水量",
                                                             "雨量",
                                                             "降雨量",
-                                                            "値"};
+                                                            "値",
+                                                            "prectotcorr"};
 
 /// The column of a table of one reading a row that says what each is in.
 inline constexpr std::array<std::string_view, 19> unit_columns = {"unit",

@@ -64,6 +64,9 @@ class Table {
   /// Opens the same table once more at its beginning. Returns null where it can be read only once
   /// (a pipe), or might not give its rows in the same order (a database).
   virtual std::unique_ptr<Table> again() const { return nullptr; }
+  /// The texts of the first row, where it was seen before it is read and cannot be read again: of a
+  /// pipe that brings one row at a time.
+  virtual std::vector<std::string> row_seen() const { return {}; }
   /// Opens the rows at the beginning once more, or all; null where they have gone.
   virtual std::unique_ptr<Table> first_rows() const { return again(); }
 };

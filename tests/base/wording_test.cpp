@@ -23,6 +23,11 @@ TEST(Wording, names_settings_and_inputs_as_its_readers_do) {
   EXPECT_EQ(words.plain(), "see 'time_field' and missing = -99 of 'stations'!");
 }
 
+TEST(Wording, has_a_value_of_several_words_in_quotes) {
+  EXPECT_EQ(setting("time_format", "%d/%m/%Y %H:%M").plain(), "time_format = '%d/%m/%Y %H:%M'");
+  EXPECT_EQ(setting("time_format", "%d/%m/%Y").plain(), "time_format = %d/%m/%Y");
+}
+
 TEST(Wording, of_text_alone_is_that_text) {
   const std::string text = "a\0b <time_field:> 'c' \x01\xFF"s;
   EXPECT_EQ(Wording(text).text(spoken), text) << "no text is taken for a name";

@@ -146,6 +146,26 @@ class FeedTest(FedTest):
         self.assertEqual(feed.line() + feed.line(), "2020-01-02,,1\n2020-01-03,,2\n")
         self.assertEqual(feed.end()[::2], ("2020-01-04,,1\n", 0))
 
+    def test_the_first_row_tells_in_which_columns_the_time_stands(self):
+        feed = self.rain("-")
+        feed.feed("date,time,station,rain\n2020-01-01,06:00,A,1\n2020-01-01,06:00,B,3\n")
+        self.assertEqual(feed.line() + feed.line(), "time,Q\n2020-01-01 06:00,2.000\n")
+        self.assertEqual(feed.end()[2], 0)
+        feed = self.rain("-")
+        feed.feed("YEAR,DOY,A,B\n2020,60,1,3\n")
+        self.assertEqual(feed.line() + feed.line(), "time,Q\n2020-02-29,2.000\n")
+        self.assertEqual(feed.end()[2], 0)
+
+    def test_rates_count_times_the_step_that_the_first_period_tells(self):
+        feed = self.rain("-", "--every", "day")  # 1 mm/h in two steps of 12 hours is 24 mm
+        feed.feed("time,station,rain (mm/h)\n2020-01-01T00:00,A,1\n2020-01-01T12:00,A,1\n2020-01-02T00:00,A,2\n"
+                  "2020-01-02T12:00,A,2\n")
+        self.assertEqual(feed.line() + feed.line(), "time,Q,Q_missing\n2020-01-01,24.000,0\n")
+        feed.feed("2020-01-02T13:00,A,1\n2020-01-02T14:00,A,1\n")
+        rest, messages, status = feed.wait()
+        self.assertEqual((rest, status), ("", 1))
+        self.assertIn("time '2020-01-02T13:00' in line 6 lies no whole steps of 12 hours", messages)
+
     def test_a_range_of_times_holds_nothing_back(self):
         feed = self.rain("-", "--from", "2020", "--to", "2021")
         feed.feed("time,A,B\n2019,0,0\n2020,1,2\n")

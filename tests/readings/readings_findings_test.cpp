@@ -54,9 +54,44 @@ TEST_F(ReadingsFindingsTest, a_bad_reading_is_a_complaint_with_line_station_and_
                    "r.csv:8: reading 'x' of station 'A' is no number | missing = x takes it for a "
                    "gap, trace = x for 0",
                    "r.csv:9: reading '1e400' of station 'C' is outside the range of numbers",
-                   "r.csv:10: reading '1,5' of station 'C' is no number | 'decimal_comma' reads "
-                   "1,5 as 1.5"}));
+                   "r.csv:10: reading '1,5' of station 'C' is no number | 'rainfall_decimal_comma' "
+                   "reads 1,5 as 1.5"}));
   EXPECT_EQ(warned(), Texts{}) << "where there are complaints nothing else is told";
+}
+
+TEST_F(ReadingsFindingsTest, a_text_that_may_be_a_true_reading_is_never_called_a_gap) {
+  ReadingsFindings bad = findings();
+  note(bad, "1,234", 0, 2);
+  note(bad, "1,234.5", 0, 3);
+  note(bad, "0.2E", 0, 4);
+  note(bad, "<0.2", 0, 5);
+  note(bad, "0.3E", 0, 6);
+  EXPECT_EQ(concluded(bad),
+            (Texts{"r.csv:2: reading '1,234' of station 'A' could be 1.234 or 1234 | "
+                   "'rainfall_decimal_comma' reads it as 1.234; where it is 1234, write it without "
+                   "the comma",
+                   "r.csv:3: reading '1,234.5' of station 'A' is no number | write it without what "
+                   "parts its thousands",
+                   "r.csv:4: reading '0.2E' of station 'A' is no number | write the number alone, "
+                   "without what stands beside it",
+                   "r.csv:5: reading '<0.2' of station 'A' is no number | missing = <0.2 takes it "
+                   "for a gap, trace = <0.2 for 0",
+                   "r.csv:6: reading '0.3E' of station 'A' is no number"}));
+}
+
+TEST_F(ReadingsFindingsTest, a_decimal_point_among_commas_has_the_hint_of_the_file_it_stands_in) {
+  const ReadingGrammar commas({}, {}, DecimalMark::comma);
+  ReadingsFindings said = findings();
+  said.are_in("stations", true);
+  said.note_oddity(commas.read("4.5", false), {2, StationIndex{0}}, "4.5", commas);
+  EXPECT_EQ(concluded(said),
+            (Texts{"r.csv:2: reading '4.5' of station 'A' has a decimal point, and numbers are "
+                   "read with decimal commas | without 'stations_decimal_comma' or 'decimal_comma' "
+                   "the decimal mark is found out"}));
+  ReadingsFindings found = findings();
+  found.note_oddity(commas.read("4.5", false), {2, StationIndex{0}}, "4.5", commas);
+  EXPECT_TRUE(
+      concluded(found).at(0).ends_with("| write all numbers of the file with one decimal mark"));
 }
 
 TEST_F(ReadingsFindingsTest, absurd_readings_are_one_warning_and_readings_all_the_same) {

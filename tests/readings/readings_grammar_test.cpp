@@ -86,12 +86,20 @@ TEST(ReadingGrammar, a_decimal_comma_is_read_where_told_and_then_no_point) {
     EXPECT_EQ(with_comma(field).kind, ReadingKind::missing) << field;
 }
 
-TEST(ReadingGrammar, tells_whether_a_decimal_comma_would_help) {
+TEST(ReadingGrammar, tells_what_a_text_may_be_meant_for) {
   const ReadingGrammar points({}, {}, DecimalMark::point);
-  EXPECT_TRUE(points.wants_decimal_comma(" 1,5 "));
-  EXPECT_FALSE(points.wants_decimal_comma("1,5,0"));
-  EXPECT_FALSE(points.wants_decimal_comma("x"));
-  EXPECT_FALSE(ReadingGrammar({}, {}, DecimalMark::comma).wants_decimal_comma("1,5"));
+  using Meant = ReadingGrammar::Meant;
+  EXPECT_EQ(points.meant_by(" 1,5 "), Meant::decimal_comma);
+  EXPECT_EQ(ReadingGrammar({}, {}, DecimalMark::comma).meant_by("4.5"), Meant::decimal_point);
+  const std::string blank = "\xC2\xA0";
+  for (const std::string& text :
+       {std::string("1,234.5"), std::string("1.234,5"), std::string("1,234,567"),
+        std::string("1 234"), std::string("1'234"), "1" + blank + "234"})
+    EXPECT_EQ(points.meant_by(text), Meant::thousands) << text;
+  for (const char* text : {"0.2E", "4 mm", "4*", "x7.9", "0.2T", "1,5,0", "(4)", ">100", "E0.2"})
+    EXPECT_EQ(points.meant_by(text), Meant::more) << text;
+  for (const char* text : {"M", "x", "<0.2", "M1", "no data", "#N/A", "--"})
+    EXPECT_EQ(points.meant_by(text), Meant::code) << text;
 }
 
 }  // namespace

@@ -143,6 +143,36 @@ TEST(Layout, has_a_time_in_several_columns) {
   EXPECT_EQ(time_columns(finder.layout({"t", "A", "d"})), (Fields{2, 0}));
 }
 
+TEST(Layout, has_a_time_in_years_and_months_or_days_of_the_year) {
+  const Finder finder;
+  EXPECT_EQ(time_columns(finder.layout({"YEAR", "MO", "DY", "HR", "A"})), (Fields{0, 1, 2, 3}));
+  EXPECT_EQ(time_columns(finder.layout({"year", "month", "A"})), (Fields{0, 1}));
+  EXPECT_EQ(time_columns(finder.layout({"YEAR", "DOY", "A"})), (Fields{0, 1}));
+  EXPECT_EQ(time_columns(finder.layout({"station", "YEAR", "DOY", "rain"})), (Fields{1, 2}));
+  EXPECT_EQ(time_columns(finder.layout({"", "YEAR", "DOY", "A"})), (Fields{1, 2}));
+}
+
+TEST(Layout, of_a_station_has_no_part_of_a_time) {
+  const Finder finder{{"DY", "A"}};
+  EXPECT_EQ(time_columns(finder.layout({"YEAR", "MO", "DY", "A"})), (Fields{0, 1}));
+}
+
+TEST(Layout, says_which_columns_of_the_time_are_not_read) {
+  const Finder finder;
+  EXPECT_EQ(finder.layout({"year", "week", "A"}).time_meant.plain(),
+            "time_field = year time_field = week reads the time in these columns");
+  EXPECT_TRUE(finder.layout({"year", "month", "A"}).time_meant.empty());
+  EXPECT_TRUE(finder.layout({"time", "A", "B"}).time_meant.empty());
+  try {
+    finder.layout({"station", "year", "month", "dekad", "rain"});
+    FAIL() << "a dekad is part of the time";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.messages().at(0).hint.plain(),
+              "time_field = year time_field = month time_field = dekad reads the time in these "
+              "columns");
+  }
+}
+
 TEST(Layout, of_a_wide_table_passes_over_an_index_without_a_name) {
   const Finder finder;
   const ReadingsLayout layout = finder.layout({"", "date", "A"});
@@ -195,6 +225,9 @@ TEST(Layout, a_column_that_holds_the_whole_time_needs_no_other) {
   EXPECT_EQ(time_columns({"station", "date", "time", "datetime", "rain"},
                          {"A", "2020-01-01", "05:00", "2020-01-01 05:00", "1"}),
             1U);
+  const FirstRowTable three({"station", "date", "time", "datetime", "rain"},
+                            {"A", "2020-01-01", "05:00", "2020-01-01 05:00", "1"});
+  EXPECT_TRUE(find_layout(three, ReadingsStations(stations, {}), {}).time.has(3));
 }
 
 TEST(Layout, is_long_by_its_header_whatever_the_stations_are) {

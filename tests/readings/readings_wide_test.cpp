@@ -81,12 +81,32 @@ TEST(WideReadings, may_have_a_decimal_comma_only_when_told) {
   Reader reader({"A"});
   const Outcome refused = reader.read("time,A\n1,\"1,5\"\n");
   EXPECT_EQ(refused.sentences, Texts{"r.csv:2: reading '1,5' of station 'A' is no number"});
-  EXPECT_EQ(refused.hints, Texts{"'decimal_comma' reads 1,5 as 1.5"});
+  EXPECT_EQ(refused.hints, Texts{"'rainfall_decimal_comma' reads 1,5 as 1.5"});
   reader.options.decimal_comma = true;
   expect_readings(reader.read("time,A\n1,\"1,5\"\n2,\"-99,9\"\n3,2\n"), {"1", "2", "3"},
                   {{1.5}, {silent}, {2}});
   EXPECT_EQ(reader.read("time,A\n1,1.5\n").sentences,
-            Texts{"r.csv:2: reading '1.5' of station 'A' is no number"});
+            Texts{"r.csv:2: reading '1.5' of station 'A' has a decimal point, and numbers are read "
+                  "with decimal commas"});
+}
+
+TEST(WideReadings, name_the_columns_in_which_the_time_seems_to_stand) {
+  Reader reader({"A"});
+  const std::string weeks = "year,week,A\n2010,1,4\n2010,2,8\n";
+  const Outcome unknown = reader.read(weeks);
+  EXPECT_EQ(unknown.sentences, Texts{"r.csv:1: unknown station 'week'"});
+  EXPECT_EQ(unknown.hints,
+            Texts{"time_field = year time_field = week reads the time in these columns"});
+  reader.options.ignore_unknown = true;
+  const Outcome ignored = reader.read("year,week,A\n2010,1,4\n");
+  EXPECT_EQ(ignored.sentences,
+            Texts{"r.csv:1: its time seems to stand in more columns than 'year'"});
+  EXPECT_EQ(ignored.hints,
+            Texts{unknown.hints.at(0) + ", time_field = year that in this one alone"});
+  reader.options.time_fields = {"year"};
+  expect_readings(reader.read("year,week,A\n2010,1,4\n"), {"2010"}, {{4}});
+  reader.options.time_fields = {"year", "week"};
+  expect_readings(reader.read(weeks), {"2010 1", "2010 2"}, {{4}, {8}});
 }
 
 TEST(WideReadings, refuse_a_time_given_twice_or_not_at_all) {

@@ -83,6 +83,13 @@ TEST(CsvForm, a_header_below_a_preamble_is_found_by_its_names) {
       << "it is said";
 }
 
+TEST(CsvForm, a_header_that_begins_with_a_year_is_known_by_it) {
+  EXPECT_EQ(form("-BEGIN HEADER-\nhours: 1, 2\n-END HEADER-\nYEAR,MO,DY,A\n2020,1,1,4\n"
+                 "2020,1,2,4\n")
+                .preamble,
+            3U);
+}
+
 TEST(CsvForm, labels_and_their_texts_above_a_header_are_a_preamble) {
   const std::string text = "UF:;DF\nCODE:;A1\nLATITUDE:;-15,8\nData;Hora;Chuva\n2019-01-01;1;,8\n";
   EXPECT_EQ(header(text), "Data;Hora;Chuva");

@@ -167,6 +167,9 @@ TEST(CsvReader, names_the_byte_that_is_not_utf8) {
   found.finds_form = true;
   EXPECT_EQ(read("a,b\n1,\xC0\n", found).hints,
             Fields{"'encoding' names what it is, such as Latin-1 or cp932"});
+  found.input = "rainfall";
+  EXPECT_EQ(read("a,b\n1,\xC0\n", found).hints,
+            Fields{"'rainfall_encoding' names what it is, such as Latin-1 or cp932"});
 }
 
 TEST(CsvReader, refuses_names_that_stand_twice_but_for_none) {

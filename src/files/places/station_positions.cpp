@@ -99,11 +99,15 @@ std::optional<double> StationPositions::read_number(const Station& station, std:
   } else if (const auto angle = degrees_text(text); angle && may_be_angle(*angle)) {
     return read_angle(*angle, text, what, axis);
   } else {
-    complain(what + no_number_for_its_comma(text) + ": " + quoted(text, 60),
-             parse_number(text, DecimalMark::comma) ? setting("decimal_comma") + " reads 1,5 as 1.5"
-                                                    : Wording());
+    complain(what + no_number_for_its_comma(text) + ": " + quoted(text, 60), hint_for_mark(text));
   }
   return std::nullopt;
+}
+
+/// What may be done where a text would be a number by the other decimal mark.
+Wording StationPositions::hint_for_mark(std::string_view text) const {
+  if (parse_number(text)) return hint_for_its_point("stations", request_.source.csv.decimal_comma);
+  return parse_number(text, DecimalMark::comma) ? hint_for_its_comma(text, "stations") : Wording();
 }
 
 /// 12:30 in a column that nothing calls degrees may be anything.

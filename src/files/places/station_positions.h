@@ -50,6 +50,7 @@ class StationPositions {
   bool is_missing(std::size_t field, double most_degrees) const;
   std::optional<double> read_number(const Station& station, std::size_t field,
                                     DegreesText::Axis axis);
+  Wording hint_for_mark(std::string_view text) const;
   bool may_be_angle(const DegreesText& angle) const;
   std::optional<double> read_angle(const DegreesText& angle, std::string_view text,
                                    const std::string& what, DegreesText::Axis axis);

@@ -78,6 +78,7 @@ std::unique_ptr<CsvReader> open_csv(const std::string& file, const CsvDialect& s
   options.numbers = said.numbers;
   options.names = said.names;
   options.repeated = said.repeated;
+  options.input = said.input;
   auto csv = open(file, options);
   tell_form(*csv, said, warnings);
   return csv;

@@ -15,7 +15,7 @@ std::vector<FieldType> types_of(const Table& table, const FilteredTable::Filter&
   if (!first) {
     throw Error(
         Message{table.file(), 0,
-                setting(filter.its_setting, quoted(filter.where, 200)) +
+                setting(filter.its_setting, filter.where) +
                     " looks at the first rows for what is a number, and it can be read only once",
                 "give a file"});
   }
@@ -102,7 +102,7 @@ void FilteredTable::conclude() {
   std::exchange(warnings_, nullptr)
       ->add({table_->file(), 0,
              "none of its " + std::to_string(read_) + " rows meets " +
-                 setting(filter_.its_setting, quoted(filter_.where, 200)),
+                 setting(filter_.its_setting, filter_.where),
              ""});
 }
 

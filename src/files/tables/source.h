@@ -23,11 +23,10 @@ struct Source {
 
 /// The error that a layer is named of a CSV.
 inline Error no_layers(const Source& source) {
-  return Error(Message{
-      source.file,
-      0,
-      "a CSV file has no layers: " + setting(source.layer_setting, quoted(source.layer, 80)),
-      {}});
+  return Error(Message{source.file,
+                       0,
+                       "a CSV file has no layers: " + setting(source.layer_setting, source.layer),
+                       {}});
 }
 
 }  // namespace thiessen

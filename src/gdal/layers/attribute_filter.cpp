@@ -67,11 +67,11 @@ AttributeFilter::AttributeFilter(const std::string& where, const std::string& it
   query_->feature = std::make_unique<OGRFeature>(query_->definition.get());
   const GdalErrors errors;
   if (query_->query.Compile(query_->definition.get(), where.c_str()) != OGRERR_NONE) {
-    throw Error(Message{file,
-                        0,
-                        setting(its_setting, quoted(where, 200)) + ": " + errors.text() +
-                            fields_in_words(errors.text(), fields),
-                        {}});
+    throw Error(Message{
+        file,
+        0,
+        setting(its_setting, where) + ": " + errors.text() + fields_in_words(errors.text(), fields),
+        {}});
   }
   query_->find_asked();
 }

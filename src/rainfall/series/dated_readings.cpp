@@ -27,7 +27,7 @@ IsoTime time_of_step(std::string_view text, TimePrecision least, const std::stri
   if (written && !written->fault.empty())
     throw Error({file, line, time + written->fault, written->hint});
   const Wording wanted = std::string("wanted: ") + iso_time_forms + "; " + setting("time_format") +
-                         " says how else, such as %d/%m/%y %H:%M";
+                         " says how else, such as '%d/%m/%Y %H:%M'";
   if (parsed.fault == IsoTimeFault::form)
     throw Error({file, line, time + " is not written as ISO 8601 wants it", wanted});
   if (parsed.fault == IsoTimeFault::value)

@@ -56,6 +56,7 @@ void RainPeriods::add(const RainStep& step) {
                  "time " + quoted(step.time, 80) + " is that of the step before, written again",
                  ""});
   }
+  require_step_of_rates(time, step);
   before_ = time;
   text_before_ = step.time;
   intervals_.note({time, IsoTimeFault::none});
@@ -82,6 +83,32 @@ void RainPeriods::add(const RainStep& step) {
   }
 }
 
+/// Refuses a time that shows another step of rates than that by which totals are told already.
+void RainPeriods::require_step_of_rates(const IsoTime& time, const RainStep& step) const {
+  if (!step_of_rates_) return;
+  if ((moment_seconds(time) - moment_seconds(before_)) % step_of_rates_->seconds == 0) return;
+  throw rates_without_step(file_, totalling_.rates->unit,
+                           "time " + quoted(step.time, 80) + " in line " +
+                               std::to_string(step.line) + " lies no whole steps of " +
+                               thiessen::text_of(*step_of_rates_) +
+                               " from the one before, which the times above tell");
+}
+
+/// What a rate of 1 counts for, by the step that the times so far tell.
+double RainPeriods::depth_of_rate() {
+  if (!totalling_.rates) return 1;
+  if (!step_of_rates_) step_of_rates_ = intervals_.step();
+  const auto fail = [&](const std::string& why) {
+    return rates_without_step(file_, totalling_.rates->unit, why);
+  };
+  if (intervals_.times() < 2) throw fail("one time tells none");
+  if (!step_of_rates_) throw fail("the times have no regular step");
+  if (step_of_rates_->months > 0)
+    throw fail("what is read only once does not tell that of months in time");
+  return static_cast<double>(step_of_rates_->seconds) /
+         static_cast<double>(totalling_.rates->rate.seconds);
+}
+
 void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
   const std::int64_t number = number_of(time);
   if (!begun_.insert(number).second) {
@@ -97,8 +124,9 @@ void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
 
 void RainPeriods::end() {
   taken_.clear();
+  const double depth = depth_of_rate();
   for (const Sum& sum : sums_)
-    taken_.push_back({sum.values > 0 ? sum.rainfall.value() : no_value, sum.missing});
+    taken_.push_back({sum.values > 0 ? sum.rainfall.value() * depth : no_value, sum.missing});
   if (!totalling_.as_they_end) totals_.add(taken_);
   open_ = false;
 }
@@ -275,6 +303,10 @@ void RainPeriods::warn(Warnings& warnings) const {
     warnings.add_notice({file_, 0,
                          "24:00 counts in the day that it ends, and any other time begins its step",
                          setting("stamp", "end") + " says that times end their steps"});
+  }
+  if (step_of_rates_) {
+    warnings.add_notice(
+        {file_, 0, "rates counted times their step of " + thiessen::text_of(*step_of_rates_), ""});
   }
   if (intervals_.times() > 0 && !lacking_step_) {
     const char* why =

@@ -40,6 +40,9 @@ struct Totalling {
   bool whole_alone = false;
   /// What values count for that are rates; nothing where they are depths.
   std::optional<StepDepths> depths = {};
+  /// The same of rates whose step their own times tell by the end of the first period. A later time
+  /// that is not whole steps from the one before is an Error.
+  std::optional<RatesOfUnknownStep> rates = {};
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
@@ -81,6 +84,8 @@ class RainPeriods {
     std::size_t steps;
   };
 
+  void require_step_of_rates(const IsoTime& time, const RainStep& step) const;
+  double depth_of_rate();
   void begin(const IsoTime& time, const RainStep& step);
   void end();
   IsoTime within_step(const IsoTime& time) const;
@@ -115,6 +120,7 @@ class RainPeriods {
   HeldTotals totals_;
   StepIntervals intervals_;
   std::vector<BasinTotal> taken_;
+  std::optional<StepLength> step_of_rates_;  ///< by which rates are counted, once it is known
   bool ascends_ = true;  ///< of the periods so far, where they are handed on as they end
   bool descends_ = true;
   bool ends_days_ = false;  ///< whether a time is 24:00 where times begin their steps

@@ -19,6 +19,17 @@ std::int64_t seconds_of_months(std::int64_t first, std::int64_t count) {
 
 }  // namespace
 
+Error rates_without_step(const std::string& file, const std::string& unit, const std::string& why) {
+  return Error(Message{
+      file, 0,
+      "the readings are rates in " + unit + ", whose totals want the length of each step, and " +
+          why,
+      setting("scale") +
+          " by that length makes depths of them (0.25 of mm/h in steps of 15 minutes); where they "
+          "are depths, " +
+          setting("from_unit", "mm") + " says so"});
+}
+
 double StepDepths::of(double value, const IsoTime& within, Stamp stamp) const {
   if (are_the_values()) return value;
   const bool ends = stamp == Stamp::end && within.precision == TimePrecision::instant;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+
+#include "base/error.h"
 #include "base/iso_time.h"
 #include "rainfall/series/stamp.h"
 #include "rainfall/series/step_length.h"
@@ -26,5 +29,14 @@ class StepDepths {
   StepLength rate_;
   StepLength step_;
 };
+
+/// Rates whose step is not known before they are summed, for they can be read only once.
+struct RatesOfUnknownStep {
+  StepLength rate;   ///< the time in which a value falls, of seconds
+  std::string unit;  ///< of the values, for messages
+};
+
+/// The error that the length of the steps of rates is not known, and why.
+Error rates_without_step(const std::string& file, const std::string& unit, const std::string& why);
 
 }  // namespace thiessen

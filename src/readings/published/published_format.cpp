@@ -5,8 +5,10 @@
 
 namespace thiessen {
 
-bool has_published_name(std::string_view column, std::string_view names) {
-  for (std::string_view name : parted(names, '|')) {
+namespace {
+
+bool has_name_among(std::string_view column, const std::vector<std::string_view>& names) {
+  for (std::string_view name : names) {
     if (same_name(column, name)) return true;
     if (!name.ends_with('*')) continue;
     name.remove_suffix(1);
@@ -15,10 +17,17 @@ bool has_published_name(std::string_view column, std::string_view names) {
   return false;
 }
 
+}  // namespace
+
+bool has_published_name(std::string_view column, std::string_view names) {
+  return has_name_among(column, parted(names, '|'));
+}
+
 std::optional<std::size_t> published_column(const std::vector<std::string>& header,
                                             std::string_view names) {
+  const std::vector<std::string_view> any = parted(names, '|');
   for (std::size_t i = 0; i < header.size(); ++i) {
-    if (has_published_name(header[i], names)) return i;
+    if (has_name_among(header[i], any)) return i;
   }
   return std::nullopt;
 }

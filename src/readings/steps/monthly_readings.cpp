@@ -11,8 +11,7 @@ CalendarPlace::CalendarPlace(const IsoTime& time)
             time.nanosecond),
       at_end(is_last_of_month(time)) {}
 
-void MonthlyReadings::note(const CalendarPlace& place) {
-  if (!alike_) return;
+void MonthlyReadings::note_while_alike(const CalendarPlace& place) {
   if (months_.count() == 0) {
     day_ = place.day;
     clock_ = place.clock;

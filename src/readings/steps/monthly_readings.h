@@ -21,13 +21,18 @@ struct CalendarPlace {
 /// all on the months' last days, and one in each.
 class MonthlyReadings {
  public:
-  void note(const CalendarPlace& place);
+  /// Takes note of a reading.
+  void note(const CalendarPlace& place) {
+    if (alike_) note_while_alike(place);
+  }
 
   bool stand_alike() const { return alike_; }
   /// The months of the readings, as long as these stood alike.
   const SpacedReadings& months() const { return months_; }
 
  private:
+  void note_while_alike(const CalendarPlace& place);
+
   SpacedReadings months_;
   std::int64_t clock_ = 0;  ///< of the first reading
   int day_ = 0;

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace thiessen {
 
@@ -9,8 +12,20 @@ namespace thiessen {
 /// far they are apart.
 class SpacedReadings {
  public:
-  /// Takes note of a reading, in whatever order they come.
-  void note(std::int64_t at);
+  /// Takes note of a reading, in whatever order they come. It stands here, as it is called for each
+  /// reading of a file.
+  void note(std::int64_t at) {
+    if (count_ == 0) {
+      low_ = high_ = at;
+    } else {
+      const std::int64_t apart = std::abs(at - last_);
+      if (apart != apart_) apart_ = std::gcd(apart_, apart);
+      low_ = std::min(low_, at);
+      high_ = std::max(high_, at);
+    }
+    last_ = at;
+    ++count_;
+  }
 
   std::uint32_t count() const { return count_; }
   /// Where the last reading is that was noted. Requires a reading.

@@ -4,6 +4,8 @@
 #define ONLY_C_LOCALE 1
 #include <date/date.h>
 
+#include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -50,6 +52,13 @@ ParsedTime checked(IsoTime time) {
   return {time, there_is ? IsoTimeFault::none : IsoTimeFault::value};
 }
 
+int day_of_year(const IsoTime& time) {
+  const date::year year(time.year);
+  const date::year_month_day day{year, date::month(static_cast<unsigned>(time.month)),
+                                 date::day(static_cast<unsigned>(time.day))};
+  return (date::sys_days(day) - date::sys_days(year / 1 / 1)).count() + 1;
+}
+
 }  // namespace
 
 struct TimeFormat::Stream {
@@ -59,6 +68,9 @@ struct TimeFormat::Stream {
 TimeFormat::TimeFormat(std::string format)
     : format_(std::move(format)), whole_format_(format_), stream_(std::make_unique<Stream>()) {
   stream_->stream.imbue(std::locale::classic());
+  const std::size_t day_of_year = format_.find("%j");
+  has_day_of_year_ = day_of_year != std::string::npos;
+  if (has_day_of_year_) before_day_of_year_ = format_.substr(0, day_of_year);
   const bool has_day = has_any(format_, days) || has_any(format_, days_of_year);
   const bool has_month = has_day || has_any(format_, months);
   if (has_any(format_, clocks)) {
@@ -94,8 +106,9 @@ bool TimeFormat::is_sound(const std::string& format) {
 ParsedTime TimeFormat::read(std::string_view text) const {
   if (is_excel()) return read_serial(text);
   std::istringstream& stream = stream_->stream;
+  const std::string whole = std::string(text) + rest_;
   stream.clear();
-  stream.str(std::string(text) + rest_);
+  stream.str(whole);
   date::fields<std::chrono::nanoseconds> fields;
   std::string zone;
   constexpr std::chrono::minutes no_offset{100'000};
@@ -121,7 +134,25 @@ ParsedTime TimeFormat::read(std::string_view text) const {
   } else if (zone == "UTC" || zone == "GMT" || zone == "Z") {
     time.ahead_of_utc = 0;
   }
+  if (has_day_of_year_ && day_of_year_in(whole) != day_of_year(time))
+    return {time, IsoTimeFault::value};
   return checked(time);
+}
+
+/// The number that stands where the format has the day of the year: a day that the year lacks
+/// comes out as one of the next.
+int TimeFormat::day_of_year_in(const std::string& text) const {
+  std::istringstream& stream = stream_->stream;
+  stream.clear();
+  stream.str(text);
+  date::fields<std::chrono::nanoseconds> fields;
+  if (!before_day_of_year_.empty()) date::from_stream(stream, before_day_of_year_.c_str(), fields);
+  stream.clear();  // a year alone is no date
+  const auto at = static_cast<std::size_t>(std::max<std::streamoff>(stream.tellg(), 0));
+  int day = 0;
+  const char* const end = text.data() + std::min(at + 3, text.size());
+  std::from_chars(text.data() + std::min(at, text.size()), end, day);
+  return day;
 }
 
 ParsedTime TimeFormat::read_serial(std::string_view text) const {

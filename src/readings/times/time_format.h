@@ -38,10 +38,13 @@ class TimeFormat {
   struct Stream;
 
   ParsedTime read_serial(std::string_view text) const;
+  int day_of_year_in(const std::string& text) const;
 
   std::string format_;
-  std::string whole_format_;  ///< with the month and the day that it lacks
-  std::string rest_;          ///< what a text lacks of these
+  bool has_day_of_year_ = false;
+  std::string before_day_of_year_;  ///< the format up to its %j
+  std::string whole_format_;        ///< with the month and the day that it lacks
+  std::string rest_;                ///< what a text lacks of these
   TimePrecision precision_ = TimePrecision::year;
   std::unique_ptr<Stream> stream_;
 };

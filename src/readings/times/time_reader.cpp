@@ -20,7 +20,7 @@ TimeReader::TimeReader(const std::string& format, bool day_first) {
   if (format.empty()) return;
   if (!TimeFormat::is_sound(format)) {
     throw Error({"", 0, setting("time_format", format) + " does not say what time it is",
-                 "such as %d/%m/%Y %H:%M, or excel for serial numbers"});
+                 "such as '%d/%m/%Y %H:%M', or excel for serial numbers"});
   }
   given_.emplace(format);
 }
@@ -54,7 +54,7 @@ std::optional<WrittenTime> TimeReader::read(std::string_view text, std::size_t l
   std::optional<WrittenTime> time = read_written(text, line);
   if (!time && !may_be_labels()) return no_time(text);
   note(time.has_value(), since_);
-  return time;
+  return time || told_open_ ? time : left_open(text);
 }
 
 bool TimeReader::is_no_time(std::string_view text, std::size_t line) {
@@ -85,6 +85,7 @@ void TimeReader::note(bool is_time, Seen& seen) {
 }
 
 bool TimeReader::may_be_labels() const {
+  if (are_of_parts_) return false;
   if (before_.times + before_.labels > 1)
     return !before_.begins_with_times || before_.times < 2 || before_.times <= before_.labels;
   return since_.labels > 0 || since_.times < 3;
@@ -93,12 +94,33 @@ bool TimeReader::may_be_labels() const {
 WrittenTime TimeReader::no_time(std::string_view text) const {
   WrittenTime time;
   time.breaks_format = true;
+  if (are_of_parts_) {
+    time.fault = " is no time";
+    time.hint = setting("time_format") +
+                " says how the texts of its columns are written, with blanks between them";
+    return time;
+  }
   time.fault = " is no time, as those of the other rows are";
   if (!column_.empty() && text.find_first_of("'\"") == std::string_view::npos) {
-    time.hint = setting("rainfall_where") + " \"\\\"" + column_ + "\\\"<>'" + std::string(text) +
-                "'\" leaves such rows out";
+    time.hint = setting("rainfall_where", "\"" + column_ + "\"<>'" + std::string(text) + "'") +
+                " leaves such rows out";
   } else {
     time.hint = "take the row out of the file";
+  }
+  return time;
+}
+
+/// A text that some format reads, if it is one; it is not known by the calendar.
+std::optional<WrittenTime> TimeReader::left_open(std::string_view text) {
+  const std::vector<std::string> formats = open_formats(text);
+  if (formats.empty()) return std::nullopt;
+  told_open_ = true;
+  WrittenTime time;
+  time.fault = " is not written as ISO 8601 wants it";
+  for (const std::string& format : formats) {
+    const std::string iso = iso_text(TimeFormat(format).read(text).time);
+    time.hint += (time.hint.empty() ? "" : ", ") + setting("time_format", format) +
+                 (time.hint.empty() ? " reads it as " : " as ") + iso;
   }
   return time;
 }
@@ -155,8 +177,9 @@ WrittenTime TimeReader::ambiguous(const ParsedTime& day_first, const ParsedTime&
   WrittenTime time;
   time.parsed.fault = IsoTimeFault::form;
   time.fault = " could be " + date(day_first) + " or " + date(month_first);
-  time.hint = setting("time_format", "'" + formats.one.text() + "'") + " reads it as " +
-              date(day_first) + ", '" + formats.month_first->text() + "' as " + date(month_first);
+  time.hint = setting("time_format", formats.one.text()) + " reads it as " + date(day_first) +
+              ", " + setting("time_format", formats.month_first->text()) + " as " +
+              date(month_first);
   return time;
 }
 

@@ -20,6 +20,9 @@ namespace thiessen {
 /// a time such as 1/2/2010 is ambiguous, and its fault shows both readings. A time that contradicts
 /// what was found, or the user's format, is a fault of the file.
 ///
+/// What is nearly a time, such as one with a year of two digits, is a label, the first of which
+/// tells the formats that would read it.
+///
 /// Times may be mere labels (storm 1). Not so where the table begins with two times of the calendar
 /// and most of its first ones are such: a text that is none is then a fault of the file, such as
 /// Total below the last row. Where nothing but the first time was seen beforehand, three times of
@@ -41,6 +44,8 @@ class TimeReader {
 
   /// Whether no time may be a mere label.
   bool has_format() const { return given_.has_value(); }
+  /// Says that times are put together from parts of the calendar, so that none is a mere label.
+  void times_are_of_parts() { are_of_parts_ = true; }
   /// Says what the column of times is called, for messages; empty where they stand in several.
   void times_stand_in(std::string column) { column_ = std::move(column); }
   /// The time that told whether the day or the month comes first, and its line, where times before
@@ -71,6 +76,7 @@ class TimeReader {
   static void note(bool is_time, Seen& seen);
   bool may_be_labels() const;
   WrittenTime no_time(std::string_view text) const;
+  std::optional<WrittenTime> left_open(std::string_view text);
   WrittenTime read_given(std::string_view text) const;
   WrittenTime read_ordered(std::string_view text, std::size_t line, const ParsedTime& day_first,
                            const ParsedTime& month_first);
@@ -89,6 +95,8 @@ class TimeReader {
   bool told_late_ = false;     ///< whether times before that one had left the order open
   Seen before_;                ///< of the times that the table begins with
   Seen since_;                 ///< of those that were read
+  bool are_of_parts_ = false;
+  bool told_open_ = false;  ///< whether it was told what formats would read a text
   std::string column_;
   std::vector<Formats> formats_;
 };

@@ -52,12 +52,7 @@ class Rest {
 };
 
 bool is_month_name(std::string_view name) {
-  constexpr std::array<std::string_view, 12> names = {
-      "january", "february", "march",     "april",   "may",      "june",
-      "july",    "august",   "september", "october", "november", "december"};
-  return std::ranges::any_of(names, [&](std::string_view month) {
-    return equal_ignoring_case(name, month) || equal_ignoring_case(name, month.substr(0, 3));
-  });
+  return month_called(name).has_value();
 }
 
 /// A date as far as its shape tells.
@@ -74,11 +69,28 @@ Date joined_digits(Rest& rest, std::size_t digits) {
   return TimeShape{format, ""};
 }
 
-/// 2010/12/31, 2010.12.31, 2010-1-5, 2010/12.
+/// 2010 Jan, 2010-January, 2010-Jan-5, behind the year and what parts it from the month.
+Date month_name_second(Rest& rest, const std::string& mark) {
+  const std::string_view name = rest.letters();
+  if (!is_month_name(name)) return std::nullopt;
+  rest.take(name.size());
+  const std::string month = "%Y" + mark + "%b";
+  if (rest.empty()) return TimeShape{month, ""};
+  if (!rest.take(mark) || rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
+  rest.take(rest.digits());
+  return TimeShape{month + mark + "%d", ""};
+}
+
+/// 2010/12/31, 2010.12.31, 2010-1-5, 2010/12, 2010-365 and dates with the name of a month.
 Date year_first(Rest& rest) {
   rest.take(4);
   const std::string mark(rest.take(1));
   if (std::string_view("/.- ").find(mark) == std::string_view::npos) return std::nullopt;
+  if (is_letter(rest.front())) return month_name_second(rest, mark);
+  if (rest.digits() == 3 && mark != ".") {
+    rest.take(3);
+    return TimeShape{"%Y" + mark + "%j", ""};
+  }
   if (rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
   rest.take(rest.digits());
   if (rest.empty())
@@ -105,9 +117,9 @@ Date year_last(Rest& rest) {
   const std::string mark(rest.take(1));
   if (std::string_view("/.- ").find(mark) == std::string_view::npos) return std::nullopt;
   if (is_letter(rest.front())) return named_month(rest, mark);
-  if (rest.digits() == 4 && mark == "/") {
+  if (rest.digits() == 4 && (mark == "/" || mark == "-")) {
     rest.take(4);
-    return TimeShape{"%m/%Y", ""};
+    return TimeShape{"%m" + mark + "%Y", ""};
   }
   if (rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
   rest.take(rest.digits());
@@ -116,11 +128,19 @@ Date year_last(Rest& rest) {
   return TimeShape{"%d" + mark + "%m" + mark + "%Y", "%m" + mark + "%d" + mark + "%Y"};
 }
 
-/// Dec 31, 2010 and December 31 2010.
+/// Dec 31, 2010 and December 31 2010; Dec 2010, Dec-2010, DEC2010.
 Date month_name_first(Rest& rest) {
   const std::string_view name = rest.letters();
   if (!is_month_name(name)) return std::nullopt;
   rest.take(name.size());
+  for (const char* mark : {"", ", ", " ", "-", "/", "."}) {
+    Rest behind = rest;
+    if (!behind.take(mark) || behind.digits() != 4) continue;
+    behind.take(4);
+    if (!behind.empty()) continue;
+    rest = behind;
+    return TimeShape{std::string("%b") + mark + "%Y", ""};
+  }
   if (!rest.take(" ") || rest.digits() < 1 || rest.digits() > 2) return std::nullopt;
   rest.take(rest.digits());
   const std::string comma = rest.take(",") ? "," : "";
@@ -199,27 +219,99 @@ bool shows_clock(const std::string& format) {
   return format.find("%H") != std::string::npos || format.find("%I") != std::string::npos;
 }
 
+/// The format of what stands behind a date, which may be nothing; nothing where it is no clock.
+std::optional<std::string> behind_date(Rest& rest) {
+  if (rest.empty()) return "";
+  const std::optional<std::string> mark = part(rest);
+  if (!mark) return std::nullopt;
+  std::optional<std::string> clock = clock_shape(rest);
+  if (!clock) return std::nullopt;
+  take_half_of_day(rest, *clock);
+  const std::optional<std::string> zone = zone_shape(rest);
+  if (!zone) return std::nullopt;
+  return *mark + *clock + *zone;
+}
+
+/// The dates that three numbers of one or two digits may be, or two with the name of a month
+/// between them, or a month's and a year.
+std::vector<std::string> short_dates(Rest& rest) {
+  const auto is_short = [&] { return rest.digits() == 1 || rest.digits() == 2; };
+  if (is_letter(rest.front())) {  // Jan-99
+    const std::string_view name = rest.letters();
+    rest.take(name.size());
+    const std::string mark(is_digit(rest.front()) ? "" : rest.take(1));
+    if (!is_month_name(name) || rest.digits() != 2) return {};
+    rest.take(2);
+    return {"%b" + mark + "%y"};
+  }
+  if (!is_short()) return {};
+  rest.take(rest.digits());
+  const bool is_parted = !is_letter(rest.front());
+  const std::string mark(is_parted ? rest.take(1) : "");
+  if (is_parted && (mark.empty() || std::string_view("/.- ").find(mark) == std::string_view::npos))
+    return {};
+  const bool is_named = is_letter(rest.front());
+  const std::string_view name = rest.letters();
+  if (is_named ? !is_month_name(name) : !is_short()) return {};
+  rest.take(is_named ? name.size() : rest.digits());
+  if (!rest.take(mark) || !is_short()) return {};
+  rest.take(rest.digits());
+  if (is_named) return {"%d" + mark + "%b" + mark + "%y", "%y" + mark + "%b" + mark + "%d"};
+  return {"%d" + mark + "%m" + mark + "%y", "%m" + mark + "%d" + mark + "%y",
+          "%y" + mark + "%m" + mark + "%d"};
+}
+
+/// Whether a text may be the number of a day in a spreadsheet, in the years from 1927 to 2100.
+bool is_serial(std::string_view text) {
+  Rest rest(text);
+  if (rest.digits() != 5 || text > "73415") return false;
+  rest.take(5);
+  if (rest.take(".")) rest.take(rest.digits());
+  return rest.empty();
+}
+
 }  // namespace
+
+std::optional<int> month_called(std::string_view name) {
+  constexpr std::array<std::string_view, 12> names = {
+      "january", "february", "march",     "april",   "may",      "june",
+      "july",    "august",   "september", "october", "november", "december"};
+  const auto found = std::ranges::find_if(names, [&](std::string_view month) {
+    return equal_ignoring_case(name, month) || equal_ignoring_case(name, month.substr(0, 3));
+  });
+  if (found == names.end()) return std::nullopt;
+  return static_cast<int>(found - names.begin()) + 1;
+}
 
 TimeShape time_shape(std::string_view text) {
   Rest rest(trimmed(text));
   Date date = date_shape(rest);
   if (!date) return {};
-  std::string clock;
-  if (!rest.empty()) {
-    const std::optional<std::string> mark = part(rest);
-    if (!mark) return {};
-    const std::optional<std::string> shape = clock_shape(rest);
-    if (!shape) return {};
-    clock = *shape;
-    take_half_of_day(rest, clock);
-    const std::optional<std::string> zone = zone_shape(rest);
-    if (!zone) return {};
-    clock = *mark + clock + *zone;
-  }
-  date->format += clock;
-  if (!date->month_first.empty()) date->month_first += clock;
+  const std::optional<std::string> clock = behind_date(rest);
+  if (!clock) return {};
+  date->format += *clock;
+  if (!date->month_first.empty()) date->month_first += *clock;
   return *date;
+}
+
+std::vector<std::string> open_formats(std::string_view text) {
+  text = trimmed(text);
+  if (is_serial(text)) return {std::string(TimeFormat::excel)};
+  std::vector<std::string> formats;
+  if (text.size() == 7 && Rest(text).digits() == 7) {
+    if (text >= "1800" && text < "2200") formats.emplace_back("%Y%j");
+  } else if (text.size() == 6 && Rest(text).digits() == 6) {
+    if (text >= "1800" && text < "2200") formats.emplace_back("%Y%m");
+    formats.insert(formats.end(), {"%y%m%d", "%d%m%y"});
+  } else {
+    Rest rest(text);
+    formats = short_dates(rest);
+    const std::optional<std::string> clock = behind_date(rest);
+    if (!clock) return {};
+    for (std::string& format : formats) format += *clock;
+  }
+  std::erase_if(formats, [&](const std::string& format) { return !TimeFormat(format).read(text); });
+  return formats;
 }
 
 bool is_date(std::string_view text) {

@@ -24,6 +24,17 @@ TEST(Messages, a_value_that_begins_like_an_option_stands_behind_an_equals_sign) 
   EXPECT_EQ(shown(setting("missing", "-99")), "--missing=-99");
 }
 
+TEST(Messages, a_value_is_written_as_a_shell_takes_it) {
+  EXPECT_EQ(shown(setting("missing", "<0.2")), "--missing '<0.2'");
+  EXPECT_EQ(shown(setting("missing", "no data")), "--missing 'no data'");
+  EXPECT_EQ(shown(setting("missing", "-9 x")), "--missing='-9 x'");
+  EXPECT_EQ(shown(setting("missing", "it's $1")), "--missing \"it's \\$1\"");
+  EXPECT_EQ(shown(setting("missing", "*")), "--missing '*'");
+  EXPECT_EQ(shown(setting("rainfall_where", "\"time\"<>'Total'")),
+            R"(--rainfall-where "\"time\"<>'Total'")");
+  EXPECT_EQ(shown(setting("time_format", "%d/%m/%Y")), "--time-format %d/%m/%Y");
+}
+
 TEST(Messages, a_text_of_a_file_is_shown_and_never_taken_for_a_setting) {
   EXPECT_EQ(shown(Wording("a\x1b[2J 'time_field'")), "a\\x1b[2J 'time_field'");
 }

@@ -84,7 +84,8 @@ TEST(StationPositions, that_are_no_numbers_are_named_each_by_its_column) {
   EXPECT_EQ(read.faults[3],
             ":4: 'x' of station 'c' is empty | 'stations_where' leaves stations out");
   EXPECT_TRUE(read.faults[4].starts_with(":5: 'y' of station 'd' is no number")) << read.faults[4];
-  EXPECT_TRUE(read.faults[4].ends_with("| 'decimal_comma' reads 1,5 as 1.5")) << read.faults[4];
+  EXPECT_TRUE(read.faults[4].ends_with("| 'stations_decimal_comma' reads 1,5 as 1.5"))
+      << read.faults[4];
 }
 
 TEST(StationPositions, of_a_station_without_coordinates_are_bad_or_nowhere_as_it_is_wanted) {

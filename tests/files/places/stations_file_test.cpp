@@ -87,7 +87,7 @@ TEST(StationsFile, reports_every_bad_row) {
   EXPECT_TRUE(
       found[4].starts_with("s.csv:7: station 'a' is already in line 2, at another place | "));
   EXPECT_EQ(found[5], "s.csv:8: a station has no id");
-  EXPECT_TRUE(contains(found[6], "'decimal_comma'"));
+  EXPECT_TRUE(contains(found[6], "'stations_decimal_comma'"));
 }
 
 TEST(StationsFile, reports_bad_rows_of_both_kinds) {

@@ -122,7 +122,7 @@ TEST(Features, a_csv_has_no_layers) {
   source.layer = "first";
   EXPECT_TRUE(complaint_of([&] {
                 Opened("s.csv", "id\na\n", source);
-              }).ends_with("a CSV file has no layers: stations_layer = 'first'"));
+              }).ends_with("a CSV file has no layers: stations_layer = first"));
 }
 
 TEST(Features, numbers_of_a_csv_alone_may_have_a_decimal_comma) {

@@ -59,7 +59,7 @@ TEST(TableFile, of_a_csv_has_no_layers) {
   source.layer_setting = "rainfall_layer";
   Warnings warnings;
   EXPECT_EQ(complaint_of([&] { open_table(source, warnings); }),
-            source.file + ": a CSV file has no layers: rainfall_layer = 'rain'");
+            source.file + ": a CSV file has no layers: rainfall_layer = rain");
 }
 
 TEST(TableFile, has_the_rows_that_the_filter_keeps_by_the_types_of_its_fields) {

@@ -70,7 +70,7 @@ TEST(DatedReadings, report_every_wrong_time_at_the_end) {
                                       "r.csv:5: time '2013-02-30' does not exist"}));
   EXPECT_EQ(outcome.hints.at(0),
             "wanted: 2013, 2013-08, 2013-08-31, 2013-08-31T06:00 or 20130831T0600; 'time_format' "
-            "says how else, such as %d/%m/%y %H:%M");
+            "says how else, such as '%d/%m/%Y %H:%M'");
 }
 
 TEST(DatedReadings, report_wrong_times_outside_the_range_too) {

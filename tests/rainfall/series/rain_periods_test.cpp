@@ -218,7 +218,7 @@ TEST(RainPeriods, refuse_times_that_do_not_say_them) {
   EXPECT_EQ(fault_of({{"storm", {1}}}, years),
             "r.csv: time 'storm' is not written as ISO 8601 wants it; wanted: 2013, 2013-08, "
             "2013-08-31, 2013-08-31T06:00 or 20130831T0600; 'time_format' says how else, such as "
-            "%d/%m/%y %H:%M");
+            "'%d/%m/%Y %H:%M'");
 }
 
 TEST(RainPeriods, midnight_ends_the_day_before_where_times_end_steps) {
@@ -318,6 +318,44 @@ TEST(RainPeriods, rates_of_days_count_times_the_days_of_their_month) {
   months.depths.emplace(StepLength{0, 86'400}, StepLength{1, 0});
   EXPECT_EQ(totals_of({{"2020-01", {4}}, {"2020-02", {4}}, {"2020-03", {4}}}, months),
             (Steps{{"2020-01", {124}}, {"2020-02", {116}}, {"2020-03", {124}}}));
+}
+
+Totalling days_of_hourly_rates() {
+  Totalling days{TimePrecision::day, 100, {}};
+  days.rates = {StepLength{0, 3'600}, "mm/h"};
+  days.as_they_end = true;
+  return days;
+}
+
+// 4 mm/h in three steps of 15 minutes are 3 mm, and 8 mm/h in one of them 2 mm.
+TEST(RainPeriods, rates_that_come_count_times_the_step_that_the_first_period_tells) {
+  const Steps quarters = {{"2020-01-01T23:15", {4}},
+                          {"2020-01-01T23:30", {4}},
+                          {"2020-01-01T23:45", {4}},
+                          {"2020-01-02T00:00", {8}}};
+  EXPECT_EQ(totals_of(quarters, days_of_hourly_rates()),
+            (Steps{{"2020-01-01", {3}}, {"2020-01-02", {2}}}));
+}
+
+TEST(RainPeriods, rates_have_no_totals_where_their_step_is_not_known_or_changes) {
+  const std::string rates =
+      "r.csv: the readings are rates in mm/h, whose totals want the length of each step, and ";
+  const auto starts = [&](const Steps& steps, const std::string& why) {
+    const std::string fault = fault_of(steps, days_of_hourly_rates());
+    return fault.starts_with(rates + why) ? "so" : fault;
+  };
+  EXPECT_EQ(starts({{"2020-01-01T00:00", {4}}}, "one time tells none; "), "so");
+  EXPECT_EQ(
+      starts({{"2020-01-01T00:00", {4}}, {"2020-01-01T00:07", {4}}, {"2020-01-01T00:30", {4}}},
+             "the times have no regular step; "),
+      "so");
+  EXPECT_EQ(starts({{"2020-01-01T22:00", {4}},
+                    {"2020-01-01T23:00", {4}},
+                    {"2020-01-02T00:00", {4}},
+                    {"2020-01-02T00:15", {4}}},
+                   "time '2020-01-02T00:15' in line 0 lies no whole steps of 1 hour from the one "
+                   "before, which the times above tell; "),
+            "so");
 }
 
 }  // namespace

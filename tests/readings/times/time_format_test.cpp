@@ -33,6 +33,16 @@ TEST(TimeFormat, knows_english_months_halves_of_days_and_zones) {
   EXPECT_EQ(read("%Y%m%d%H%M%z", "200006010000+0130"), "2000-06-01T00:00+01:30");
 }
 
+// 2010 has 365 days, 2012 has 366.
+TEST(TimeFormat, refuses_a_day_that_the_year_lacks) {
+  EXPECT_EQ(read("%Y %j", "2010 365"), "2010-12-31");
+  EXPECT_EQ(read("%Y%j", "2012366"), "2012-12-31");
+  EXPECT_EQ(read("%Y %j", "2010 60"), "2010-03-01");
+  EXPECT_EQ(read("%j/%Y %H", "1/2010 06"), "2010-01-01T06:00");
+  for (const char* text : {"2010 366", "2010 0", "2012 367", "2010 400"})
+    EXPECT_EQ(read("%Y %j", text), "value") << text;
+}
+
 TEST(TimeFormat, refuses_what_is_written_otherwise_or_does_not_exist) {
   EXPECT_EQ(read("%d/%m/%Y", "2010-12-31"), "form");
   EXPECT_EQ(read("%d/%m/%Y", "31/12/2010 00:00"), "form");

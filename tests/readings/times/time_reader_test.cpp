@@ -53,7 +53,7 @@ TEST(TimeReader, shows_both_readings_where_nothing_tells) {
   const std::optional<WrittenTime> time = reader.read("01/02/2010", 2);
   EXPECT_EQ(time->fault.plain(), " could be 2010-02-01 or 2010-01-02");
   EXPECT_EQ(time->hint.plain(),
-            "time_format = '%d/%m/%Y' reads it as 2010-02-01, '%m/%d/%Y' as 2010-01-02");
+            "time_format = %d/%m/%Y reads it as 2010-02-01, time_format = %m/%d/%Y as 2010-01-02");
   EXPECT_FALSE(time->breaks_format) << "it may be a label";
   EXPECT_EQ(told(reader, "13/02/2010"), "2010-02-13") << "this leaves no choice";
   EXPECT_EQ(told(reader, "01/02/2010"), "could be 2010-02-01 or 2010-01-02") << "it came too late";
@@ -96,7 +96,7 @@ TEST(TimeReader, a_text_among_times_is_a_fault_of_the_file) {
   EXPECT_EQ(reader.read("Total", 4)->hint.plain(), "take the row out of the file");
   reader.times_stand_in("day");
   EXPECT_EQ(reader.read("Total", 4)->hint.plain(),
-            "'rainfall_where' \"\\\"day\\\"<>'Total'\" leaves such rows out");
+            "rainfall_where = \"day\"<>'Total' leaves such rows out");
   EXPECT_TRUE(reader.is_no_time("42372", 4)) << "a day of a spreadsheet";
   EXPECT_FALSE(reader.is_no_time("2020-02-30", 4)) << "some calendars have it";
   TimeReader others = reader_that_saw({"31.12.2019", "01.01.2020", "02.01.2020"});
@@ -129,6 +129,35 @@ TEST(TimeReader, names_the_time_that_told_the_order_of_others_above_it) {
   EXPECT_FALSE(late.order_told().is_day_first);
   EXPECT_EQ(reader_that_saw({"1/13/2010", "1/2/2010"}).order_told().by, "");
   EXPECT_EQ(reader_that_saw({"1/2/2010", "2/3/2010"}).order_told().by, "");
+}
+
+TEST(TimeReader, tells_once_the_formats_of_what_leaves_the_century_open) {
+  TimeReader reader = reader_that_saw({"31/12/99", "01/01/00"});
+  const std::optional<WrittenTime> time = reader.read("31/12/99", 2);
+  ASSERT_TRUE(time);
+  EXPECT_FALSE(time->parsed) << "it stays a label";
+  EXPECT_FALSE(time->breaks_format);
+  EXPECT_EQ(time->fault.plain(), " is not written as ISO 8601 wants it");
+  EXPECT_EQ(time->hint.plain(), "time_format = %d/%m/%y reads it as 1999-12-31");
+  EXPECT_EQ(told(reader, "01/01/00"), "as it is");
+}
+
+TEST(TimeReader, tells_all_formats_that_may_be_meant) {
+  TimeReader reader;
+  EXPECT_EQ(reader.read("1/2/10 06:00", 2)->hint.plain(),
+            "time_format = '%d/%m/%y %H:%M' reads it as 2010-02-01T06:00, time_format = "
+            "'%m/%d/%y %H:%M' as 2010-01-02T06:00, time_format = '%y/%m/%d %H:%M' as "
+            "2001-02-10T06:00");
+  TimeReader serials;
+  EXPECT_EQ(serials.read("42370", 2)->hint.plain(), "time_format = excel reads it as 2016-01-01");
+}
+
+TEST(TimeReader, of_parts_of_the_calendar_has_no_labels) {
+  TimeReader reader;
+  reader.times_are_of_parts();
+  EXPECT_EQ(told(reader, "2010-12-31"), "as it is");
+  EXPECT_EQ(told(reader, "2010 day 366"), "is no time");
+  EXPECT_TRUE(reader.read("10-01-31", 2)->breaks_format);
 }
 
 }  // namespace

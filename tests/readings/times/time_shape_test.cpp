@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "readings/times/time_format.h"
 
@@ -38,6 +40,47 @@ TEST(TimeShape, of_what_can_be_read_in_one_way) {
   EXPECT_EQ(told("01JAN2000, 24:00"), "2000-01-01T24:00");
   EXPECT_EQ(told("1 January 2000"), "2000-01-01");
   EXPECT_EQ(told("Dec 31, 2010"), "2010-12-31");
+}
+
+TEST(TimeShape, of_months_that_have_a_name_and_of_days_of_the_year) {
+  for (const char* month : {"Dec 2010", "December 2010", "2010 Dec", "2010 DECEMBER", "Dec-2010",
+                            "2010-dec", "Dec/2010", "DEC2010", "12-2010"})
+    EXPECT_EQ(told(month), "2010-12") << month;
+  EXPECT_EQ(told("2010-Dec-31"), "2010-12-31");
+  EXPECT_EQ(told("2010 Dec 5 06:00"), "2010-12-05T06:00");
+  EXPECT_EQ(told("2010-365"), "2010-12-31");
+  EXPECT_EQ(told("2012 366"), "2012-12-31");
+  EXPECT_EQ(told("2010-060 06:00"), "2010-03-01T06:00");
+  EXPECT_EQ(told("2010-366"), "not %Y-%j") << "2010 has 365 days";
+  for (const char* text : {"Foo 2010", "2010 Foo", "Dec 10", "Dec 2010 x", "2010365", "2010.365"})
+    EXPECT_EQ(told(text), "none") << text;
+}
+
+// 42370 is 1 January 2016 by Excel. A year of two digits is of 1969 to 2068, as POSIX has it.
+TEST(TimeShape, tells_the_formats_of_what_leaves_something_open) {
+  using Texts = std::vector<std::string>;
+  EXPECT_EQ(open_formats("31/12/99"), Texts{"%d/%m/%y"});
+  EXPECT_EQ(open_formats("31/12/99 06:00"), Texts{"%d/%m/%y %H:%M"});
+  EXPECT_EQ(open_formats("1.2.10"), (Texts{"%d.%m.%y", "%m.%d.%y", "%y.%m.%d"}));
+  EXPECT_EQ(open_formats("31-Dec-99"), Texts{"%d-%b-%y"});
+  EXPECT_EQ(open_formats("Dec-99"), Texts{"%b-%y"});
+  EXPECT_EQ(open_formats("991231"), Texts{"%y%m%d"});
+  EXPECT_EQ(open_formats("201012"), (Texts{"%Y%m", "%y%m%d", "%d%m%y"}));
+  EXPECT_EQ(open_formats("2012366"), Texts{"%Y%j"});
+  EXPECT_EQ(open_formats("2010366"), Texts{}) << "2010 has 365 days";
+  EXPECT_EQ(open_formats("42370"), Texts{"excel"});
+  EXPECT_EQ(open_formats(" 42370.25 "), Texts{"excel"});
+  for (const char* text : {"", "storm 1", "2010-12-31", "31/12/2010", "1", "99999", "42370.x",
+                           "1/2/3/4", "32/13/99", "Foo-99"})
+    EXPECT_EQ(open_formats(text), Texts{}) << text;
+}
+
+TEST(TimeShape, knows_months_by_their_names) {
+  EXPECT_EQ(month_called("Jan"), 1);
+  EXPECT_EQ(month_called("DECEMBER"), 12);
+  EXPECT_EQ(month_called("may"), 5);
+  EXPECT_EQ(month_called("Ja"), std::nullopt);
+  EXPECT_EQ(month_called(""), std::nullopt);
 }
 
 TEST(TimeShape, of_what_has_a_day_that_may_be_a_month) {
