@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "earth/sphere/conformal_sphere.h"
 #include "earth/yardstick.h"
+#include "geometry/direction.h"
 
 namespace thiessen {
 
