@@ -1,5 +1,7 @@
 #include "cli/options/model_options.h"
 
+#include <stdexcept>
+
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
 #include "files/database/postgres.h"
@@ -23,7 +25,7 @@ bool has_own_unit(RainModel model) {
     case RainModel::swmm:
       return true;
   }
-  return true;
+  throw std::logic_error("not a model's format");
 }
 
 }  // namespace
