@@ -22,7 +22,7 @@ struct Provenance {
 /// `metric`, `plane`, `tolerance`, `method`, `unit`, `rainfall`. Empty ones are left out.
 std::vector<std::pair<std::string, std::string>> items_of(const Provenance& provenance);
 
-/// The same on one line: `thiessen 0.1.0; metric: geodesic; ...`.
+/// What is known of how an output was made, on one line: `thiessen 0.1.0; metric: geodesic; ...`.
 std::string sentence_of(const Provenance& provenance);
 
 }  // namespace thiessen
