@@ -99,9 +99,8 @@ class RunCommand : public Command {
   const char* name() const override { return "run"; }
   const char* description() const override {
     return "everything in one folder: cells.geojson, weights.csv, rain.csv, map.png, summary.csv, "
-           "which is also printed, report.html, a page with all of it for a browser, study.gpkg "
-           "for "
-           "a GIS, and the study.toml that repeats it";
+           "which is printed as a table, report.html, a page with all of it for a browser, "
+           "study.gpkg for a GIS, and the study.toml that repeats it";
   }
   const char* example() const override {
     return "samples/colorado/stations.csv samples/colorado/counties.geojson "

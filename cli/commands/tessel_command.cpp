@@ -13,9 +13,12 @@
 #include "cli/session/keyboard.h"
 #include "cli/session/script_lines.h"
 #include "cli/terminal/messages.h"
+#include "map/plot/tessellation_picture.h"
 
 namespace thiessen::cli {
 namespace {
+
+constexpr SessionPictures pictures{plane_picture, space_picture};
 
 /// The error of a line of a script: all of its messages, with the place of that line.
 Error placed(const Error& error, const std::string& file, std::size_t line) {
@@ -92,8 +95,8 @@ class TesselCommand : public Command {
       run_keyboard(output);
     } else {
       ScriptLines lines(script_);
-      const auto interpreter =
-          make_interpreter(dimension_, {output, warnings, false, is_standard_input, {script_}});
+      const auto interpreter = make_interpreter(
+          dimension_, {output, warnings, false, is_standard_input, {script_}, pictures});
       try {
         run_script(lines, *interpreter, output);
       } catch (const Error&) {
@@ -113,7 +116,7 @@ class TesselCommand : public Command {
     Warnings warnings;
     const bool is_terminal = isatty(STDOUT_FILENO) == 1;
     const auto interpreter =
-        make_interpreter(dimension_, {output, warnings, is_terminal, true, {}});
+        make_interpreter(dimension_, {output, warnings, is_terminal, true, {}, pictures});
     Keyboard keyboard(session_commands());
     if (is_terminal) {
       output.append("A tessellation in " + std::to_string(dimension_) +

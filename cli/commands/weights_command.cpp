@@ -66,7 +66,9 @@ class WeightsCommand : public Command {
     changes_.check();
     range_.check();
     study_.check();
-    model_.check(rainfall_.given(), changes_.given(), output_.is_database());
+    model_.check({.is_influence = rainfall_.given(),
+                  .is_change = changes_.given(),
+                  .is_database = output_.is_database()});
     output_.check();
   }
 

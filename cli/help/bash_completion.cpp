@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "cli/help/completion.h"
@@ -98,7 +99,7 @@ std::string setting(const OptionValue& value) {
     case Completion::folder:
       return "files=-d";
   }
-  return "";
+  throw std::logic_error("not a completion");
 }
 
 std::string names_of(const OptionList& options) {

@@ -1,5 +1,7 @@
 #include "cli/help/completion.h"
 
+#include <stdexcept>
+
 namespace thiessen::cli {
 namespace {
 
@@ -33,7 +35,7 @@ std::string source_of(const OptionValue& value) {
     case Completion::folder:
       return " -x -a '(__fish_complete_directories)'";
   }
-  return "";
+  throw std::logic_error("not a completion");
 }
 
 std::string option_line(const Option& option, const std::string& condition) {

@@ -1,3 +1,4 @@
+#include <stdexcept>
 #include <string_view>
 
 #include "cli/help/completion.h"
@@ -43,7 +44,7 @@ std::string action(const std::string& kind, const OptionValue& value) {
     case Completion::folder:
       return message + "_files -/";
   }
-  return message;
+  throw std::logic_error("not a completion");
 }
 
 /// The specifications of an option for _arguments, one for each spelling.

@@ -6,15 +6,18 @@
 #include "base/utf8.h"
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
+#include "rainfall/methods/rain_methods.h"
 
 namespace thiessen::cli {
 namespace {
 
 OptionValue surface_value(std::optional<SurfaceMethod>& target) {
-  return choice<std::optional<SurfaceMethod>>(target, {{"thiessen", std::nullopt},
-                                                       {"idw", SurfaceMethod::idw},
-                                                       {"natural", SurfaceMethod::natural},
-                                                       {"linear", SurfaceMethod::linear}});
+  std::vector<std::pair<std::string, std::optional<SurfaceMethod>>> surfaces{
+      {name_of(RainMethod::thiessen), std::nullopt}};
+  for (const SurfaceMethod method :
+       {SurfaceMethod::idw, SurfaceMethod::natural, SurfaceMethod::linear})
+    surfaces.emplace_back(name_of(method), method);
+  return choice<std::optional<SurfaceMethod>>(target, std::move(surfaces));
 }
 
 /// Numbers with commas between them, each larger than the one before.

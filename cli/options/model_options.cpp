@@ -1,16 +1,13 @@
 #include "cli/options/model_options.h"
 
+#include <stdexcept>
+
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
 #include "files/database/postgres.h"
 
 namespace thiessen::cli {
 namespace {
-
-bool is_given(const OptionList& options, const char* name) {
-  const Option* const option = options.find(name);
-  return option != nullptr && option->is_given();
-}
 
 /// Whether values are in millimetres whatever a label says.
 bool has_own_unit(RainModel model) {
@@ -23,7 +20,7 @@ bool has_own_unit(RainModel model) {
     case RainModel::swmm:
       return true;
   }
-  return true;
+  throw std::logic_error("not a model's format");
 }
 
 }  // namespace
@@ -54,7 +51,7 @@ void RainModelOptions::check(const OptionList& options, const std::string& outpu
   }
   const std::string format = "--format " + name();
   const auto refuse = [&](const char* name, const std::string& why, const std::string& hint) {
-    if (!is_given(options, name)) return;
+    if (!options.at(name).is_given()) return;
     throw UsageError{std::string(name) + ' ' + why, hint};
   };
   const std::string leave_out = "leave one of them out";
@@ -104,18 +101,18 @@ void WeightsModelOptions::declare(OptionList& options) {
                 ":GaugeWeightTable; default csv");
 }
 
-void WeightsModelOptions::check(bool is_influence, bool is_change, bool is_database) const {
+void WeightsModelOptions::check(const OtherTable& other) const {
   if (!model_) return;
   const std::string format = "--format " + format_option_->texts.back();
-  if (is_influence) {
+  if (other.is_influence) {
     throw UsageError{"--influence is a table of its own, and " + format + " holds weights",
                      "leave one of them out"};
   }
-  if (is_change) {
+  if (other.is_change) {
     throw UsageError{"--with and --without compare two networks, and " + format + " holds one",
                      "--stations-where leaves stations out of the network"};
   }
-  if (!is_database) return;
+  if (!other.is_database) return;
   throw UsageError{format + " is a file, and the output is a database",
                    "-o FILE names one; without --format the database has a table"};
 }

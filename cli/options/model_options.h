@@ -29,7 +29,8 @@ class RainModelOptions : public OptionBlock {
   bool is_named() const { return format_option_->is_given(); }
   bool are_units_given() const { return units_option_->is_given(); }
   /// Throws UsageError for options of the command that cannot act on what is written. `output` is
-  /// where it goes, and `methods` how many values each basin has.
+  /// where it goes, and `methods` how many values each basin has. Requires a command that declares
+  /// --long, --iso-times, --append, --decimals and --error.
   void check(const OptionList& options, const std::string& output, std::size_t methods) const;
 
  private:
@@ -48,8 +49,14 @@ class WeightsModelOptions : public OptionBlock {
   const std::optional<WeightsModel>& model() const { return model_; }
   /// Whether a format is named, a table's too, so that the output may have any extension.
   bool is_named() const { return format_option_->is_given(); }
-  /// Throws UsageError where the table would have other columns than weights, or is in a database.
-  void check(bool is_influence, bool is_change, bool is_database) const;
+  /// What the command line makes of the table of weights, which no model reads.
+  struct OtherTable {
+    bool is_influence = false;  ///< what gauges are worth
+    bool is_change = false;     ///< the weights of two networks, compared
+    bool is_database = false;
+  };
+  /// Throws UsageError where a format is named and the table is none of weights in a file.
+  void check(const OtherTable& other) const;
 
  private:
   std::optional<WeightsModel> model_;

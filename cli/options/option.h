@@ -48,13 +48,14 @@ struct Option {
   std::vector<const Option*> instead = {};
   /// The texts that the command line gives, one for each time that the option stands there.
   std::vector<std::string> texts;
-  /// Where a file gives them, as messages begin: `study.toml:3: `; empty for the command line.
+  /// The place in a file of options that gives the texts, as messages begin: `study.toml:3: `. It
+  /// is empty where the command line gives them.
   std::string origin = {};
 
   bool is_argument() const { return name.front() != '-'; }
   bool is_flag() const { return !is_argument() && value.kind.empty(); }
   bool is_given() const { return !texts.empty(); }
-  /// `-o` where the option has a letter, else its name.
+  /// The shortest way to give the option: `-o` where it has a letter, else its name.
   std::string short_name() const;
 };
 

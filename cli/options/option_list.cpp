@@ -75,6 +75,12 @@ const Option* OptionList::find(const std::string& name) const {
   return found == options_.end() ? nullptr : &*found;
 }
 
+const Option& OptionList::at(const std::string& name) const {
+  const Option* const found = find(name);
+  if (found == nullptr) throw std::logic_error("there is no option " + name);
+  return *found;
+}
+
 const Option* OptionBlock::first_given() const {
   const auto found = std::find_if(options_.begin(), options_.end(),
                                   [](const Option* option) { return option->is_given(); });

@@ -55,6 +55,9 @@ class OptionList {
   /// none.
   Option* find(const std::string& name);
   const Option* find(const std::string& name) const;
+  /// The option or argument with this name. Throws logic_error where there is none: a check of an
+  /// option that was renamed must not take it for one that is never given.
+  const Option& at(const std::string& name) const;
 
  private:
   friend class OptionGroup;

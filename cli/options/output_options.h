@@ -27,7 +27,6 @@ class OutputOptions : public OptionBlock {
   /// Throws UsageError where nothing can be added to the output, and where a table is named and the
   /// output is none.
   void check() const;
-  bool overwrites() const { return overwrite_; }
   /// Whether the command line says where the results go.
   bool is_given() const { return output_option_->is_given(); }
   /// Whether the output is a table in a database.

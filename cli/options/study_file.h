@@ -27,8 +27,8 @@ void take_study_file(OptionList& options, const std::string& path, Warnings& war
 std::string study_file_text(const OptionList& options, const std::string& command,
                             const std::string& folder, Warnings& warnings);
 
-/// The same options, a line each, for a reader: files are named without their folders, so that the
-/// text does not depend on where things lie.
+/// The options that study_file_text writes, a line each, for a reader: files are named without
+/// their folders, so that the text does not depend on where things lie.
 std::string study_options_text(const OptionList& options);
 
 /// A file that an option or argument names.

@@ -17,7 +17,7 @@ class WhatIfOptions : public OptionBlock {
   bool given() const { return !closed_.empty() || !opened_.empty(); }
   /// The ids of gauges that close.
   const std::vector<std::string>& closed() const { return closed_; }
-  /// Where gauges open, in the coordinates of STATIONS.
+  /// The places at which gauges open, in the coordinates of STATIONS.
   const std::vector<Point>& opened() const { return opened_; }
 
  private:

@@ -14,7 +14,8 @@ namespace thiessen::cli {
 /// files of an older output that this one lacks are removed with it.
 void append_files(Outputs& outputs, OutputFile& file, const std::vector<EncodedFile>& encoded);
 
-/// The same of an output whose first file stands on the disk already.
+/// Appends the files that lie beside the first one of an output, which stands on the disk already,
+/// and removes those of an older output as append_files does.
 void append_side_files(Outputs& outputs, const std::vector<EncodedFile>& encoded);
 
 /// A copy of the GeoPackage that is at `path`, whose other layers are kept; null where none is

@@ -43,7 +43,8 @@ void write_steps(const Inputs& inputs, const GridSteps& steps, Readings& reading
                  const PixelGrid& grid, unsigned threads, GridFile& to,
                  const std::function<void()>& advance);
 
-/// The same of a surface, of whose values `sample` takes note.
+/// Writes the values of a surface at each pixel in each step that is read, as write_steps writes
+/// those of the nearest gauge. `sample` takes note of them.
 void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readings,
                     const PixelGrid& grid, unsigned threads, GridFile& to, ValueSample& sample,
                     const std::function<void()>& advance);

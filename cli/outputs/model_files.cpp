@@ -1,5 +1,6 @@
 #include "cli/outputs/model_files.h"
 
+#include <stdexcept>
 #include <utility>
 
 #include "files/basin_centroids.h"
@@ -48,7 +49,7 @@ std::unique_ptr<ModelSeries> ModelFiles::series(const Inputs& inputs, ModelSubje
     case RainModel::pi_xml:
       return std::make_unique<PiXmlSeries>(*file_, std::move(subject));
   }
-  return nullptr;
+  throw std::logic_error("not a model's format");
 }
 
 std::unique_ptr<ModelSeries> ModelFiles::swat_series(ModelSubject subject) {
@@ -68,7 +69,7 @@ std::unique_ptr<const ModelWeights> weights_format(WeightsModel model) {
     case WeightsModel::raven:
       return std::make_unique<RavenWeights>();
   }
-  return nullptr;
+  throw std::logic_error("not a model's format");
 }
 
 }  // namespace thiessen::cli

@@ -7,7 +7,7 @@
 
 namespace thiessen::cli {
 
-/// Where a series of areal rainfall goes: a table, or what a model reads.
+/// What a series of areal rainfall is written into: a table, or what a model reads.
 class RainOutput {
  public:
   virtual ~RainOutput() = default;

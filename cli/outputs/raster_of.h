@@ -36,7 +36,8 @@ std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const do
 /// outlive it. For use by one thread.
 std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to_study);
 
-/// That surface at the centres of a raster's pixels. `inputs` and `readings` must outlive it.
+/// The surface of readings at the centres of a raster's pixels. `inputs` and `readings` must
+/// outlive it.
 SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,
                          SurfaceMethod method, SurfaceRows::Beyond beyond, const PixelGrid& grid,
                          unsigned threads);

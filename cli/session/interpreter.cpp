@@ -13,7 +13,6 @@
 #include "cli/session/loaded_file.h"
 #include "cli/session/script_lines.h"
 #include "cli/session/words.h"
-#include "map/plot/tessellation_picture.h"
 #include "results/cell_measures_file.h"
 #include "results/mesh_file.h"
 #include "tessellation/audit.h"
@@ -270,9 +269,9 @@ class SessionInterpreter : public Interpreter {
   }
   std::vector<unsigned char> picture(const ShowArguments& shown) const {
     if constexpr (Dimension == 2) {
-      return plane_picture(tessellation(), number_of(), shown.window, shown.size);
+      return surroundings_.pictures.of_plane(tessellation(), number_of(), shown.window, shown.size);
     } else {
-      return space_picture(tessellation(), number_of(), shown.view, shown.size);
+      return surroundings_.pictures.of_space(tessellation(), number_of(), shown.view, shown.size);
     }
   }
 

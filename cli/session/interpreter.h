@@ -8,16 +8,26 @@
 
 #include "base/error.h"
 #include "base/file.h"
+#include "map/plot/tessellation_picture.h"
 
 namespace thiessen::cli {
 
-/// The surroundings of a session: where its commands come from, and where its answers go.
+/// What draws a session's pictures, in the plane and in space. A session that shows none needs
+/// neither.
+struct SessionPictures {
+  decltype(&plane_picture) of_plane = nullptr;
+  decltype(&space_picture) of_space = nullptr;
+};
+
+/// The surroundings of a session: where its commands come from, where its answers go, and
+/// what draws.
 struct Surroundings {
   OutputFile& output;
   Warnings& warnings;
   bool is_terminal;                 ///< a person reads the output: every command says what it did
   bool is_standard_input;           ///< the commands come from the standard input
   std::vector<std::string> inputs;  ///< files that may not be overwritten
+  SessionPictures pictures{};
 };
 
 /// Carries out the commands of a session.

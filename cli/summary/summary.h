@@ -30,15 +30,15 @@ class Summary {
   }
   /// Looks for the most influential gauge of each basin; call it when all steps have been added.
   void find_most_influential(const ArealRainfall& rainfall, unsigned threads);
-  /// What it comes to, by basin.
+  /// What the series comes to, by basin.
   std::vector<BasinSummary> basins() const;
   /// What the weights show.
   const WeightFindings& findings() const { return findings_; }
-  /// What is to be said of it, in lines; empty where there is nothing.
+  /// What a reader of the table should know beside it, in lines; empty where there is nothing.
   std::string remarks() const;
-  /// The same in lines of aligned columns, as wide as fitted() makes them for `width`, and what is
-  /// to be said of it. Rainfall and errors have as many decimals as the errors tell them to; all
-  /// digits are in summary.csv.
+  /// The table of the basins in lines of aligned columns, as wide as fitted() makes them for
+  /// `width`, and below it the remarks. Rainfall and errors have as many decimals as the errors
+  /// tell them to; all digits are in summary.csv.
   std::string text(const std::string& units, std::size_t width) const;
 
  private:

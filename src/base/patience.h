@@ -11,14 +11,15 @@ namespace thiessen {
 /// that reports does, and what it says is heard within a second.
 class Patience {
  public:
-  /// For how long nothing must come from now on; counts from the first call.
+  /// The time in which nothing must come from now on, for the source to count as resting. It is
+  /// reckoned from the first call.
   std::chrono::milliseconds left() {
     const auto now = std::chrono::steady_clock::now();
     if (!since_) since_ = now;
     return now - *since_ < std::chrono::milliseconds(500) ? std::chrono::milliseconds(250)
                                                           : std::chrono::milliseconds(50);
   }
-  /// Has the next call count anew.
+  /// Makes the next call of left() the first again.
   void renew() { since_.reset(); }
 
  private:

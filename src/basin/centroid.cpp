@@ -5,7 +5,7 @@
 #include <functional>
 #include <numbers>
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 #include "geometry/long_sum.h"
 
 namespace thiessen {

@@ -40,7 +40,7 @@ struct Diagram {
   std::function<PlaceIndex(Point)> near;
   /// The places' positions in the frame's coordinates.
   std::vector<Point> places;
-  /// For each place, the place that owns its cell. This is the place itself, unless rounding cannot
+  /// The place that owns the cell of each place. This is the place itself, unless rounding cannot
   /// tell it from another one less than a micrometre away: then the two share one cell.
   std::vector<PlaceIndex> cell_of;
   /// The pairs of places whose cells have an edge in common. Far from the frame there are also some

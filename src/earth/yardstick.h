@@ -32,7 +32,8 @@ struct Yardstick {
   /// The Thiessen cells of `places` near `frame` for their areas, by plane_diagram or
   /// geodesic_diagram.
   Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
-  /// The same cells with edges as they are drawn.
+  /// The Thiessen cells of `places` near `frame` with edges as they are drawn, no farther than the
+  /// tolerance from the true ones.
   Diagram drawn_diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
   /// Whether cells are drawn with the edges that they are measured with.
   bool draws_as_measured() const {

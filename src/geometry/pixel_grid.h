@@ -20,7 +20,7 @@ struct PixelGrid {
   double pixel = 0;  ///< the side of a pixel, in the unit of the coordinates
   int columns = 0;
   int rows = 0;
-  /// Where a part of a raster begins in it.
+  /// The column and the row of a whole raster at which this part of it begins.
   int first_column = 0;
   int first_row = 0;
 

@@ -12,7 +12,7 @@ namespace thiessen {
 /// The shapes of the cells of one or more basins, about to be written.
 struct CellShapes {
   std::vector<MultiPolygon> shapes;
-  /// For each cell the number of its basin; the cells of a basin stand together.
+  /// The number of the basin of each cell; the cells of a basin stand together.
   std::vector<std::size_t> basins;
   std::size_t collapsed = 0;  ///< basins in whose cells something was collapsed
 };

@@ -17,7 +17,8 @@ struct BasinSummary {
   std::size_t gauges_inside = 0;
   std::size_t gauges_weighing = 0;
   double largest_weight = 0;
-  /// Of the steps that have a value, in the unit of the readings; nothing where no step has one.
+  /// The mean rainfall of the steps that have a value, in the unit of the readings; nothing where
+  /// no step has one.
   std::optional<double> mean;
   std::optional<double> standard_error;  ///< of the mean; nothing where it cannot be had
   std::optional<double> largest;

@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "earth/sphere/conformal_sphere.h"
 #include "geometry/box.h"
+#include "geometry/direction.h"
 #include "geometry/point.h"
 #include "study/study_parts.h"
 

@@ -12,8 +12,8 @@
 
 namespace thiessen {
 
-/// Settings of a study beside its stations and basins.
-/// The ranges that a study can be computed with; the program has the same.
+/// The numbers that a setting may have, both ends among them. A study can be computed with all in
+/// the ranges below, and the program takes the same.
 struct SettingRange {
   double low;
   double high;
@@ -24,6 +24,7 @@ inline constexpr SettingRange margins{0, 1000};       ///< percent
 /// How long a plane's unit may be, in metres: its square has to stay an area.
 inline constexpr SettingRange plane_units{1e-9, 1e9};
 
+/// Settings of a study beside its stations and basins.
 struct StudySettings {
   double margin = 0;       ///< percent by which the extent is grown where there are no basins
   double tolerance = 0.1;  ///< metres that an edge of a cell may lie from the true one

@@ -23,7 +23,7 @@ class CoincidingVertices {
   /// in the star.
   std::size_t group_of(VertexId v) const;
   bool coincide(VertexId v, VertexId w) const { return group_of(v) == group_of(w); }
-  /// For each group number, the vertex whose forming points come first by coordinates; no_vertex
+  /// The vertex of each group number whose forming points come first by coordinates; no_vertex
   /// where the number is not in use.
   const std::vector<VertexId>& first() const { return first_; }
   /// The finite vertex on the inner side of the hull's facet that belongs to v. Requires a vertex

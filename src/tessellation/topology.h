@@ -144,7 +144,7 @@ class Topology {
   bool is_there(PointId p) const {
     return index(p) < vertex_of_.size() && vertex_of_[index(p)] < absent;
   }
-  /// One of the vertices that the point forms. Requires that the point is there.
+  /// Any one of the vertices that the point forms. Requires that the point is there.
   VertexId vertex_of(PointId p) const { return VertexId{vertex_of_[index(p)]}; }
 
   /// Takes a free row, which the caller has to fill. Errors: std::length_error beyond 2^31 rows.

@@ -25,8 +25,9 @@ struct CsvLimits {
 
 /// How a CSV file is read.
 struct CsvOptions {
-  /// One ASCII character, neither a quote nor a line end; '\0': found out, see find_csv_form. Where
-  /// it is a blank, several of them are one, and those at a line's ends part nothing.
+  /// What parts the fields: one ASCII character, neither a quote nor a line end; '\0': it is found
+  /// out, see find_csv_form. Where it is a blank, several of them are one, and those at a line's
+  /// ends part nothing.
   char separator = ',';
   CsvLimits limits = {};
   bool has_names = true;  ///< false: the first row may be data; its fields are not checked as names
@@ -87,13 +88,14 @@ class CsvReader : public Table {
   std::unique_ptr<Table> again() const override;
   std::unique_ptr<Table> first_rows() const override;
   std::vector<std::string> row_seen() const override { return row_seen_; }
-  /// Where in the file the row that was read last begins, in bytes. Not of a pipe.
+  /// The byte of the file at which the row that was read last begins. Requires a file that is no
+  /// pipe.
   std::size_t row_offset() const { return row_; }
   /// What parts the fields, be it given or found out.
   char separator() const { return options_.separator; }
   /// What the beginning told; what was asked for says CsvOptions.
   const CsvForm& form() const { return form_; }
-  /// In what the file is written; empty for UTF-8.
+  /// The encoding of the file; empty for UTF-8.
   std::string encoding() const { return text_.encoding(); }
   /// Throws Error where the header has a name twice, or seems to use another separator. The
   /// constructor calls it where the options say that there are names.

@@ -35,7 +35,7 @@ class CsvText {
     return at_end_ || (decoder_ && decoder_->holds_more()) || input_.has_bytes(patience);
   }
   bool is_at_end() const { return at_end_; }
-  /// In what the file is written; empty for UTF-8.
+  /// The encoding of the file; empty for UTF-8.
   std::string encoding() const { return decoder_ ? decoder_->encoding() : std::string(); }
   /// The place at which the window ends. The file may go on: see read_more.
   std::size_t end() const { return origin_ + filled_; }

@@ -201,7 +201,7 @@ inline constexpr std::array<std::string_view, 55> northings = {"lat",
                                                                "latitude_dec",
                                                                "vl_latitude"};
 
-/// Of eastings and northings those that say longitude and latitude on WGS 84.
+/// The names of eastings and northings that say longitude and latitude on WGS 84.
 inline constexpr std::array<std::string_view, 80> degrees = {"lon",
                                                              "long",
                                                              "longitude",

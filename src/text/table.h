@@ -21,7 +21,7 @@ struct Row {
   bool padded = false;  ///< number_padding bytes can be read where each field begins (number.h)
 };
 
-/// Where a row stands, as messages tell it.
+/// The place of a row, as messages tell it.
 struct RowPlace {
   std::string file;
   std::size_t line = 0;    ///< 0 where no line holds it
@@ -49,7 +49,7 @@ class Table {
   /// Whether a row's number is none of a line, for several rows stand in one, or they stand in
   /// several files.
   virtual bool numbers_rows() const { return false; }
-  /// Where a row of this number stands that has been read.
+  /// The place of a row that has been read, by its number.
   virtual RowPlace place(std::size_t number) const { return {file(), number, {}}; }
   /// Reads the next row into `row`; returns false at the end. A row that has too few or too many
   /// fields or cannot be read is gathered as a fault; all faults are thrown as one Error at the

@@ -10,6 +10,7 @@
 #include "earth/area/ellipsoid_surface.h"
 #include "earth/cells/chart_diagram.h"
 #include "earth/cells/geodesic_diagram.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {

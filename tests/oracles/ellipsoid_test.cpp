@@ -58,9 +58,8 @@ TEST(EllipsoidAgainstGeographicLib, areas_of_rings_at_a_pole_and_across_the_anti
 
 // 510065621.724 km2: the ellipsoid's whole area, GeographicLib's documentation of Planimeter.
 TEST(EllipsoidAgainstGeographicLib, area_of_the_whole_earth) {
-  EXPECT_NEAR(earth_area() * 1e-6, 510065621.724, 0.0005);
-  EXPECT_NEAR(earth_area() / earth().EllipsoidArea(), 1, 1e-15);
   const Ring whole{{-180, -90}, {180, -90}, {180, 90}, {-180, 90}};
+  EXPECT_NEAR(our_ring_area(whole, 0) * 1e-6, 510065621.724, 0.0005);
   EXPECT_NEAR(our_ring_area(whole, 0) / earth().EllipsoidArea(), 1, 1e-15);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "earth/area/earth_area.h"
 #include "earth/area/ellipsoid_area.h"
 #include "outlines/polygon_validity.h"
 
@@ -33,7 +34,7 @@ TEST(GeodesicTriangle, an_octant_is_an_eighth_of_the_earth) {
                    : std::array<Point, 3>{at(turn + 1), at(turn), Point{77, pole}};
       const MultiPolygon shape = geodesic_triangle(corners, 1);
       EXPECT_EQ(validity_fault(shape), "");
-      EXPECT_NEAR(area_of(shape) / earth_area(), 0.125, 1e-12) << turn << ' ' << pole;
+      EXPECT_NEAR(area_of(shape) / earth_area, 0.125, 1e-12) << turn << ' ' << pole;
     }
   }
 }
@@ -58,7 +59,7 @@ TEST(GeodesicTriangle, round_a_pole_runs_along_it) {
 TEST(GeodesicTriangle, holds_the_pole_that_is_to_the_left_of_its_sides) {
   const MultiPolygon shape = geodesic_triangle({{{0, -5}, {120, -5}, {-120, -5}}}, 10);
   EXPECT_EQ(validity_fault(shape), "");
-  EXPECT_GT(area_of(shape), 0.5 * earth_area());
+  EXPECT_GT(area_of(shape), 0.5 * earth_area);
 }
 
 TEST(GeodesicTriangle, is_cut_at_the_antimeridian) {

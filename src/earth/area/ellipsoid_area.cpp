@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "earth/sphere/units.h"
 
@@ -104,11 +103,6 @@ double area_beside_chord(Point start, Point middle, Point end) {
   const double square_radian =
       e.polar_radius * e.polar_radius * std::cos(middle.y * degree) / (narrowing * narrowing);
   return -2.0 / 3 * sagitta * square_radian;
-}
-
-double earth_area() {
-  constexpr double quarter = std::numbers::pi / 2;
-  return 2 * std::numbers::pi * Strip(-quarter).up_to(quarter);
 }
 
 }  // namespace thiessen

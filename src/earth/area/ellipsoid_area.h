@@ -25,7 +25,4 @@ double area_under(Point a, Point b, double reference_latitude);
 /// area for a curve of constant curvature and 30 km. Cost: 50 nanoseconds.
 double area_beside_chord(Point start, Point middle, Point end);
 
-/// The ellipsoid's whole area in square metres.
-double earth_area();
-
 }  // namespace thiessen

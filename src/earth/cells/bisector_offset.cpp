@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/units.h"
 
 namespace thiessen {

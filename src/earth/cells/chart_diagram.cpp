@@ -8,6 +8,7 @@
 
 #include "base/interrupt.h"
 #include "earth/cells/geodesic_vertices.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/sphere_tessellation.h"
 #include "geometry/segment.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 
 namespace thiessen {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/interrupt.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 
 namespace thiessen {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/units.h"
 
@@ -62,6 +63,10 @@ double GeodesicBisector::farthest_off(double angle) const {
   constexpr double share = 0.01;
   constexpr double rounding = 1e-9;
   return share * (std::abs(angle) + arc_.half_separation()) + rounding;
+}
+
+Point GeodesicBisector::at(double angle, double offset) const {
+  return from_sphere(arc_.at(angle, offset));
 }
 
 double GeodesicBisector::nearer_to_second(Point p) const {

@@ -44,7 +44,7 @@ class GeodesicBisector {
   std::optional<BisectorPoint> by_newton(double angle, double offset) const;
   std::optional<double> by_bracket(double angle) const;
   double nearer_to_second(Point p) const;
-  Point at(double angle, double offset) const { return from_sphere(arc_.at(angle, offset)); }
+  Point at(double angle, double offset) const;
 
   BisectorArc arc_;
   EarthPoint first_;

@@ -7,6 +7,7 @@
 #include "earth/cells/edge_drawing.h"
 #include "earth/cells/equidistance.h"
 #include "earth/cells/far_side.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/units.h"
 #include "geometry/disjoint_sets.h"

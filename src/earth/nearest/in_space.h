@@ -1,7 +1,7 @@
 #pragma once
 
-#include "earth/sphere/conformal_sphere.h"
 #include "earth/yardstick.h"
+#include "geometry/direction.h"
 
 namespace thiessen {
 

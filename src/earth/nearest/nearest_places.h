@@ -72,8 +72,8 @@ class NearestPlaces {
   /// nearest place, which is `farthest` away or less, for the other to be farther away for certain.
   struct Margin {
     double excess = 0;
-    /// For places no more than an eighth of `farthest` apart a smaller margin holds: this much, and
-    /// `apiece` for each two units between them.
+    /// The margin of places that are no more than an eighth of `farthest` apart. It is smaller:
+    /// this much, and `apiece` for each two units between them.
     double excess_of_near = 0;
     double apiece = 0;
   };

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 #include "tessellation/place.h"
 
 namespace thiessen {

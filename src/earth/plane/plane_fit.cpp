@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <stdexcept>
 #include <vector>
 
 #include "earth/plane/outermost_points.h"
@@ -82,7 +83,7 @@ bool holds_least_scale(const ConformalPlane& plane, const std::vector<Point>& hu
     case ProjectionKind::polar_stereographic:
       return holds_origin(hull);
   }
-  return true;
+  throw std::logic_error("not a kind of projection");
 }
 
 /// The scales of the plane along the outline of the study, and at its least if that lies inside.

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 
 namespace thiessen {
 

@@ -3,7 +3,6 @@
 #include <GeographicLib/Constants.hpp>
 #include <GeographicLib/Geocentric.hpp>
 #include <GeographicLib/Math.hpp>
-#include <algorithm>
 #include <limits>
 
 namespace thiessen {
@@ -47,11 +46,6 @@ FootPoint below(Direction at) {
                                              foot.height);
   foot.height = std::abs(foot.height);
   return foot;
-}
-
-double shortest_over_chord(double chord) {
-  const double diameter = 2 * earth().largest_radius;
-  return diameter * std::asin(std::min(1.0, chord / diameter));
 }
 
 double longest_over_chord(double chord) {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
+#include "geometry/point.h"
 
 namespace thiessen {
 
@@ -18,22 +19,24 @@ struct FootPoint {
 /// ellipsoid.
 FootPoint below(Direction at);
 
-/// The shortest geodesic, in metres, that two points of the ellipsoid may have if the chord between
+/// The longest geodesic, in metres, that two points of the ellipsoid may have if the chord between
 /// them, straight through the Earth, is `chord` metres long.
 ///
-/// The curvature of a geodesic is nowhere less than that of a circle of the polar radius of
-/// curvature, a^2/b, and nowhere more than that of the meridian at the equator, whose radius is
-/// b^2/a. The geodesic is no shorter than the arc of the larger circle over the chord, because no
-/// shorter way leads round the ellipsoid, which is the intersection of balls of that radius.
-double shortest_over_chord(double chord);
-/// The longest geodesic, in metres, over a chord of that length: the arc of the circle of radius
-/// b^2/a (A. Schur's theorem on arcs), where that is no more than half a circle.
+/// The curvature of a geodesic is nowhere more than that of the meridian at the equator, whose
+/// radius is b^2/a. So the geodesic is no longer than the arc of a circle of that radius over the
+/// chord (A. Schur's theorem on arcs), where that is no more than half a circle.
 double longest_over_chord(double chord);
 
 /// The excess in square metres that makes a comparison of chords certain: if the square of one
 /// place's chord exceeds that of another's, whose length is `chord` metres, by so much, its
 /// geodesic is the longer one too. It is 4.5e-17 of the chord's fourth power, which is 30
 /// micrometres of a chord of 10 km and 30 metres at 1,000 km, and infinite near the antipode.
+///
+/// It is told by the longest geodesic over the one chord, and by the chord over which no geodesic
+/// is shorter than that. The curvature of a geodesic is nowhere less than that of a circle of the
+/// polar radius of curvature, a^2/b, and it is no shorter than the arc of that circle over its
+/// chord, because no shorter way leads round the ellipsoid, which is the intersection of balls of
+/// that radius.
 double least_certain_excess(double chord);
 
 /// The excess, as in least_certain_excess, for each two metres between two places that are no

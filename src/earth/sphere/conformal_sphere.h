@@ -1,34 +1,9 @@
 #pragma once
 
-#include <cmath>
-
+#include "geometry/direction.h"
 #include "geometry/point.h"
 
 namespace thiessen {
-
-/// A vector in space; a unit vector is a point of the sphere.
-struct Direction {
-  double x = 0;
-  double y = 0;
-  double z = 0;
-
-  friend Direction operator+(Direction a, Direction b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Direction operator-(Direction a, Direction b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-  friend Direction operator*(double s, Direction a) { return {s * a.x, s * a.y, s * a.z}; }
-};
-
-inline double dot(Direction a, Direction b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Direction cross(Direction a, Direction b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double length(Direction a) {
-  return std::sqrt(dot(a, a));
-}
-inline Direction unit(Direction a) {
-  return (1 / length(a)) * a;
-}
 
 /// The conformal map of the WGS 84 ellipsoid onto the unit sphere: longitudes stay, latitudes
 /// become conformal ones, and small circles on the one are nearly circles on the other. Its scale

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "earth/sphere/conformal_sphere.h"
+
 namespace thiessen {
 namespace {
 
@@ -56,6 +58,9 @@ SphereArrival sphere_arrival(const EarthPoint& place, Direction at, double accur
   const double size = length(onward);
   return {by_simpson(place.direction, at, half), size > 0 ? (1 / size) * onward : Direction{}};
 }
+
+EarthPoint::EarthPoint(Point p) : position(p), direction(on_sphere(p)) {}
+EarthPoint::EarthPoint(Direction d) : position(from_sphere(d)), direction(d) {}
 
 Arrival arrival(Point place, Point at) {
   Arrival there{};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 #include "geometry/point.h"
 
 namespace thiessen {
@@ -22,8 +22,8 @@ double geodesic_distance(Point a, Point b);
 
 /// A position (longitude and latitude in degrees) and its direction on the conformal sphere.
 struct EarthPoint {
-  explicit EarthPoint(Point p) : position(p), direction(on_sphere(p)) {}
-  explicit EarthPoint(Direction d) : position(from_sphere(d)), direction(d) {}
+  explicit EarthPoint(Point p);
+  explicit EarthPoint(Direction d);
   EarthPoint(Point p, Direction d) : position(p), direction(d) {}
   Point position;
   Direction direction;

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "earth/sphere/conformal_sphere.h"
+
 namespace thiessen {
 namespace {
 

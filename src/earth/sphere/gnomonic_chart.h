@@ -1,7 +1,7 @@
 #pragma once
 
 #include "diagram/surface.h"
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 #include "geometry/point.h"
 
 namespace thiessen {

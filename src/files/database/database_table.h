@@ -9,7 +9,7 @@
 
 namespace thiessen {
 
-/// Where a table goes in a PostgreSQL database.
+/// The place of a table in a PostgreSQL database.
 struct DatabaseTarget {
   std::string connection;  ///< `PG:` and what libpq takes: keywords, or a URI
   std::string table;       ///< `name`, or `schema.name`

@@ -34,7 +34,7 @@ class Transformation : public Mapping {
   /// Transforms all points in place without proof. Cost: one projection a point, because the
   /// inverse is not computed.
   void apply_unproved(std::vector<Point>& points) const override;
-  /// By which operation the points go; null for the same CRS on both sides.
+  /// The operation by which the points go; null where both sides have the same CRS.
   const OperationChoice* choice() const;
 
  private:

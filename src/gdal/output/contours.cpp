@@ -23,17 +23,17 @@ std::unique_ptr<GDALDataset> created(const char* driver, int columns, int rows, 
 }
 
 std::unique_ptr<GDALDataset> raster_of(const PixelGrid& grid, std::span<const float> values,
-                                       const GdalErrors& errors) {
+                                       const Drawing& drawn, const GdalErrors& errors) {
   auto raster = created("MEM", grid.columns, grid.rows, 1);
-  require_contours(raster != nullptr, errors);
+  require_drawn(raster != nullptr, drawn, errors);
   const Point corner = grid.at(0, 0);
   double transform[6] = {corner.x, grid.pixel, 0, corner.y, 0, -grid.pixel};
-  require_contours(raster->SetGeoTransform(transform) == CE_None, errors);
+  require_drawn(raster->SetGeoTransform(transform) == CE_None, drawn, errors);
   // GDAL only reads from the buffer, but its interface asks for one that may be written to.
-  require_contours(raster->GetRasterBand(1)->RasterIO(
-                       GF_Write, 0, 0, grid.columns, grid.rows, const_cast<float*>(values.data()),
-                       grid.columns, grid.rows, GDT_Float32, 0, 0, nullptr) == CE_None,
-                   errors);
+  require_drawn(raster->GetRasterBand(1)->RasterIO(
+                    GF_Write, 0, 0, grid.columns, grid.rows, const_cast<float*>(values.data()),
+                    grid.columns, grid.rows, GDT_Float32, 0, 0, nullptr) == CE_None,
+                drawn, errors);
   return raster;
 }
 
@@ -48,27 +48,28 @@ CPLStringList options_of(std::span<const double> levels) {
 
 }  // namespace
 
-void require_contours(bool done, const GdalErrors& errors) {
+void require_drawn(bool done, const Drawing& drawn, const GdalErrors& errors) {
   if (done && !errors.failed()) return;
-  throw Error(Message{"", 0, "GDAL cannot draw the isohyets: " + errors.text(), {}});
+  throw Error(Message{drawn.path, 0, "GDAL cannot draw " + drawn.noun + ": " + errors.text(), {}});
 }
 
 std::unique_ptr<GDALDataset> contours_of(const PixelGrid& grid, std::span<const float> values,
-                                         std::span<const double> levels, const GdalErrors& errors) {
+                                         std::span<const double> levels, const Drawing& drawn,
+                                         const GdalErrors& errors) {
   start_gdal();
   GDALRegister_MEM();
   RegisterOGRMEM();
-  const auto raster = raster_of(grid, values, errors);
+  const auto raster = raster_of(grid, values, drawn, errors);
   auto contours = created("Memory", 0, 0, 0);
-  require_contours(contours != nullptr, errors);
+  require_drawn(contours != nullptr, drawn, errors);
   OGRLayer* const layer = contours->CreateLayer("contours", nullptr, wkbLineString, nullptr);
-  require_contours(layer != nullptr, errors);
+  require_drawn(layer != nullptr, drawn, errors);
   OGRFieldDefn level("level", OFTReal);
-  require_contours(layer->CreateField(&level) == OGRERR_NONE, errors);
-  require_contours(GDALContourGenerateEx(GDALRasterBand::ToHandle(raster->GetRasterBand(1)),
-                                         OGRLayer::ToHandle(layer), options_of(levels).List(),
-                                         nullptr, nullptr) == CE_None,
-                   errors);
+  require_drawn(layer->CreateField(&level) == OGRERR_NONE, drawn, errors);
+  require_drawn(GDALContourGenerateEx(GDALRasterBand::ToHandle(raster->GetRasterBand(1)),
+                                      OGRLayer::ToHandle(layer), options_of(levels).List(), nullptr,
+                                      nullptr) == CE_None,
+                drawn, errors);
   return contours;
 }
 

@@ -10,7 +10,6 @@
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
-#include "gdal/output/contours.h"
 
 namespace thiessen {
 namespace {
@@ -49,15 +48,15 @@ std::vector<std::vector<std::vector<Point>>> within(OGRLayer& layer, const OGRGe
 
 std::vector<Isohyet> isohyets_of(const PixelGrid& grid, std::span<const float> values,
                                  std::span<const double> levels,
-                                 std::span<const MultiPolygon> basins) {
+                                 std::span<const MultiPolygon> basins, const Drawing& drawn) {
   std::vector<Isohyet> isohyets;
   if (levels.empty()) return isohyets;
   start_gdal();
   const GdalErrors errors;
-  const auto contours = contours_of(grid, values, levels, errors);
+  const auto contours = contours_of(grid, values, levels, drawn, errors);
   for (std::size_t b = 0; b < basins.size(); ++b) {
     auto lines = within(*contours->GetLayer(0), *ogr_shape(basins[b]), levels);
-    require_contours(true, errors);
+    require_drawn(true, drawn, errors);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       if (!lines[i].empty()) isohyets.push_back({levels[i], b, std::move(lines[i])});
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "gdal/output/contours.h"
 #include "geometry/pixel_grid.h"
 #include "geometry/point.h"
 #include "geometry/polygon.h"
@@ -20,9 +21,10 @@ struct Isohyet {
 
 /// The lines of equal value of a raster, linear between pixels' centres (GDAL's contour generator),
 /// cut to the basins' shapes, which are in the raster's coordinates: by basin, then by level. No
-/// line reaches into a pixel that is NaN. Throws Error where GDAL fails.
+/// line reaches into a pixel that is NaN. Throws Error where GDAL fails, with what was `drawn`.
 std::vector<Isohyet> isohyets_of(const PixelGrid& grid, std::span<const float> values,
                                  std::span<const double> levels,
-                                 std::span<const MultiPolygon> basins);
+                                 std::span<const MultiPolygon> basins,
+                                 const Drawing& drawn = {"the isohyets", ""});
 
 }  // namespace thiessen

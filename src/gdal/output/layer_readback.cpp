@@ -57,7 +57,7 @@ class LayerReadback {
     tell_rounded(warnings);
     if (row != wanted_.rows) {
       fail("the format holds " + std::to_string(row) + " of " + std::to_string(wanted_.rows) +
-           " cells");
+           " rows");
     }
   }
 
@@ -107,7 +107,7 @@ class LayerReadback {
     const double found = is_there ? feature.GetFieldAsDouble(places_[field]) : 0;
     if (is_there && std::abs(found - number) <= digits * std::abs(number)) return;
     if (++rounded_[field].count > 1) return;
-    rounded_[field].first = quoted(wanted_.names[field], 80) + " of cell " +
+    rounded_[field].first = quoted(wanted_.names[field], 80) + " of row " +
                             std::to_string(row + 1) +
                             " is rounded by the format: " + shortest_text(number) + " becomes " +
                             (is_there ? shortest_text(found) : "no value");
@@ -131,7 +131,7 @@ class LayerReadback {
     const std::string found = is_there ? feature.GetFieldAsString(places_[field]) : "";
     if (trimmed(found) == trimmed(text) || in_iso(found) == in_iso(text)) return;
     const std::string what =
-        quoted(wanted_.names[field], 80) + " of cell " + std::to_string(row + 1);
+        quoted(wanted_.names[field], 80) + " of row " + std::to_string(row + 1);
     if (text.starts_with(found)) {
       fail(what + " is cut to " + std::to_string(found.size()) + " of its " +
            std::to_string(text.size()) + " bytes by the format: " + quoted(text, 60));

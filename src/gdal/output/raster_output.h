@@ -19,8 +19,8 @@ struct RasterOutput {
   std::optional<Crs> crs;
   Provenance made_by;
   std::string path;  ///< where it is to lie in the end
-  /// Where a GeoTIFF is written on the disk meanwhile, in a folder of its own; empty: in memory,
-  /// for a pipe or a device.
+  /// The file in which a GeoTIFF is written on the disk meanwhile, in a folder of its own. It is
+  /// empty where the GeoTIFF is made in memory, for a pipe or a device.
   std::string file_on_disk{};
   Compression compression = Compression::deflate;
   bool has_overviews = false;  ///< whether it holds smaller copies of itself, for viewers

@@ -10,7 +10,6 @@
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
 #include "gdal/layers/geometry_conversion.h"
-#include "gdal/output/contours.h"
 
 namespace thiessen {
 namespace {
@@ -24,7 +23,7 @@ Geometry sound_shape(const OGRGeometry& contour) {
 
 }  // namespace
 
-MultiPolygon union_of(std::span<const MultiPolygon> shapes) {
+MultiPolygon union_of(std::span<const MultiPolygon> shapes, const Drawing& drawn) {
   if (shapes.size() == 1) return shapes.front();
   start_gdal();
   const GdalErrors errors;
@@ -34,12 +33,13 @@ MultiPolygon union_of(std::span<const MultiPolygon> shapes) {
     for (const OGRPolygon* const part : *parts) all.addGeometry(part);
   }
   const Geometry whole(all.UnionCascaded());
-  require_contours(whole != nullptr, errors);
+  require_drawn(whole != nullptr, drawn, errors);
   return polygons_of(*whole);
 }
 
 std::vector<SurfaceBand> bands_of(const PixelValues& surface, std::span<const double> levels,
-                                  const MultiPolygon& within, double longest) {
+                                  const MultiPolygon& within, double longest,
+                                  const Drawing& drawn) {
   double least = HUGE_VAL;
   double largest = -HUGE_VAL;
   for (const float value : surface.values) {
@@ -62,9 +62,9 @@ std::vector<SurfaceBand> bands_of(const PixelValues& surface, std::span<const do
   for (std::size_t i = 1; i < ends.size(); ++i) {
     throw_if_interrupted();
     const Geometry shape = sound_shape(*ogr_shape(ground_between(surface, ends[i - 1], ends[i])));
-    require_contours(shape != nullptr, errors);
+    require_drawn(shape != nullptr, drawn, errors);
     const Geometry part(shape->Intersection(area.get()));
-    require_contours(part != nullptr, errors);
+    require_drawn(part != nullptr, drawn, errors);
     if (part->IsEmpty()) continue;
     bands.push_back({std::max(least, ends[i - 1]), std::min(largest, ends[i]), polygons_of(*part)});
   }

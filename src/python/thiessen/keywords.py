@@ -9,7 +9,7 @@ OF_STATIONS = ("id", "x", "y", "crs", "skip_unplaced", "stations_layer", "statio
                "stations_skip")
 
 # What says how a series is computed, of a study and of its readings alike.
-OF_SERIES = ("gaps", "min_gauges", "cache", "method", "points", "interval", "from_", "to")
+OF_SERIES = ("gaps", "min_gauges", "cache", "method", "grid", "interval", "from_", "to")
 
 
 def _text_of(name, value):

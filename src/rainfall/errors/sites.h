@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "earth/sphere/conformal_sphere.h"
 #include "earth/yardstick.h"
+#include "geometry/direction.h"
 
 namespace thiessen {
 
@@ -28,7 +28,7 @@ class Sites {
   std::uint32_t of_place(std::size_t place) const { return site_of_[place]; }
   std::uint32_t place_of(std::uint32_t site) const { return place_of_[site]; }
 
-  /// For each site up to `count` other sites, the nearest first; equally near ones are in the order
+  /// Up to `count` other sites for each site, the nearest first; equally near ones are in the order
   /// of their numbers. Cost: log n for each site where places lie scattered, n at worst.
   std::vector<std::vector<std::uint32_t>> nearest_others(std::size_t count) const;
 

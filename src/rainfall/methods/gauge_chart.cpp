@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/sphere_tessellation.h"
 #include "geometry/predicates.h"
 

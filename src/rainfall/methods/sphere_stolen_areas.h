@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "earth/sphere/conformal_sphere.h"
+#include "geometry/direction.h"
 #include "rainfall/methods/stolen_area.h"
 
 namespace thiessen {

@@ -1,5 +1,7 @@
 #include "results/models/series_times.h"
 
+#include <stdexcept>
+
 #include "base/utf8.h"
 
 namespace thiessen {
@@ -43,7 +45,7 @@ std::optional<StepLength> SeriesTimes::step() const {
     case TimePrecision::instant:
       return std::nullopt;
   }
-  return std::nullopt;
+  throw std::logic_error("not a precision of times");
 }
 
 std::string zone_text(int minutes_ahead) {

@@ -1,6 +1,7 @@
 #include "cli/options/gap_options.h"
 
 #include "cli/options/given_options.h"
+#include "cli/options/named_enumerators.h"
 #include "rainfall/gaps/gap_policies.h"
 
 namespace thiessen::cli {
@@ -26,6 +27,12 @@ TEST(GapOptions, know_every_policy_by_the_name_that_it_gives_itself) {
   }
   EXPECT_EQ(GapsGiven().refusal({"--gaps", "none"}),
             "--gaps wants retessellate, renormalise or strict, not 'none'");
+}
+
+// A policy that all_gaps lacks would compile, and nobody could ask for it.
+TEST(GapOptions, offer_every_policy_that_there_is) {
+  const GapsGiven given;
+  EXPECT_EQ(given.options.at("--gaps").value.choices, names_of_enumerators<Gaps>(name_of));
 }
 
 TEST(GapOptions, count_gauges_from_1_and_memory_in_megabytes_from_0) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/options/given_options.h"
+#include "cli/options/named_enumerators.h"
 
 namespace thiessen::cli {
 namespace {
@@ -54,6 +55,13 @@ TEST(IsohyetOptions, of_a_map_choose_its_surface_and_the_lines_over_it) {
   EXPECT_FALSE(cells.block.shows_any());
   EXPECT_EQ(OfMap().refusal({"--method", "kriging"}),
             "--method wants thiessen, idw, natural or linear, not 'kriging'");
+}
+
+TEST(IsohyetOptions, offer_every_surface_that_there_is) {
+  const OfMap map;
+  std::vector<std::string> names = names_of_enumerators<SurfaceMethod>(name_of);
+  names.insert(names.begin(), "thiessen");
+  EXPECT_EQ(map.options.at("--method").value.choices, names);
 }
 
 TEST(IsohyetOptions, of_a_map_are_about_rainfall) {

@@ -1,6 +1,7 @@
 #include "cli/options/method_options.h"
 
 #include "cli/options/given_options.h"
+#include "cli/options/named_enumerators.h"
 
 namespace thiessen::cli {
 namespace {
@@ -29,6 +30,15 @@ TEST(MethodOptions, know_every_method_by_the_name_that_it_gives_itself_and_all_o
   all.read({"--method", "all"});
   EXPECT_EQ(all.block.methods(), Methods(all_methods.begin(), all_methods.end()));
   EXPECT_NE(Method().refusal({"--method", "kriging"}), "");
+}
+
+// A method that neither all_methods nor the list of the option has would compile, and nobody could
+// ask for it.
+TEST(MethodOptions, offer_every_method_that_there_is) {
+  const Method method;
+  std::vector<std::string> names = names_of_enumerators<RainMethod>(name_of);
+  names.emplace_back("all");
+  EXPECT_EQ(method.options.at("--method").value.choices, names);
 }
 
 TEST(MethodOptions, take_several_parted_by_commas_and_isohyets_beside_all) {

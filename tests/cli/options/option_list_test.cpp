@@ -46,6 +46,13 @@ TEST(OptionList, FindsByNameAndByLetter) {
   EXPECT_EQ(options.find(""), nullptr);
 }
 
+TEST(OptionList, HasAnOptionThatIsNotThereAsAFaultOfTheProgram) {
+  OptionList options;
+  const Colours colours(options);
+  EXPECT_EQ(&options.at("--red"), options.find("--red"));
+  EXPECT_THROW((void)options.at("--green"), std::logic_error);
+}
+
 TEST(OptionList, HasArgumentsInTheirOrder) {
   OptionList options;
   options.group("Files").add("SOURCE", {}, "");

@@ -11,6 +11,7 @@
 
 #include "base/complaints.h"
 #include "base/interrupt.h"
+#include "base/number.h"
 #include "base/temporary_folder.h"
 
 namespace thiessen::cli {
@@ -18,13 +19,33 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+/// What stands for a picture: its size, how many points it shows, and where its window begins.
+std::vector<unsigned char> written_down(const PlotSize& size, std::size_t points,
+                                        const std::string& from) {
+  const std::string text = std::to_string(size.width) + "x" + std::to_string(size.height) + ", " +
+                           std::to_string(points) + " points" + from;
+  return {text.begin(), text.end()};
+}
+std::vector<unsigned char> of_plane(const Tessellation<2>& tessellation, const NumberOf&,
+                                    const std::optional<PlaneWindow>& window,
+                                    const PlotSize& size) {
+  return written_down(size, tessellation.count(),
+                      window ? " from " + shortest_text(window->low.x) : "");
+}
+std::vector<unsigned char> of_space(const Tessellation<3>& tessellation, const NumberOf&,
+                                    const std::optional<View>& view, const PlotSize& size) {
+  return written_down(size, tessellation.count(),
+                      view ? " seen from " + shortest_text(view->view.x) : "");
+}
+
 /// A session whose answers go to a file.
 class Session {
  public:
   explicit Session(std::size_t dimension = 2, bool is_terminal = false)
       : output_("out", open_descriptor(folder.path("out"), O_WRONLY | O_CREAT, 0600),
                 OutputFile::Care::closed),
-        interpreter_(make_interpreter(dimension, {output_, warnings, is_terminal, false, {}})) {}
+        interpreter_(make_interpreter(
+            dimension, {output_, warnings, is_terminal, false, {}, {of_plane, of_space}})) {}
 
   bool perform(const std::string& line) { return interpreter_->perform(line); }
   void perform_all(const Lines& lines) {
@@ -167,14 +188,14 @@ TEST(Interpreter, shows_a_picture_of_what_there_is) {
   EXPECT_EQ(session.complaint("show " + file), "there are no points to show");
   session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
   session.perform("show " + file);
-  EXPECT_EQ(session.folder.read("p.png").substr(1, 3), "PNG");
+  EXPECT_EQ(session.folder.read("p.png"), "1600x0, 3 points");
 }
 
-// A PNG's width and height are its bytes 17 to 24.
-std::size_t height_of(const std::string& png) {
-  std::size_t height = 0;
-  for (std::size_t i = 20; i < 24; ++i) height = 256 * height + static_cast<unsigned char>(png[i]);
-  return height;
+TEST(Interpreter, shows_space_from_a_view) {
+  Session session(3);
+  session.perform("add 0 0 1");
+  session.perform("show " + session.folder.path("p.png") + " --view 2.5,3,4 --site 0,0,0");
+  EXPECT_EQ(session.folder.read("p.png"), "1600x0, 1 points seen from 2.5");
 }
 
 TEST(Interpreter, shows_a_window_in_the_size_it_is_told) {
@@ -182,11 +203,9 @@ TEST(Interpreter, shows_a_window_in_the_size_it_is_told) {
   session.perform_all({"add 0 0", "add 4 0", "add 0 3"});
   const std::string file = session.folder.path("p.png");
   session.perform("show " + file + " --size 400x300");
-  const std::string whole = session.folder.read("p.png");
-  EXPECT_EQ(height_of(whole), 300U);
+  EXPECT_EQ(session.folder.read("p.png"), "400x300, 3 points");
   session.perform("show " + file + " --size 400x300 --window 1,1,2,1.5");
-  EXPECT_EQ(height_of(session.folder.read("p.png")), 300U);
-  EXPECT_NE(session.folder.read("p.png"), whole);
+  EXPECT_EQ(session.folder.read("p.png"), "400x300, 3 points from 1");
 }
 
 TEST(Interpreter, writes_a_watched_picture_after_each_change) {
@@ -202,13 +221,9 @@ TEST(Interpreter, writes_a_watched_picture_after_each_change) {
     session.perform(line);
     pictures.push_back(session.folder.read("p.png"));
   }
-  EXPECT_EQ(height_of(pictures[0]), 150U) << "nothing there yet";
-  EXPECT_NE(pictures[1], pictures[0]);
-  EXPECT_NE(pictures[2], pictures[1]);
-  EXPECT_NE(pictures[3], pictures[2]);
-  EXPECT_EQ(pictures[4], pictures[2]) << "undo";
-  EXPECT_EQ(pictures[5], pictures[1]) << "a load is one step";
-  EXPECT_EQ(pictures[6], pictures[2]) << "redo";
+  const auto of = [](int points) { return "200x150, " + std::to_string(points) + " points"; };
+  EXPECT_EQ(pictures, (Lines{of(0), of(1), of(4), of(3), of(4), of(1), of(4)}))
+      << "nothing; a point; a load; one less; undo; a load is one step; redo";
   session.perform("watch off");
   session.perform("undo");
   EXPECT_EQ(session.folder.read("p.png"), pictures[6]);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "earth/area/earth_area.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {
@@ -30,7 +31,7 @@ TEST(AreaUnder, law_2_summed_round_a_ring_does_not_depend_on_the_reference) {
       return area_under(a, b, reference) + area_under(b, c, reference) +
              area_under(c, a, reference);
     };
-    ASSERT_NEAR(sum(seeded.uniform(-90, 90)), sum(seeded.uniform(-90, 90)), 1e-13 * earth_area());
+    ASSERT_NEAR(sum(seeded.uniform(-90, 90)), sum(seeded.uniform(-90, 90)), 1e-13 * earth_area);
   }
 }
 
@@ -42,7 +43,7 @@ TEST(AreaUnder, of_a_part_and_the_rest_is_that_of_the_whole) {
     const Point middle{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
     const double reference = seeded.uniform(-90, 90);
     ASSERT_NEAR(area_under(a, middle, reference) + area_under(middle, b, reference),
-                area_under(a, b, reference), 1e-13 * earth_area());
+                area_under(a, b, reference), 1e-13 * earth_area);
   }
 }
 
@@ -51,8 +52,8 @@ TEST(AreaUnder, of_a_meridian_is_nothing) {
 }
 
 TEST(AreaUnder, of_the_equator_above_the_south_pole_is_half_the_earth) {
-  EXPECT_NEAR(area_under({-180, 0}, {180, 0}, -90) / earth_area(), 0.5, 1e-15);
-  EXPECT_NEAR(area_under({-180, 90}, {180, 90}, -90) / earth_area(), 1, 1e-15);
+  EXPECT_NEAR(area_under({-180, 0}, {180, 0}, -90) / earth_area, 0.5, 1e-15);
+  EXPECT_NEAR(area_under({-180, 90}, {180, 90}, -90) / earth_area, 1, 1e-15);
 }
 
 // A strip between parallels by the closed formula, in

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "earth/mesh_of_places.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "geometry/predicates.h"
 #include "geometry/segment.h"
 

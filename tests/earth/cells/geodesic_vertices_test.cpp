@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "earth/mesh_of_places.h"
+#include "earth/sphere/conformal_sphere.h"
 
 namespace thiessen {
 namespace {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 
 namespace thiessen {
 namespace {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "earth/random_points.h"
@@ -16,6 +17,13 @@ constexpr double polar = 6356752.314245179;
 
 double chord(Point a, Point b) {
   return length(on_ellipsoid(a) - on_ellipsoid(b));
+}
+
+/// The arc over a chord of a circle of the polar radius of curvature: no geodesic is shorter, and
+/// on that least_certain_excess rests.
+double shortest_over_chord(double chord) {
+  constexpr double diameter = 2 * equatorial * equatorial / polar;
+  return diameter * std::asin(std::min(1.0, chord / diameter));
 }
 
 TEST(ChordBounds, the_axes_end_on_the_ellipsoid) {

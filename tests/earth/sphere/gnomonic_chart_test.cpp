@@ -7,6 +7,7 @@
 
 #include "earth/area/ellipsoid_area.h"
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {

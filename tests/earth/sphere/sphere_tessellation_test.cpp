@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "earth/networks.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 
 namespace thiessen {

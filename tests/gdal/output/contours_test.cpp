@@ -38,7 +38,7 @@ struct Contour {
 
 std::vector<Contour> drawn(std::span<const float> values, std::span<const double> levels) {
   const GdalErrors errors;
-  const auto contours = contours_of(grid, values, levels, errors);
+  const auto contours = contours_of(grid, values, levels, {"the isohyets", ""}, errors);
   std::vector<Contour> found;
   for (const auto& feature : contours->GetLayer(0)) {
     Contour& contour = found.emplace_back();
@@ -91,11 +91,14 @@ TEST(Contours, take_levels_with_every_digit_in_any_locale) {
 
 TEST(Contours, that_gdal_cannot_draw_are_an_error_with_its_reason) {
   GdalErrors errors;
-  EXPECT_NO_THROW(require_contours(true, errors));
-  EXPECT_TRUE(contains(complaint_of([&] { require_contours(false, errors); }),
-                       "GDAL cannot draw the isohyets"));
+  const Drawing surface{"the surface", "map.svg"};
+  EXPECT_NO_THROW(require_drawn(true, surface, errors));
+  EXPECT_TRUE(contains(complaint_of([&] { require_drawn(false, surface, errors); }),
+                       "map.svg: GDAL cannot draw the surface"));
   errors.hear(true, "no memory for it.");
-  EXPECT_EQ(complaint_of([&] { require_contours(true, errors); }),
+  EXPECT_EQ(complaint_of([&] {
+              require_drawn(true, {"the isohyets", ""}, errors);
+            }),
             "GDAL cannot draw the isohyets: no memory for it");
 }
 

@@ -54,16 +54,16 @@ TEST(LayerReadback, refuses_a_text_that_is_cut_and_one_that_became_another) {
   Readback readback;
   readback.texts = {{"a", "long text"}, {"b", "2"}};
   EXPECT_EQ(complaint_of([&] { readback.of("station,n\na,long\nb,2\n"); }),
-            "c.x: 'n' of cell 1 is cut to 4 of its 9 bytes by the format: 'long text' | a .gpkg "
+            "c.x: 'n' of row 1 is cut to 4 of its 9 bytes by the format: 'long text' | a .gpkg "
             "holds texts of any length and names of any kind");
   EXPECT_TRUE(complaint_of([&] { readback.of("station,n\na,long text\nb,?\n"); })
-                  .starts_with("c.x: 'n' of cell 2 cannot be written in the format: '2' becomes "
+                  .starts_with("c.x: 'n' of row 2 cannot be written in the format: '2' becomes "
                                "'?' | "));
 }
 
 TEST(LayerReadback, refuses_a_format_that_holds_fewer_rows) {
   EXPECT_TRUE(contains(complaint_of([] { Readback().of("station,n\na,1\n"); }),
-                       "c.x: the format holds 1 of 2 cells"));
+                       "c.x: the format holds 1 of 2 rows"));
 }
 
 TEST(LayerReadback, tells_a_field_to_which_the_format_gave_another_name) {
@@ -108,7 +108,7 @@ TEST(LayerReadback, tells_numbers_that_lose_more_than_a_billionth) {
   EXPECT_TRUE(readback.warnings.messages().empty());
   readback.of("station,n\na,1000000001.1\nb,\n");
   EXPECT_EQ(sentences_of(readback.warnings),
-            (std::vector<std::string>{"c.x: 'n' of cell 1 is rounded by the format: 1000000000 "
+            (std::vector<std::string>{"c.x: 'n' of row 1 is rounded by the format: 1000000000 "
                                       "becomes 1000000001.1, and 1 more"}));
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "earth/sphere/conformal_sphere.h"
 #include "rainfall/methods/basin_points.h"
 #include "rainfall/methods/method_study.h"
 

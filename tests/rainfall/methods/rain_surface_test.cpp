@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/tangent_cell.h"
 #include "geometry/seeded.h"
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/tangent_cell.h"
 #include "tessellation/tessellation.h"
 
