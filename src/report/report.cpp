@@ -53,7 +53,7 @@ std::string report_page(const Report& report) {
                             {"inputs", [&] { return inputs_table(report); }},
                             {"options", [&] { return xml_text(report.options); }},
                             {"data", [&] { return report_json(report); }},
-                            {"script", [] { return std::string(page_js); }}});
+                            {"script", [] { return std::string(page_script); }}});
 }
 
 }  // namespace thiessen
