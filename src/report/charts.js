@@ -40,7 +40,7 @@ function chartsOf(data, goTo) {
       const i = labels === 1 ? 0 : Math.round(k * (count - 1) / (labels - 1));
       const anchor = labels === 1 ? "middle" : k === 0 ? "start" : k === labels - 1 ? "end" : "middle";
       const at = labels > 1 && k === 0 ? edge.left : labels > 1 && k === labels - 1 ? width - edge.right : x(i);
-      const time = data.times[i] ?? "";
+      const time = (data.begins ?? data.times)[i] ?? "";
       chart.append(svgElement("text", {x: at, y: height - 8, "text-anchor": anchor}, time.length > 24 ? time.slice(0, 23) + "\u2026" : time));
     }
     const now = svgElement("path", {class: "now"});
@@ -50,17 +50,24 @@ function chartsOf(data, goTo) {
 
   let frames = [];
 
+  /// The value of a step; of several, whose largest may be at another time in each basin, it is told
+  /// where they begin.
+  function textOfValue() {
+    const value = series.largest[step - 1];
+    const steps = stepsOf(data, step);
+    if (value === null) return steps === 1 ? "no value at this step" : `no value in these ${steps} steps`;
+    const text = rounded(value, 5) + unit;
+    return steps === 1 ? `${text} at ${data.times[step - 1]}`
+                       : `largest of the ${steps} steps from ${data.begins[step - 1]} on: ${text}`;
+  }
+
   function showStep(wanted) {
     step = wanted;
     for (const frame of frames) {
       if (step === 0) frame.now.removeAttribute("d");
       else frame.now.setAttribute("d", `M${frame.x(step - 1)} ${edge.top}V${height - edge.bottom}`);
     }
-    byId("basin-text").textContent = "";
-    if (step === 0 || data.basins.length === 0) return;
-    const value = series.largest[step - 1];
-    const what = data.length === 1 ? "" : "largest of the stretch: ";
-    byId("basin-text").textContent = value === null ? "no value at this step" : `${what}${rounded(value, 5)}${unit} at ${data.times[step - 1]}`;
+    byId("basin-text").textContent = step === 0 || data.basins.length === 0 ? "" : textOfValue();
   }
 
   let series = {largest: []};

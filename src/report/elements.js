@@ -1,4 +1,4 @@
-// Elements and numbers, for all parts of the script. Texts of the study are only ever set as text,
+// Elements, numbers and steps, for all parts of the script. Texts of the study are only ever set as text,
 // never as markup.
 
 const byId = (id) => document.getElementById(id);
@@ -12,4 +12,6 @@ function svgElement(name, attributes, text) {
 
 /// The numbers of a row; null where it has none.
 const numbers = (row, decimals) => row.split(",").map((text) => text === "" ? null : text / 10 ** decimals);
+/// How many steps the slider shows as one; the last stretch may hold fewer.
+const stepsOf = (data, step) => Math.min(data.length, data.steps - (step - 1) * data.length);
 const rounded = (value, digits) => String(Number(value.toPrecision(digits)));

@@ -80,8 +80,8 @@ function textOfStep() {
   const count = data.times.length;
   if (step === 0) return `mean of ${data.steps} ${data.steps === 1 ? "step" : "steps"}`;
   const time = data.times[step - 1];
-  if (data.length === 1) return `${time} (${step} of ${count})`;
-  return `${time}, the wettest of ${Math.min(data.length, data.steps - (step - 1) * data.length)} steps (${step} of ${count})`;
+  const steps = stepsOf(data, step);
+  return steps === 1 ? `${time} (${step} of ${count})` : `${time}, the wettest of ${steps} steps (${step} of ${count})`;
 }
 
 function show(wanted) {

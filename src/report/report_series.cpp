@@ -220,6 +220,10 @@ std::string report_json(const Report& report) {
   append_count(json, "length", report.series->steps_in_a_stretch());
   append_list(json, "times", stretches.size(),
               [&](std::size_t i) { append_json_string(json, stretches[i].time); });
+  if (report.series->steps_in_a_stretch() > 1) {
+    append_list(json, "begins", stretches.size(),
+                [&](std::size_t i) { append_json_string(json, stretches[i].begin); });
+  }
   append_classes(json, "meanClasses", classes_of(*report.picture));
   append_gauges(json, report);
   append_basins(json, report);

@@ -250,13 +250,42 @@ def long_study():
     folder = work / "long-inputs"
     folder.mkdir()
     (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
-    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "basins.csv").write_text(
+        'id,WKT\nP,"POLYGON ((0 0,4 0,4 4,0 4,0 0))"\nQ,"POLYGON ((5 0,10 0,10 4,5 4,5 0))"\n', encoding="utf-8")
+    rows = long_rows()
     with open(folder / "rain.csv", "w", encoding="utf-8") as table:
         table.write("time,A,B\n")
-        for i in range(100_000):
-            value = 99.5 if i == 54_321 else i % 7
-            table.write(f"{i},{value},{value}\n")
+        table.writelines(f"{i},{a},{b}\n" for i, (a, b) in enumerate(rows))
     return study("long", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar")
+
+
+def long_rows():
+    """What A and B read: all of P's and of Q's rain, whose largest values fall at different times."""
+    return [(99.5 if i == 54_321 else i % 7, i * 5 % 11) for i in range(100_000)]
+
+
+def check_long_values(browser):
+    """The text beside the basin tells, step by step, a value that the basin has in the steps that it names."""
+    rows = long_rows()
+    for number in range(2):
+        texts = browser.run("""const basin = document.getElementById('basin');
+            const slider = document.getElementById('step');
+            const texts = [];
+            basin.value = arguments[0];
+            basin.dispatchEvent(new Event('change'));
+            for (let step = 1; step <= slider.max; ++step) {
+              slider.value = step;
+              slider.dispatchEvent(new Event('input'));
+              texts.push(document.getElementById('basin-text').textContent);
+            }
+            return texts""", str(number))
+        for text in texts:
+            found = re.fullmatch(r"largest of the (\d+) steps from (\d+) on: ([\d.]+) mm", text)
+            assert found, text
+            first = int(found[2])
+            largest = max(row[number] for row in rows[first:first + int(found[1])])
+            assert float(found[3]) == largest, (text, largest)
+    print(f"= {2 * len(texts)} texts of a thinned series tell the largest value of the steps that they name")
 
 
 def main():
@@ -308,6 +337,7 @@ def main():
         assert "of 100000 time steps each " in thinned, thinned
         assert "99.5" in browser.text("#hydrograph-title"), browser.text("#hydrograph-title")
         browser.picture("long.png")
+        check_long_values(browser)
         print(f"= 100,000 steps are thinned, keep their largest, and are ready after {ready} ms")
         assert not browser.log(), browser.log()
     finally:

@@ -126,6 +126,8 @@ TEST(ReportPage, says_where_it_is_thinned) {
   study.report.series = &series;
   const std::string page = report_page(study.report);
   EXPECT_TRUE(has(page, "of 100 time steps each 4 are shown as one"));
+  EXPECT_TRUE(has(page, R"("begins":["0","4","8",)")) << "where stretches begin";
+  EXPECT_TRUE(has(page, R"("times":["3","7","11",)")) << "their wettest steps";
   EXPECT_TRUE(has(page, "rain.csv has all steps"));
 }
 
