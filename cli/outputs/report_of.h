@@ -23,6 +23,7 @@ struct ReportParts {
   const OptionList* options = nullptr;
   Provenance made_by{};
   std::string unit{};
+  bool has_totals = false;  ///< whether rain.csv has totals over periods, and not the steps
 };
 
 /// Gathers what report.html shows while the steps of a run pass: the page shows the steps of

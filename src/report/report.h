@@ -32,6 +32,7 @@ struct Report {
   std::string remarks;  ///< what is to be said of the summary; lines
   std::vector<WeightRow> weights;
   const ThinnedSeries* series = nullptr;
+  bool has_totals = false;  ///< whether rain.csv has totals over periods, and not the steps
   std::vector<std::string> findings;  ///< texts of one line or of several aligned ones
   std::vector<std::pair<std::string, std::string>> made_by;  ///< names and values
   std::string options;                                       ///< lines

@@ -241,7 +241,8 @@ std::string thinning_text(const Report& report) {
             std::to_string(series.steps_in_a_stretch()) +
             " are shown as one, with the largest and the least value of every basin kept; " +
             (series.has_readings() ? "the map shows the wettest of them. " : "") +
-            "rain.csv has all steps. ";
+            (report.has_totals ? "rain.csv has totals over periods, not the steps. "
+                               : "rain.csv has all steps. ");
   }
   if (!series.has_readings()) {
     text +=

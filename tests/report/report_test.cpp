@@ -129,6 +129,10 @@ TEST(ReportPage, says_where_it_is_thinned) {
   EXPECT_TRUE(has(page, R"("begins":["0","4","8",)")) << "where stretches begin";
   EXPECT_TRUE(has(page, R"("times":["3","7","11",)")) << "their wettest steps";
   EXPECT_TRUE(has(page, "rain.csv has all steps"));
+  study.report.has_totals = true;
+  const std::string totals = report_page(study.report);
+  EXPECT_TRUE(has(totals, "rain.csv has totals over periods, not the steps"));
+  EXPECT_FALSE(has(totals, "all steps"));
 }
 
 TEST(ReportPage, says_where_readings_are_left_out) {
