@@ -1,7 +1,8 @@
 // The series of a basin as charts: its hydrograph and its cumulative rain.
 
-/// Draws the charts of the basin that is chosen; `goTo(step)` is called where one is clicked.
-function chartsOf(data, goTo) {
+/// Draws the charts of the basin that is chosen; `goTo(step)` is called where one is
+/// clicked, and `textOfReporting(basin)` says who reports at the step that is shown.
+function chartsOf(data, goTo, textOfReporting) {
   const unit = data.unit ? " " + data.unit : "";
   let basin = 0;
   let step = 0;
@@ -57,8 +58,9 @@ function chartsOf(data, goTo) {
     const steps = stepsOf(data, step);
     if (value === null) return steps === 1 ? "no value at this step" : `no value in these ${steps} steps`;
     const text = rounded(value, 5) + unit;
-    return steps === 1 ? `${text} at ${data.times[step - 1]}`
-                       : `largest of the ${steps} steps from ${data.begins[step - 1]} on: ${text}`;
+    if (steps > 1) return `largest of the ${steps} steps from ${data.begins[step - 1]} on: ${text}`;
+    const reporting = textOfReporting(basin);
+    return `${text} at ${data.times[step - 1]}${reporting && "; " + reporting}`;
   }
 
   function showStep(wanted) {

@@ -6,7 +6,7 @@ const map = byId("map");
 const cells = [...map.querySelectorAll(".cell")];
 const slider = byId("step");
 const view = viewOf(map);
-const charts = chartsOf(data, show);
+const charts = chartsOf(data, show, textOfReporting);
 
 // ---- Readings and colours
 
@@ -60,6 +60,37 @@ function drawLegend(classes) {
   add(null, "no reading");
 }
 
+// ---- Who reports
+
+/// What a silent gauge means for the value of its basin, by the policy for gaps.
+const afterSilence = {
+  retessellate: "its ground goes to gauges that report",
+  renormalise: "the weights of the others are scaled up",
+  strict: "so the basin has no value",
+}[data.gaps];
+
+const gaugesOf = data.basins.map(() => []);  // that have a cell in each basin
+data.cells.forEach(([gauge, basin]) => gaugesOf[basin].push(gauge));
+
+/// How many of a basin's gauges report at the step that is shown; empty where that is not known.
+function textOfReporting(basin) {
+  if (!readings) return "";
+  const gauges = gaugesOf[basin];
+  const reporting = gauges.filter((gauge) => readings[gauge] !== null).length;
+  if (gauges.length === 1) return reporting === 1 ? "the basin's gauge reports" : "the basin's gauge is silent";
+  return `${reporting} of the basin's ${gauges.length} gauges report`;
+}
+
+/// Which gauges are silent at the step that is shown.
+function textOfSilence() {
+  if (!readings) return "";
+  const silent = data.gauges.filter((_, gauge) => readings[gauge] === null);
+  if (silent.length === 0) return "At this step every gauge reports.";
+  const most = 5;
+  const named = silent.slice(0, most).join(", ") + (silent.length > most ? ` and ${silent.length - most} more` : "");
+  return `At this step ${silent.length} of ${data.gauges.length} gauges ${silent.length === 1 ? "is" : "are"} silent: ${named}.`;
+}
+
 let values = valuesOfCells();
 let legendOf = null;
 
@@ -92,6 +123,7 @@ function show(wanted) {
   const text = textOfStep();
   slider.setAttribute("aria-valuetext", text);
   byId("step-text").textContent = text;
+  byId("silence").textContent = textOfSilence();
   byId("before").disabled = step === 0;
   byId("after").disabled = step === data.times.length;
   drawCells();
@@ -128,8 +160,11 @@ function textOfCell(i) {
   const [gauge, basin, weight] = data.cells[i];
   const reading = readings ? readings[gauge] : data.cells[i][3];
   const what = step > 0 && !data.readings || step === 0 ? "Mean" : "Reading";
+  const none = readings ? `none: ${afterSilence}` : "none";
+  const reporting = textOfReporting(basin);
   return `Gauge ${data.gauges[gauge]}\nBasin ${data.basins[basin].name}\n` +
-      `${what}: ${reading === null ? "none" : rounded(reading, 6) + unit}\nWeight: ${weight}`;
+      `${what}: ${reading === null ? none : rounded(reading, 6) + unit}\nWeight: ${weight}` +
+      (reporting ? ` in the full network; ${reporting}` : "");
 }
 
 function tellOf(i) {

@@ -43,6 +43,7 @@ std::string report_page(const Report& report) {
                             {"subtitle", [&] { return subtitle_of(report); }},
                             {"css", [] { return std::string(page_css); }},
                             {"map", [&] { return report_map(*report.picture); }},
+                            {"network", [&] { return network_text(report); }},
                             {"thinned", [&] { return thinning_text(report); }},
                             {"basins", [&] { return basins_table(report); }},
                             {"weights", [&] { return weights_table(report); }},

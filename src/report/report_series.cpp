@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "map/sheet/rainfall_classes.h"
 #include "map/svg/xml_text.h"
+#include "rainfall/gaps/gap_policies.h"
 #include "text/json_text.h"
 
 namespace thiessen {
@@ -216,6 +217,7 @@ std::string report_json(const Report& report) {
   const std::vector<SeriesStretch>& stretches = report.series->stretches();
   std::string json = "{";
   append_text(json, "unit", report.unit);
+  append_text(json, "gaps", name_of(report.gaps));
   append_count(json, "steps", report.series->steps());
   append_count(json, "length", report.series->steps_in_a_stretch());
   append_list(json, "times", stretches.size(),

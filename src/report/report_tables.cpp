@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "map/svg/xml_text.h"
+#include "rainfall/gaps/gap_policies.h"
 
 namespace thiessen {
 namespace {
@@ -172,6 +173,22 @@ std::string gaps_table(const Report& report) {
   return std::move(table).text("") + "<p>" + std::to_string(without) + " of " +
          std::to_string(gauges.size()) +
          " gauges report in every step; the others are listed.</p>\n";
+}
+
+std::string network_text(const Report& report) {
+  const auto after = [&]() -> std::string {
+    switch (report.gaps) {
+      case Gaps::retessellate:
+        return "their ground goes to those around them that report";
+      case Gaps::renormalise:
+        return "the weights of the others are scaled up to 1";
+      case Gaps::strict:
+        return "the basins in which they weigh have no value";
+    }
+    return "";
+  };
+  return "Cells and weights are those of the full network. Where gauges are silent at a step, " +
+         after() + " (" + name_of(report.gaps) + ").";
 }
 
 std::string findings_list(const Report& report) {

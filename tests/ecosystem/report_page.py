@@ -246,6 +246,34 @@ def evil_study():
     return study("evil", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"), evil
 
 
+def gaps_study(policy):
+    """Three gauges in a row, of which the second is silent at the second step."""
+    folder = work / f"{policy}-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,5,2\nC,9,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text("time,A,B,C\nMonday,1,2,3\nTuesday,4,,8\n", encoding="utf-8")
+    return study(policy, folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar",
+                 "--gaps", policy)
+
+
+def check_silence(browser, policy, reading):
+    """What is told of a step that was made by other cells than the map shows."""
+    browser.open(gaps_study(policy))
+    assert f"({policy})" in browser.text("#map-part") and "full network" in browser.text("#map-part")
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step every gauge reports.", browser.text("#silence")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step 1 of 3 gauges is silent: B.", browser.text("#silence")
+    browser.run("document.querySelectorAll('.cell')[1].focus()")
+    told = browser.text("#info")
+    assert told == (f"Gauge B\nBasin Q\nReading: none: {reading}\n"
+                    "Weight: 0.4 in the full network; 2 of the basin's 3 gauges report"), told
+    if policy != "strict":  # 4 and 8 have half of the basin each
+        assert browser.text("#basin-text") == "6 mm at Tuesday; 2 of the basin's 3 gauges report", browser.text("#basin-text")
+
+
 def long_study():
     folder = work / "long-inputs"
     folder.mkdir()
@@ -326,6 +354,9 @@ def main():
         browser.narrowed(1400, 900)
         browser.open(small)
         browser.picture("textbook.png")
+        check_silence(browser, "retessellate", "its ground goes to gauges that report")
+        check_silence(browser, "renormalise", "the weights of the others are scaled up")
+        check_silence(browser, "strict", "so the basin has no value")
         page, evil = evil_study()
         browser.open(page)
         assert browser.run("return document.images.length") == 0

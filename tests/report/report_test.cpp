@@ -96,6 +96,17 @@ TEST(ReportPage, tells_which_gauges_are_silent) {
   EXPECT_TRUE(has(page, "1 of 2 gauges report in every step"));
 }
 
+TEST(ReportPage, says_whose_cells_are_shown_and_what_silence_changes) {
+  TwoCells study;
+  EXPECT_TRUE(has(report_page(study.report),
+                  "Cells and weights are those of the full network. Where gauges are silent at a "
+                  "step, their ground goes to those around them that report (retessellate)."));
+  study.report.gaps = Gaps::renormalise;
+  EXPECT_TRUE(has(report_page(study.report), "are scaled up to 1 (renormalise)."));
+  study.report.gaps = Gaps::strict;
+  EXPECT_TRUE(has(report_page(study.report), "have no value (strict)."));
+}
+
 TEST(ReportPage, takes_no_text_for_markup) {
   const std::string evil = "</script><img src=x onerror=alert(1)>{{css}}\"'&\xE2\x80\xA8";
   TwoCells study(evil, evil);
