@@ -233,6 +233,11 @@ def check_print(browser, file):
     pages = base64.b64decode(browser.ask("POST", "/print", {"page": {"width": 21, "height": 29.7}}))
     (work / file).write_bytes(pages)
     assert pages.startswith(b"%PDF") and len(pages) > 20_000
+    text = subprocess.run(["pdftotext", "-layout", work / file, "-"], check=True, capture_output=True, text=True).stdout
+    of_weights = [page for page in text.split("\f") if re.search(r"^ *(\S+ ){1,2} *\d{6} +[\d.]+ +[01]\.\d+$", page, re.M)]
+    assert len(of_weights) > 5, len(of_weights)
+    for page in of_weights:
+        assert re.search(r"basin +gauge +area", page), page[:500]
 
 
 def evil_study():
