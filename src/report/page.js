@@ -107,12 +107,16 @@ function drawCells() {
 
 // ---- The time step
 
-function textOfStep() {
-  const count = data.times.length;
-  if (step === 0) return `mean of ${data.steps} ${data.steps === 1 ? "step" : "steps"}`;
-  const time = data.times[step - 1];
+const textOfMeans = byId("what").textContent;
+
+function textOfTime() {
   const steps = stepsOf(data, step);
-  return steps === 1 ? `${time} (${step} of ${count})` : `${time}, the wettest of ${steps} steps (${step} of ${count})`;
+  return data.times[step - 1] + (steps === 1 ? "" : `, the wettest of ${steps} steps`);
+}
+
+function textOfStep() {
+  if (step === 0) return `mean of ${data.steps} ${data.steps === 1 ? "step" : "steps"}`;
+  return `${textOfTime()} (${step} of ${data.times.length})`;
 }
 
 function show(wanted) {
@@ -123,6 +127,7 @@ function show(wanted) {
   const text = textOfStep();
   slider.setAttribute("aria-valuetext", text);
   byId("step-text").textContent = text;
+  byId("what").textContent = readings ? textOfTime() : textOfMeans;
   byId("silence").textContent = textOfSilence();
   byId("before").disabled = step === 0;
   byId("after").disabled = step === data.times.length;

@@ -30,17 +30,19 @@ std::string filled(std::string_view page, const Parts& parts) {
   }
 }
 
-std::string subtitle_of(const Report& report) {
-  std::string text = report.picture->subtitle;
-  if (!report.picture->units.empty()) text += (text.empty() ? "" : ", ") + report.picture->units;
-  return xml_text(text);
+/// What the rainfall is in, behind what it is.
+std::string rate_of(const Report& report) {
+  const Picture& picture = *report.picture;
+  if (picture.units.empty()) return "";
+  return xml_text((picture.subtitle.empty() ? "" : ", ") + picture.units);
 }
 
 }  // namespace
 
 std::string report_page(const Report& report) {
   return filled(page_html, {{"title", [&] { return xml_text(report.picture->title); }},
-                            {"subtitle", [&] { return subtitle_of(report); }},
+                            {"what", [&] { return xml_text(report.picture->subtitle); }},
+                            {"rate", [&] { return rate_of(report); }},
                             {"css", [] { return std::string(page_css); }},
                             {"map", [&] { return report_map(*report.picture); }},
                             {"network", [&] { return network_text(report); }},

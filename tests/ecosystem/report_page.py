@@ -187,16 +187,19 @@ def check_keyboard(browser):
 def check_slider(browser):
     """Each step has its text, its colours and its readings."""
     before = fills(browser)
+    subtitle = browser.text("#subtitle")
+    assert subtitle == "each gauge's mean over the steps it reports, of 120 time steps, mm per month", subtitle
     browser.run("document.getElementById('step').focus()")
     browser.keys("right", "right", "right")
     text = browser.run("return document.getElementById('step').getAttribute('aria-valuetext')")
     assert text == browser.text("#step-text") and "(3 of " in text, text
     assert fills(browser) != before
+    assert browser.text("#subtitle") == "1988-03, mm per month", browser.text("#subtitle")
     browser.click("#before")
     assert "(2 of " in browser.text("#step-text")
     browser.run("document.getElementById('step').focus()")
     browser.keys("home")
-    assert fills(browser) == before
+    assert fills(browser) == before and browser.text("#subtitle") == subtitle
     assert browser.text("#step-text").startswith("mean of ")
 
 
