@@ -26,6 +26,14 @@ function viewOf(map) {
     isDragged = false;
   }
 
+  /// Moves the view so far that it holds the whole box, or its middle where that is larger.
+  function reveal({x, y, width, height}) {
+    const along = (seen, length, from, size) =>
+      size > length ? from + (size - length) / 2 : Math.max(from + size - length, Math.min(from, seen));
+    const left = along(box[0], box[2], x, width), top = along(box[1], box[3], y, height);
+    if (left !== box[0] || top !== box[1]) setBox(left, top, box[2]);
+  }
+
   const unitsPerPixel = (frame) => Math.max(box[2] / frame.width, box[3] / frame.height);
 
   map.addEventListener("wheel", (event) => {
@@ -60,5 +68,5 @@ function viewOf(map) {
   window.addEventListener("pointerup", letGo);
   window.addEventListener("pointercancel", letGo);
 
-  return {zoom, pan, showAll: () => setBox(whole[0], whole[1], whole[2]), isDragged: () => isDragged};
+  return {zoom, pan, reveal, showAll: () => setBox(whole[0], whole[1], whole[2]), isDragged: () => isDragged};
 }

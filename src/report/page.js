@@ -201,7 +201,10 @@ map.addEventListener("pointermove", (event) => {
 map.addEventListener("pointerleave", () => { tip.hidden = true; });
 map.addEventListener("focusin", (event) => {
   const i = numberOf.get(event.target);
-  if (i !== undefined) tellOf(i);
+  if (i === undefined) return;
+  tellOf(i);
+  // A cell that is clicked is seen; moving it away from under the pointer would startle.
+  if (cells[i].matches(":focus-visible")) view.reveal(cells[i].getBBox());
 });
 
 // One cell at a time is a stop of the Tab key; N and P go from cell to cell.

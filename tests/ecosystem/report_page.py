@@ -182,6 +182,16 @@ def check_keyboard(browser):
     browser.keys("enter")
     basin = browser.run("return document.querySelector('#basin').selectedOptions[0].textContent")
     assert f"Basin {basin}," in second, (basin, second)
+    for _ in range(12):
+        browser.keys("+")
+    outside = """const cell = document.activeElement.getBBox();
+        const [x, y, width, height] = document.getElementById('map').getAttribute('viewBox').split(' ').map(Number);
+        const middle = [cell.x + cell.width / 2 - x, cell.y + cell.height / 2 - y];
+        return middle[0] < 0 || middle[1] < 0 || middle[0] > width || middle[1] > height"""
+    for key in "n" * 20 + "p" * 20:
+        browser.keys(key)
+        assert not browser.run(outside), browser.run("return document.activeElement.getAttribute('aria-label')")
+    browser.keys("0")
 
 
 def check_slider(browser):
