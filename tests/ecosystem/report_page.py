@@ -242,6 +242,32 @@ def check_access(browser):
     assert wide <= 0, wide
 
 
+def check_narrow(browser, page):
+    """A label without a break does not widen the page; no button is over the map; headings have one ground."""
+    label = "x" * 80
+    folder = work / "label-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text(f"time,A,B\n{label},1,2\n", encoding="utf-8")
+    browser.open(study("label", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"))
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#step-text").startswith(label)
+    check_access(browser)
+    browser.open(page)
+    over = browser.run("""const map = document.getElementById('map').getBoundingClientRect();
+        return [...document.querySelectorAll('button')].map((button) => button.getBoundingClientRect()).filter((box) =>
+            box.right > map.left && box.left < map.right && box.bottom > map.top && box.top < map.bottom).length""")
+    assert over == 0, over
+    grounds = browser.run("""return [...document.querySelectorAll('.sortable thead')].map((head) => new Set(
+        [...head.rows[0].cells].map((cell) => getComputedStyle(cell).backgroundColor + cell.getBoundingClientRect().height)).size)""")
+    assert set(grounds) == {1}, grounds
+    bare = browser.run("""return [...document.querySelectorAll('.sortable thead button')].every(
+        (button) => getComputedStyle(button).backgroundColor === 'rgba(0, 0, 0, 0)')""")
+    assert bare
+
+
 def check_print(browser, file):
     pages = base64.b64decode(browser.ask("POST", "/print", {"page": {"width": 21, "height": 29.7}}))
     (work / file).write_bytes(pages)
@@ -362,8 +388,8 @@ def main():
             slider.dispatchEvent(new Event('input'))""")
         browser.picture("dark.png")
         browser.develop("Emulation.setEmulatedMedia", features=[])
-        browser.narrowed(400, 800)
-        browser.open(large)
+        browser.narrowed(390, 844)
+        check_narrow(browser, large)
         check_access(browser)
         browser.picture("narrow.png")
         browser.open(small)
