@@ -25,7 +25,7 @@ struct ReportParts {
   Provenance made_by{};
   std::string unit{};
   Gaps gaps = Gaps::retessellate;  ///< what a step with silent gauges got
-  bool has_totals = false;  ///< whether rain.csv has totals over periods, and not the steps
+  bool has_totals = false;         ///< whether rain.csv has totals over periods, and not the steps
 };
 
 /// Gathers what report.html shows while the steps of a run pass: the page shows the steps of

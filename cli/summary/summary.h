@@ -37,8 +37,8 @@ class Summary {
   /// What is to be said of it, in lines; empty where there is nothing.
   std::string remarks() const;
   /// The same in lines of aligned columns, as wide as fitted() makes them for `width`, and what is
-  /// to be said of it, broken to that width. Rainfall and errors have as many decimals as the errors tell them to; all
-  /// digits are in summary.csv.
+  /// to be said of it, broken to that width. Rainfall and errors have as many decimals as the
+  /// errors tell them to; all digits are in summary.csv.
   std::string text(const std::string& units, std::size_t width) const;
 
  private:

@@ -36,30 +36,6 @@ function colourOf(value, classes) {
   return classes.colours[Math.min(above, classes.colours.length - 1)] ?? null;
 }
 
-/// The range of a class, between its texts; the last and the first may be open.
-function rangeOf(classes, i) {
-  const low = classes.ticks[i];
-  const high = classes.ticks[i + 1];
-  if (high === undefined) return low + unit;
-  if (low === "") return "below " + high + unit;
-  return high === "" ? "from " + low + unit : low + " to " + high + unit;
-}
-
-function drawLegend(classes) {
-  const legend = byId("legend");
-  legend.replaceChildren();
-  const add = (colour, text) => {
-    const item = document.createElement("li");
-    const patch = svgElement("svg", {"aria-hidden": "true", viewBox: "0 0 400 275"});
-    patch.append(svgElement("rect", colour ? {width: 400, height: 275, fill: colour} : {width: 400, height: 275}));
-    item.append(patch, text);
-    legend.append(item);
-  };
-  for (let i = classes.colours.length - 1; i >= 0; --i) add(classes.colours[i], rangeOf(classes, i));
-  if (classes.dry) add(classes.dry, "0" + unit);
-  add(null, "no reading");
-}
-
 // ---- Who reports
 
 /// What a silent gauge means for the value of its basin, by the policy for gaps.
@@ -92,8 +68,6 @@ function textOfSilence() {
 }
 
 let values = valuesOfCells();
-let legendOf = null;
-
 function drawCells() {
   const classes = readings ? data.classes : data.meanClasses;
   values.forEach((value, i) => {
@@ -101,8 +75,8 @@ function drawCells() {
     if (colour) cells[i].setAttribute("fill", colour);
     else cells[i].removeAttribute("fill");
   });
-  if (legendOf !== classes) drawLegend(classes);
-  legendOf = classes;
+  byId("mean-classes").hidden = Boolean(readings);
+  if (data.classes) byId("step-classes").hidden = !readings;
 }
 
 // ---- The time step

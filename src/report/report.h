@@ -34,7 +34,7 @@ struct Report {
   std::vector<WeightRow> weights;
   const ThinnedSeries* series = nullptr;
   Gaps gaps = Gaps::retessellate;  ///< what a step with silent gauges got
-  bool has_totals = false;  ///< whether rain.csv has totals over periods, and not the steps
+  bool has_totals = false;         ///< whether rain.csv has totals over periods, and not the steps
   std::vector<std::string> findings;  ///< texts of one line or of several aligned ones
   std::vector<std::pair<std::string, std::string>> made_by;  ///< names and values
   std::string options;                                       ///< lines

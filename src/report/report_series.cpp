@@ -90,14 +90,12 @@ class Scaled {
   double factor_;
 };
 
-/// The classes of the cells' rainfall: their bounds, colours, and texts between them.
+/// The classes of the cells' rainfall: their bounds and colours.
 void append_classes(std::string& json, const char* key, const RainfallClasses& classes) {
   append_key(json, key);
   json += '{';
   append_list(json, "bounds", classes.bounds().size(),
               [&](std::size_t i) { append_shortest(json, classes.bounds()[i]); });
-  append_list(json, "ticks", classes.ticks().size(),
-              [&](std::size_t i) { append_json_string(json, classes.ticks()[i]); });
   append_list(json, "colours", classes.count(), [&](std::size_t i) {
     append_json_string(json, hexadecimal(classes.class_colour(i)));
   });
@@ -127,9 +125,6 @@ void for_each_areal_value(const ThinnedSeries& series, const Visit& visit) {
 
 void append_readings(std::string& json, const Report& report) {
   const ThinnedSeries& series = *report.series;
-  std::vector<double> all;
-  for_each_reading(series, [&](double reading) { all.push_back(reading); });
-  append_classes(json, "classes", RainfallClasses(std::move(all), report.picture->classes));
   const int decimals = decimals_of([&](const auto& visit) { for_each_reading(series, visit); });
   append_count(json, "readingDecimals", static_cast<std::size_t>(decimals));
   const Scaled scaled(decimals);
@@ -213,7 +208,7 @@ void append_gauges(std::string& json, const Report& report) {
 
 }  // namespace
 
-std::string report_json(const Report& report) {
+std::string report_json(const Report& report, const std::optional<RainfallClasses>& of_steps) {
   const std::vector<SeriesStretch>& stretches = report.series->stretches();
   std::string json = "{";
   append_text(json, "unit", report.unit);
@@ -231,7 +226,10 @@ std::string report_json(const Report& report) {
   append_basins(json, report);
   append_cells(json, report);
   append_areal_values(json, report);
-  if (report.series->has_readings()) append_readings(json, report);
+  if (of_steps) {
+    append_classes(json, "classes", *of_steps);
+    append_readings(json, report);
+  }
   return json + "}";
 }
 

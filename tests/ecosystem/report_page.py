@@ -170,6 +170,19 @@ def check_map(browser):
     assert box_of(browser) == whole
 
 
+def check_legend(browser):
+    """The legend is there without the script; each colour of the map is in it, at every step."""
+    shown = """return [...document.querySelectorAll('#legend ul:not([hidden]) rect[fill]')].map((rect) => rect.getAttribute('fill'))"""
+    assert browser.run("return document.querySelectorAll('#mean-classes li').length") > 3
+    assert set(fills(browser)) - {None} <= set(browser.run(shown))
+    signs = browser.run("return [...document.querySelectorAll('#legend ul:last-child li')].map((item) => item.textContent)")
+    assert signs == ["no reading", "rain gauge", "gauge without any reading"], signs
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert set(fills(browser)) - {None} <= set(browser.run(shown))
+    browser.keys("home")
+
+
 def check_keyboard(browser):
     """A cell is reached by Tab, the next by N; what is told of it is in its label too."""
     browser.run("document.getElementById('map').focus()")
@@ -378,6 +391,7 @@ def main():
         browser.picture("wide.png")
         check_access(browser)
         check_map(browser)
+        check_legend(browser)
         check_keyboard(browser)
         check_slider(browser)
         check_tables(browser)
