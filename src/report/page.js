@@ -133,6 +133,8 @@ byId("play").addEventListener("click", () => play(!player));
 
 // ---- What is told of a cell
 
+// The outlines of cells that the antimeridian cuts, without the cut.
+const edgesOf = new Map([...map.querySelectorAll("#edges path")].map((path) => [path.dataset.cell, path]));
 let shown = -1;  // the cell that is told of; -1: none
 
 function textOfCell(i) {
@@ -152,7 +154,7 @@ function tellOf(i) {
   const text = textOfCell(i);
   if (byId("info").textContent !== text) byId("info").textContent = text;
   cells[i].setAttribute("aria-label", text.replaceAll("\n", ", "));
-  byId("chosen").setAttribute("d", cells[i].getAttribute("d"));
+  byId("chosen").setAttribute("d", (edgesOf.get(String(i)) ?? cells[i]).getAttribute("d"));
 }
 
 const tip = byId("tip");

@@ -116,6 +116,16 @@ std::string outline_path(const MapShape& shape, const Sheet& sheet) {
   return path;
 }
 
+/// Whether some edges of its rings are no outline, but only cut the shape.
+bool is_cut(const MapShape& shape) {
+  return std::any_of(shape.begin(), shape.end(), [](const MapPart& part) {
+    std::size_t edges = 0;
+    for (const Ring& ring : part.rings) edges += ring.size();
+    for (const std::vector<Point>& line : part.lines) edges -= line.size() - 1;
+    return edges > 0;
+  });
+}
+
 std::string fill_of(const RainfallClasses& classes, double rainfall) {
   if (std::isnan(rainfall) || classes.count() + (classes.has_dry() ? 1U : 0U) == 0) return "";
   return " fill=\"" + hexadecimal(classes.colour(rainfall)) + "\"";
@@ -142,10 +152,16 @@ std::string report_map(const Picture& picture) {
   for (std::size_t i = 0; i < view.cells.size(); ++i) {
     throw_if_interrupted();
     const PictureCell& cell = picture.cells[i];
-    svg += "<path class=\"cell\" role=\"img\" data-station=\"" +
-           xml_text(picture.gauges[cell.gauge].station) + "\" data-basin=\"" +
-           xml_text(picture.basins[cell.basin].name) + "\"" + fill_of(classes, cell.rainfall) +
-           " d=\"" + filled_path(view.cells[i], sheet) + "\"/>\n";
+    svg += std::string("<path class=\"cell") + (is_cut(view.cells[i]) ? " cut" : "") +
+           "\" role=\"img\" data-station=\"" + xml_text(picture.gauges[cell.gauge].station) +
+           "\" data-basin=\"" + xml_text(picture.basins[cell.basin].name) + "\"" +
+           fill_of(classes, cell.rainfall) + " d=\"" + filled_path(view.cells[i], sheet) + "\"/>\n";
+  }
+  svg += "</g>\n<g id=\"edges\">\n";
+  for (std::size_t i = 0; i < view.cells.size(); ++i) {
+    if (!is_cut(view.cells[i])) continue;
+    svg += "<path data-cell=\"" + std::to_string(i) + "\" d=\"" +
+           outline_path(view.cells[i], sheet) + "\"/>\n";
   }
   svg += "</g>\n<g id=\"basins\">\n";
   for (const MapShape& basin : view.basins)

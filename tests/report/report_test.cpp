@@ -128,6 +128,26 @@ TEST(ReportPage, draws_a_cell_in_steps_of_whole_numbers) {
   EXPECT_TRUE(has(page, " d=\"M150 5000l4850 0 0-4850-4850 0z\"")) << page;
 }
 
+TEST(ReportPage, draws_no_line_where_the_antimeridian_cuts_a_cell) {
+  TwoCells study;
+  EXPECT_TRUE(has(report_page(study.report), "<g id=\"edges\">\n</g>")) << "no cell is cut";
+  // A cap round the pole, whose ring runs up the antimeridian and along the pole.
+  study.picture.geographic = true;
+  const MultiPolygon cap{
+      {{{-180, 60}, {-90, 60}, {0, 60}, {90, 60}, {180, 60}, {180, 90}, {-180, 90}}, {}}};
+  study.picture.cells = {{cap, 0, 4, 0}};
+  study.picture.basins = {{"Q", cap}};
+  study.picture.gauges.resize(1);
+  study.picture.gauges[0].position = {0, 80};
+  const std::string page = report_page(study.report);
+  EXPECT_TRUE(has(page, "class=\"cell cut\""));
+  const std::size_t edges = page.find("<path data-cell=\"0\" d=\"M");
+  ASSERT_NE(edges, std::string::npos);
+  const std::string path = page.substr(edges, page.find("/>", edges) - edges);
+  EXPECT_FALSE(has(path, "z")) << path;
+  EXPECT_EQ(count_of(path, "M"), 1U) << path;
+}
+
 TEST(ReportPage, says_where_it_is_thinned) {
   TwoCells study;
   EXPECT_TRUE(has(report_page(study.report), "id=\"thinned\"></p>"));
