@@ -82,6 +82,11 @@ function chartsOf(data, goTo, textOfReporting) {
     return path;
   }
 
+  const isReadAnywhere = data.cells.some(([, , , mean]) => mean !== null);
+
+  /// Says that a basin has no value, and, where it is so, why.
+  const textOfNone = (name) => `${name} has no value at any step` + (isReadAnywhere ? "." : ": there is no reading.");
+
   function drawHydrograph(name) {
     const known = series.largest.filter((value) => value !== null);
     const low = Math.min(0, ...(series.least ?? series.largest).filter((value) => value !== null));
@@ -94,14 +99,18 @@ function chartsOf(data, goTo, textOfReporting) {
     } else {
       add("bars", barsOf(frame, zero, series.largest));
     }
-    byId("hydrograph-title").textContent = `Hydrograph of ${name}: ${known.length} bars up to ${rounded(Math.max(...known, 0), 5)}${unit}`;
-    byId("hydrograph-caption").textContent = `Areal rainfall of ${name}` +
+    byId("hydrograph-title").textContent = known.length === 0 ? textOfNone(name) : `Hydrograph of ${name}: ${known.length} bars up to ${rounded(Math.max(...known, 0), 5)}${unit}`;
+    byId("hydrograph-caption").textContent = known.length === 0 ? textOfNone(name) : `Areal rainfall of ${name}` +
         (series.least ? ": the largest (light) and the least (dark) of each " + data.length + " steps" : ", by time step");
     return frame;
   }
 
   function drawCumulative(name) {
     const told = data.basins[basin];
+    if (told.values === 0) {
+      byId("cumulative-title").textContent = byId("cumulative-caption").textContent = textOfNone(name);
+      return frameOf(charts[1], 0, 1);
+    }
     let total = 0;
     const sums = (series.sums ?? series.largest).map((value) => total += value ?? 0);
     const half = told.error === undefined ? 0 : 1.96 * told.error * told.values;

@@ -255,6 +255,20 @@ def check_access(browser):
     assert wide <= 0, wide
 
 
+def check_nothing_read(browser):
+    """Where there is no reading no line is drawn at 0."""
+    folder = work / "nothing-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text("time,A,B\n2020-01-01,,\n2020-01-02,NA,\n", encoding="utf-8")
+    browser.open(study("nothing", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"))
+    for chart in ("hydrograph", "cumulative"):
+        told = browser.text(f"#{chart}-caption")
+        assert told == "Q has no value at any step: there is no reading." == browser.text(f"#{chart}-title"), told
+    assert browser.run("return document.querySelectorAll('.chart .sum, .chart .error').length") == 0
+
+
 def check_narrow(browser, page):
     """A label without a break does not widen the page; no button is over the map; headings have one ground."""
     label = "x" * 80
@@ -412,6 +426,7 @@ def main():
         browser.narrowed(1400, 900)
         browser.open(small)
         browser.picture("textbook.png")
+        check_nothing_read(browser)
         check_silence(browser, "retessellate", "its ground goes to gauges that report")
         check_silence(browser, "renormalise", "the weights of the others are scaled up")
         check_silence(browser, "strict", "so the basin has no value")
