@@ -105,15 +105,16 @@ std::string paragraphs(const std::string& lines) {
 }  // namespace
 
 std::string basins_table(const Report& report) {
-  HtmlTable table("Basins", {{"basin"},
-                             {area_heading(report), true},
-                             {"gauges inside", true},
-                             {"weighing", true},
-                             {"largest weight", true},
-                             {with_unit("mean", report), true},
-                             {with_unit("95 % bar of the mean", report), true},
-                             {with_unit("largest", report), true},
-                             {"empty steps", true}});
+  HtmlTable table("Gauges, weights and rainfall of each basin",
+                  {{"basin"},
+                   {area_heading(report), true},
+                   {"gauges inside", true},
+                   {"weighing", true},
+                   {"largest weight", true},
+                   {with_unit("mean", report), true},
+                   {with_unit("95 % bar of the mean", report), true},
+                   {with_unit("largest", report), true},
+                   {"empty steps", true}});
   for (const BasinSummary& basin : report.basins) {
     table.add({basin.basin, significant_text(basin.area, 4), std::to_string(basin.gauges_inside),
                std::to_string(basin.gauges_weighing), fixed_text(basin.largest_weight, 3),
