@@ -58,7 +58,7 @@ TEST(ReportLegend, has_the_classes_of_means_and_hides_those_of_steps) {
   EXPECT_TRUE(has(legend, "<ul id=\"mean-classes\">\n<li>")) << legend;
   EXPECT_TRUE(has(legend, "<ul id=\"step-classes\" hidden>\n<li>")) << legend;
   EXPECT_TRUE(has(legend, "from 10 mm</li>")) << legend;
-  EXPECT_TRUE(has(legend, "below 10 mm</li>")) << legend;
+  EXPECT_TRUE(has(legend, "0 to 10 mm</li>")) << legend;
 }
 
 TEST(ReportLegend, says_where_classes_have_no_end) {
