@@ -54,6 +54,7 @@ function textOfReporting(basin) {
   const gauges = gaugesOf[basin];
   const reporting = gauges.filter((gauge) => readings[gauge] !== null).length;
   if (gauges.length === 1) return reporting === 1 ? "the basin's gauge reports" : "the basin's gauge is silent";
+  if (reporting === gauges.length) return `all of the basin's ${reporting} gauges report`;
   return `${reporting} of the basin's ${gauges.length} gauges report`;
 }
 
@@ -62,6 +63,7 @@ function textOfSilence() {
   if (!readings) return "";
   const silent = data.gauges.filter((_, gauge) => readings[gauge] === null);
   if (silent.length === 0) return "At this step every gauge reports.";
+  if (silent.length === data.gauges.length) return "At this step no gauge reports.";
   const most = 5;
   const named = silent.slice(0, most).join(", ") + (silent.length > most ? ` and ${silent.length - most} more` : "");
   return `At this step ${silent.length} of ${data.gauges.length} gauges ${silent.length === 1 ? "is" : "are"} silent: ${named}.`;
@@ -141,7 +143,7 @@ function textOfCell(i) {
   const [gauge, basin, weight] = data.cells[i];
   const reading = readings ? readings[gauge] : data.cells[i][3];
   const what = step > 0 && !data.readings || step === 0 ? "Mean" : "Reading";
-  const none = readings ? `none: ${afterSilence}` : "none";
+  const none = readings?.some((reading) => reading !== null) ? `none: ${afterSilence}` : "none";
   const reporting = textOfReporting(basin);
   return `Gauge ${data.gauges[gauge]}\nBasin ${data.basins[basin].name}\n` +
       `${what}: ${reading === null ? none : rounded(reading, 6) + unit}\nWeight: ${weight}` +

@@ -266,6 +266,11 @@ def check_nothing_read(browser):
     for chart in ("hydrograph", "cumulative"):
         told = browser.text(f"#{chart}-caption")
         assert told == "Q has no value at any step: there is no reading." == browser.text(f"#{chart}-title"), told
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step no gauge reports.", browser.text("#silence")
+    browser.run("document.querySelector('.cell').focus()")
+    assert "Reading: none\n" in browser.text("#info"), browser.text("#info")
     assert browser.run("return document.querySelectorAll('.chart .sum, .chart .error').length") == 0
 
 
