@@ -18,7 +18,8 @@ constexpr double longer_side = 10'000;
 constexpr double margin = 150;
 /// A map is at most so many times longer than wide: the sides of a narrower one stay empty.
 constexpr double longest_shape = 2;
-/// Where there are more gauges their dots are smaller.
+/// Where there are more gauges their dots are smaller, on a narrow screen or on all.
+constexpr std::size_t some_gauges = 100;
 constexpr std::size_t many_gauges = 1'000;
 
 /// How cells without a reading are filled.
@@ -143,9 +144,11 @@ std::string report_map(const Picture& picture) {
   const StudyView view = view_study(picture);
   const Sheet sheet(view.extent);
   const RainfallClasses classes = classes_of(picture);
-  const bool has_many = picture.gauges.size() > many_gauges;
-  std::string svg = std::string("<svg id=\"map\"") + (has_many ? " class=\"many\"" : "") +
-                    " viewBox=\"" + sheet.view_box() +
+  const std::size_t gauges = picture.gauges.size();
+  const char* crowd = gauges > many_gauges   ? " class=\"many\""
+                      : gauges > some_gauges ? " class=\"some\""
+                                             : "";
+  std::string svg = std::string("<svg id=\"map\"") + crowd + " viewBox=\"" + sheet.view_box() +
                     "\" role=\"group\" tabindex=\"0\" aria-labelledby=\"map-title\" "
                     "aria-describedby=\"map-keys\"><title id=\"map-title\">Map of the cells, " +
                     "basins and gauges</title>\n" + silent_pattern + "<g id=\"cells\">\n";

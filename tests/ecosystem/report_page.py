@@ -295,6 +295,9 @@ def check_narrow(browser, page):
     grounds = browser.run("""return [...document.querySelectorAll('.sortable thead')].map((head) => new Set(
         [...head.rows[0].cells].map((cell) => getComputedStyle(cell).backgroundColor + cell.getBoundingClientRect().height)).size)""")
     assert set(grounds) == {1}, grounds
+    lines = browser.run("""return [...document.querySelectorAll('.sortable thead button')].map(
+        (button) => Math.round((button.getBoundingClientRect().height - 6) / 20))""")
+    assert max(lines) <= 3, lines
     bare = browser.run("""return [...document.querySelectorAll('.sortable thead button')].every(
         (button) => getComputedStyle(button).backgroundColor === 'rgba(0, 0, 0, 0)')""")
     assert bare
