@@ -308,6 +308,7 @@ def check_print(browser, file):
     (work / file).write_bytes(pages)
     assert pages.startswith(b"%PDF") and len(pages) > 20_000
     text = subprocess.run(["pdftotext", "-layout", work / file, "-"], check=True, capture_output=True, text=True).stdout
+    assert "Cells and weights are those of the full network." in text and "longest silence" in text, text[:2000]
     of_weights = [page for page in text.split("\f") if re.search(r"^ *(\S+ ){1,2} *\d{6} +[\d.]+ +[01]\.\d+$", page, re.M)]
     assert len(of_weights) > 5, len(of_weights)
     for page in of_weights:
