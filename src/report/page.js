@@ -154,6 +154,7 @@ function tellOf(i) {
   shown = i;
   if (i < 0) return;
   const text = textOfCell(i);
+  byId("info").classList.remove("hint");
   if (byId("info").textContent !== text) byId("info").textContent = text;
   cells[i].setAttribute("aria-label", text.replaceAll("\n", ", "));
   byId("chosen").setAttribute("d", (edgesOf.get(String(i)) ?? cells[i]).getAttribute("d"));
