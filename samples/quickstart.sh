@@ -30,6 +30,7 @@ say
 say "The results are in $results:"
 say '   rain.csv        the rainfall of every county, month by month, in millimetres'
 say '   weights.csv     the share of each gauge in each county'
+say '   summary.csv     the table above, with all digits'
 say '   study.gpkg      all of it, as QGIS opens it in colour'
 say '   cells.geojson   the Thiessen cells, for whatever reads GeoJSON'
 say '   report.html     all of it as a page for a browser'

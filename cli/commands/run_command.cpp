@@ -214,7 +214,9 @@ class RunCommand : public Command {
                             .weights = &rainfall.full_weights(),
                             .options = &options(),
                             .made_by = provenance_of(inputs, study_, &mean, view_.units),
-                            .unit = view_.units},
+                            .unit = view_.units,
+                            .gaps = gaps_.settings().gaps,
+                            .has_totals = periods_.totalling().has_value()},
                            warnings));
   }
 

@@ -128,13 +128,15 @@ std::string report_section() {
              "steps (and for the means those of map.png); of each basin the steps as bars and "
              "their sum with its 95 % bar; tables of basins, weights, silent gauges and influence; "
              "what check says; version, options and the SHA-256 of each input file. It shows the "
-             "steps of RAINFALL, also where --every makes totals of them.") +
+             "steps of RAINFALL, also where --every makes totals of them. Cells and weights are "
+             "those "
+             "of the full network, at every step; who is silent at it stands below the map.") +
          ".PP\n" +
          roff_paragraph(
              "A long series is thinned, which the page says: some steps are shown as one, with the "
              "largest and the least value of each basin, and the map has the one with the most "
              "rain over all gauges. Above a million readings by gauge the map shows the means "
-             "alone. rain.csv has all steps.");
+             "alone. rain.csv has all steps, or with --every their totals.");
 }
 
 std::string study_file_section() {

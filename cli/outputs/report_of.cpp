@@ -86,6 +86,8 @@ std::string StudyReport::page(const ReportParts& parts, const Warnings& warnings
   report.remarks = parts.summary->remarks();
   report.weights = weight_rows(inputs_.weighing(), *parts.weights, inputs_.area_unit());
   report.series = &series_;
+  report.gaps = parts.gaps;
+  report.has_totals = parts.has_totals;
   report.findings = findings(*parts.summary, warnings);
   report.made_by = items_of(parts.made_by);
   report.options = study_options_text(*parts.options);

@@ -8,6 +8,7 @@
 #include "cli/outputs/check_report.h"
 #include "cli/summary/summary.h"
 #include "map/sheet/picture.h"
+#include "rainfall/gaps/gap_policy.h"
 #include "rainfall/series/gauge_readings.h"
 #include "rainfall/series/rain_series.h"
 #include "report/thinned_series.h"
@@ -23,6 +24,8 @@ struct ReportParts {
   const OptionList* options = nullptr;
   Provenance made_by{};
   std::string unit{};
+  Gaps gaps = Gaps::retessellate;  ///< what a step with silent gauges got
+  bool has_totals = false;         ///< whether rain.csv has totals over periods, and not the steps
 };
 
 /// Gathers what report.html shows while the steps of a run pass: the page shows the steps of

@@ -79,11 +79,11 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-/// The words in lines of at most `width`, as few as hold them in their order. Requires that each
-/// word fits.
-std::vector<std::string> lines_of(const std::string& heading, std::size_t width) {
+/// The words in lines of at most `width`, as few as hold them in their order. A longer word has a
+/// line to itself.
+std::vector<std::string> lines_of(const std::string& text, std::size_t width) {
   std::vector<std::string> lines;
-  for (const std::string& word : words_of(heading)) {
+  for (const std::string& word : words_of(text)) {
     if (!lines.empty() && width_of(lines.back()) + 1 + width_of(word) <= width) {
       lines.back() += ' ' + word;
     } else {
@@ -163,6 +163,17 @@ std::string fitted(std::vector<TableColumn> columns, std::size_t width) {
   for (std::size_t r = 0; r < columns.front().values.size(); ++r) {
     for (std::size_t i = 0; i < columns.size(); ++i) row[i] = columns[i].values[r];
     append_row(text, columns, widths, row);
+  }
+  return text;
+}
+
+std::string wrapped(const std::string& lines, std::size_t width) {
+  std::string text;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+    for (const std::string& line : lines_of(lines.substr(begin, end - begin), width))
+      text += line + '\n';
+    begin = end + 1;
   }
   return text;
 }

@@ -20,4 +20,8 @@ struct TableColumn {
 /// of Chinese, count as two.
 std::string fitted(std::vector<TableColumn> columns, std::size_t width);
 
+/// Breaks lines between words, so that each has at most `width` columns, as fitted() counts them; a
+/// longer word has a line to itself. The last line ends in a line break, given or not.
+std::string wrapped(const std::string& lines, std::size_t width);
+
 }  // namespace thiessen::cli

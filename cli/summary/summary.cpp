@@ -78,7 +78,7 @@ std::string Summary::text(const std::string& units, std::size_t width) const {
   const std::vector<BasinSummary> summaries = basins();
   const std::string unit = units.empty() ? "" : " " + printable(units);
   const std::string area = inputs_.area_unit().known() ? "area km2" : "area";
-  return fitted(summary_columns(summaries, area, unit), width) + remarks();
+  return fitted(summary_columns(summaries, area, unit), width) + wrapped(remarks(), width);
 }
 
 }  // namespace thiessen::cli

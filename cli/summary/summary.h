@@ -37,8 +37,8 @@ class Summary {
   /// What a reader of the table should know beside it, in lines; empty where there is nothing.
   std::string remarks() const;
   /// The table of the basins in lines of aligned columns, as wide as fitted() makes them for
-  /// `width`, and below it the remarks. Rainfall and errors have as many decimals as the errors
-  /// tell them to; all digits are in summary.csv.
+  /// `width`, and below it the remarks, broken to that width. Rainfall and errors have as many
+  /// decimals as the errors tell them to; all digits are in summary.csv.
   std::string text(const std::string& units, std::size_t width) const;
 
  private:

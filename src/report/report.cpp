@@ -2,10 +2,12 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "map/svg/xml_text.h"
 #include "report/page_resources.h"
+#include "report/report_legend.h"
 #include "report/report_map.h"
 #include "report/report_series.h"
 #include "report/report_tables.h"
@@ -30,19 +32,24 @@ std::string filled(std::string_view page, const Parts& parts) {
   }
 }
 
-std::string subtitle_of(const Report& report) {
-  std::string text = report.picture->subtitle;
-  if (!report.picture->units.empty()) text += (text.empty() ? "" : ", ") + report.picture->units;
-  return xml_text(text);
+/// What the rainfall is in, behind what it is.
+std::string rate_of(const Report& report) {
+  const Picture& picture = *report.picture;
+  if (picture.units.empty()) return "";
+  return xml_text((picture.subtitle.empty() ? "" : ", ") + picture.units);
 }
 
 }  // namespace
 
 std::string report_page(const Report& report) {
+  const std::optional<RainfallClasses> of_steps = classes_of_steps(report);
   return filled(page_html, {{"title", [&] { return xml_text(report.picture->title); }},
-                            {"subtitle", [&] { return subtitle_of(report); }},
+                            {"what", [&] { return xml_text(report.picture->subtitle); }},
+                            {"rate", [&] { return rate_of(report); }},
                             {"css", [] { return std::string(page_css); }},
                             {"map", [&] { return report_map(*report.picture); }},
+                            {"network", [&] { return network_text(report); }},
+                            {"legend", [&] { return report_legend(report, of_steps); }},
                             {"thinned", [&] { return thinning_text(report); }},
                             {"basins", [&] { return basins_table(report); }},
                             {"weights", [&] { return weights_table(report); }},
@@ -52,8 +59,8 @@ std::string report_page(const Report& report) {
                             {"made-by", [&] { return made_by_table(report); }},
                             {"inputs", [&] { return inputs_table(report); }},
                             {"options", [&] { return xml_text(report.options); }},
-                            {"data", [&] { return report_json(report); }},
-                            {"script", [] { return std::string(page_js); }}});
+                            {"data", [&] { return report_json(report, of_steps); }},
+                            {"script", [] { return std::string(page_script); }}});
 }
 
 }  // namespace thiessen

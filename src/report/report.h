@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "map/sheet/picture.h"
+#include "rainfall/gaps/gap_policy.h"
 #include "report/thinned_series.h"
 #include "results/summary_file.h"
 #include "results/weights_file.h"
@@ -32,6 +33,8 @@ struct Report {
   std::string remarks;  ///< what is to be said of the summary; lines
   std::vector<WeightRow> weights;
   const ThinnedSeries* series = nullptr;
+  Gaps gaps = Gaps::retessellate;  ///< what a step with silent gauges got
+  bool has_totals = false;         ///< whether rain.csv has totals over periods, and not the steps
   std::vector<std::string> findings;  ///< texts of one line or of several aligned ones
   std::vector<std::pair<std::string, std::string>> made_by;  ///< names and values
   std::string options;                                       ///< lines

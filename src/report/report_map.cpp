@@ -18,7 +18,8 @@ constexpr double longer_side = 10'000;
 constexpr double margin = 150;
 /// A map is at most so many times longer than wide: the sides of a narrower one stay empty.
 constexpr double longest_shape = 2;
-/// Where there are more gauges their dots are smaller.
+/// Where there are more gauges their dots are smaller, on a narrow screen or on all.
+constexpr std::size_t some_gauges = 100;
 constexpr std::size_t many_gauges = 1'000;
 
 /// How cells without a reading are filled.
@@ -116,6 +117,16 @@ std::string outline_path(const MapShape& shape, const Sheet& sheet) {
   return path;
 }
 
+/// Whether some edges of its rings are no outline, but only cut the shape.
+bool is_cut(const MapShape& shape) {
+  return std::any_of(shape.begin(), shape.end(), [](const MapPart& part) {
+    std::size_t edges = 0;
+    for (const Ring& ring : part.rings) edges += ring.size();
+    for (const std::vector<Point>& line : part.lines) edges -= line.size() - 1;
+    return edges > 0;
+  });
+}
+
 std::string fill_of(const RainfallClasses& classes, double rainfall) {
   if (std::isnan(rainfall) || classes.count() + (classes.has_dry() ? 1U : 0U) == 0) return "";
   return " fill=\"" + hexadecimal(classes.colour(rainfall)) + "\"";
@@ -133,19 +144,27 @@ std::string report_map(const Picture& picture) {
   const StudyView view = view_study(picture);
   const Sheet sheet(view.extent);
   const RainfallClasses classes = classes_of(picture);
-  const bool has_many = picture.gauges.size() > many_gauges;
-  std::string svg = std::string("<svg id=\"map\"") + (has_many ? " class=\"many\"" : "") +
-                    " viewBox=\"" + sheet.view_box() +
+  const std::size_t gauges = picture.gauges.size();
+  const char* crowd = gauges > many_gauges   ? " class=\"many\""
+                      : gauges > some_gauges ? " class=\"some\""
+                                             : "";
+  std::string svg = std::string("<svg id=\"map\"") + crowd + " viewBox=\"" + sheet.view_box() +
                     "\" role=\"group\" tabindex=\"0\" aria-labelledby=\"map-title\" "
                     "aria-describedby=\"map-keys\"><title id=\"map-title\">Map of the cells, " +
                     "basins and gauges</title>\n" + silent_pattern + "<g id=\"cells\">\n";
   for (std::size_t i = 0; i < view.cells.size(); ++i) {
     throw_if_interrupted();
     const PictureCell& cell = picture.cells[i];
-    svg += "<path class=\"cell\" role=\"img\" data-station=\"" +
-           xml_text(picture.gauges[cell.gauge].station) + "\" data-basin=\"" +
-           xml_text(picture.basins[cell.basin].name) + "\"" + fill_of(classes, cell.rainfall) +
-           " d=\"" + filled_path(view.cells[i], sheet) + "\"/>\n";
+    svg += std::string("<path class=\"cell") + (is_cut(view.cells[i]) ? " cut" : "") +
+           "\" role=\"img\" data-station=\"" + xml_text(picture.gauges[cell.gauge].station) +
+           "\" data-basin=\"" + xml_text(picture.basins[cell.basin].name) + "\"" +
+           fill_of(classes, cell.rainfall) + " d=\"" + filled_path(view.cells[i], sheet) + "\"/>\n";
+  }
+  svg += "</g>\n<g id=\"edges\">\n";
+  for (std::size_t i = 0; i < view.cells.size(); ++i) {
+    if (!is_cut(view.cells[i])) continue;
+    svg += "<path data-cell=\"" + std::to_string(i) + "\" d=\"" +
+           outline_path(view.cells[i], sheet) + "\"/>\n";
   }
   svg += "</g>\n<g id=\"basins\">\n";
   for (const MapShape& basin : view.basins)

@@ -11,7 +11,8 @@ namespace thiessen {
 ///
 /// Coordinates are whole numbers, of which the map has 10,000 along its wider side, a tenth of a
 /// pixel where it is shown 1,000 pixels wide. Neighbours are rounded alike, so no gap opens between
-/// them. What a script needs beside them stands in the order of the picture's cells.
+/// them. A cell that the antimeridian cuts has its outline as a path of its own, without the cut.
+/// What a script needs beside them stands in the order of the picture's cells.
 std::string report_map(const Picture& picture);
 
 }  // namespace thiessen

@@ -8,6 +8,7 @@
 #include "base/number.h"
 #include "map/sheet/rainfall_classes.h"
 #include "map/svg/xml_text.h"
+#include "rainfall/gaps/gap_policies.h"
 #include "text/json_text.h"
 
 namespace thiessen {
@@ -89,14 +90,12 @@ class Scaled {
   double factor_;
 };
 
-/// The classes of the cells' rainfall: their bounds, colours, and texts between them.
+/// The classes of the cells' rainfall: their bounds and colours.
 void append_classes(std::string& json, const char* key, const RainfallClasses& classes) {
   append_key(json, key);
   json += '{';
   append_list(json, "bounds", classes.bounds().size(),
               [&](std::size_t i) { append_shortest(json, classes.bounds()[i]); });
-  append_list(json, "ticks", classes.ticks().size(),
-              [&](std::size_t i) { append_json_string(json, classes.ticks()[i]); });
   append_list(json, "colours", classes.count(), [&](std::size_t i) {
     append_json_string(json, hexadecimal(classes.class_colour(i)));
   });
@@ -126,9 +125,6 @@ void for_each_areal_value(const ThinnedSeries& series, const Visit& visit) {
 
 void append_readings(std::string& json, const Report& report) {
   const ThinnedSeries& series = *report.series;
-  std::vector<double> all;
-  for_each_reading(series, [&](double reading) { all.push_back(reading); });
-  append_classes(json, "classes", RainfallClasses(std::move(all), report.picture->classes));
   const int decimals = decimals_of([&](const auto& visit) { for_each_reading(series, visit); });
   append_count(json, "readingDecimals", static_cast<std::size_t>(decimals));
   const Scaled scaled(decimals);
@@ -212,20 +208,28 @@ void append_gauges(std::string& json, const Report& report) {
 
 }  // namespace
 
-std::string report_json(const Report& report) {
+std::string report_json(const Report& report, const std::optional<RainfallClasses>& of_steps) {
   const std::vector<SeriesStretch>& stretches = report.series->stretches();
   std::string json = "{";
   append_text(json, "unit", report.unit);
+  append_text(json, "gaps", name_of(report.gaps));
   append_count(json, "steps", report.series->steps());
   append_count(json, "length", report.series->steps_in_a_stretch());
   append_list(json, "times", stretches.size(),
               [&](std::size_t i) { append_json_string(json, stretches[i].time); });
+  if (report.series->steps_in_a_stretch() > 1) {
+    append_list(json, "begins", stretches.size(),
+                [&](std::size_t i) { append_json_string(json, stretches[i].begin); });
+  }
   append_classes(json, "meanClasses", classes_of(*report.picture));
   append_gauges(json, report);
   append_basins(json, report);
   append_cells(json, report);
   append_areal_values(json, report);
-  if (report.series->has_readings()) append_readings(json, report);
+  if (of_steps) {
+    append_classes(json, "classes", *of_steps);
+    append_readings(json, report);
+  }
   return json + "}";
 }
 
@@ -237,7 +241,8 @@ std::string thinning_text(const Report& report) {
             std::to_string(series.steps_in_a_stretch()) +
             " are shown as one, with the largest and the least value of every basin kept; " +
             (series.has_readings() ? "the map shows the wettest of them. " : "") +
-            "rain.csv has all steps. ";
+            (report.has_totals ? "rain.csv has totals over periods, not the steps. "
+                               : "rain.csv has all steps. ");
   }
   if (!series.has_readings()) {
     text +=

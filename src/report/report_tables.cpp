@@ -6,6 +6,7 @@
 
 #include "base/number.h"
 #include "map/svg/xml_text.h"
+#include "rainfall/gaps/gap_policies.h"
 
 namespace thiessen {
 namespace {
@@ -17,6 +18,28 @@ struct Column {
   bool is_number = false;
 };
 
+/// The lines that a heading's words make where none is longer than `width`, if its words are not.
+std::size_t lines_at(const std::string& heading, std::size_t width) {
+  std::size_t lines = 1;
+  std::size_t filled = 0;
+  for (std::size_t begin = 0; begin < heading.size();) {
+    const std::size_t end = std::min(heading.find(' ', begin), heading.size());
+    const std::size_t word = end - begin;
+    const bool fits = filled == 0 || filled + 1 + word <= width;
+    lines += fits ? 0 : 1;
+    filled = fits && filled > 0 ? filled + 1 + word : word;
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// The characters that a column is wide at least, so that its heading takes so many lines at most.
+std::size_t least_width(const std::string& heading, std::size_t most_lines) {
+  std::size_t width = 1;
+  while (lines_at(heading, width) > most_lines) ++width;
+  return width;
+}
+
 /// A table in HTML: a caption, headings that sort it, and rows of texts.
 class HtmlTable {
  public:
@@ -25,9 +48,14 @@ class HtmlTable {
         html_("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"" +
               xml_text(caption) + "\"><table class=\"sortable\"><caption>" + xml_text(caption) +
               "</caption>\n<thead><tr>") {
+    // A telephone shows four columns; of a table that is moved sideways no heading may stand high
+    // that is out of sight.
+    const std::size_t lines = columns_.size() > 4 ? 2 : 3;
     for (const Column& column : columns_) {
       html_ += std::string("<th scope=\"col\"") + (column.is_number ? " class=\"n\"" : "") +
-               "><button type=\"button\">" + xml_text(column.heading) + "</button></th>";
+               "><button type=\"button\" style=\"min-width:" +
+               std::to_string(least_width(column.heading, lines) + 2) + "ch\">" +
+               xml_text(column.heading) + "</button></th>";
     }
     html_ += "</tr></thead>\n<tbody>\n";
   }
@@ -104,15 +132,16 @@ std::string paragraphs(const std::string& lines) {
 }  // namespace
 
 std::string basins_table(const Report& report) {
-  HtmlTable table("Basins", {{"basin"},
-                             {area_heading(report), true},
-                             {"gauges inside", true},
-                             {"weighing", true},
-                             {"largest weight", true},
-                             {with_unit("mean", report), true},
-                             {with_unit("95 % bar of the mean", report), true},
-                             {with_unit("largest", report), true},
-                             {"empty steps", true}});
+  HtmlTable table("Gauges, weights and rainfall of each basin",
+                  {{"basin"},
+                   {area_heading(report), true},
+                   {"gauges inside", true},
+                   {"weighing", true},
+                   {"largest weight", true},
+                   {with_unit("mean", report), true},
+                   {with_unit("95 % bar of the mean", report), true},
+                   {with_unit("largest", report), true},
+                   {"empty steps", true}});
   for (const BasinSummary& basin : report.basins) {
     table.add({basin.basin, significant_text(basin.area, 4), std::to_string(basin.gauges_inside),
                std::to_string(basin.gauges_weighing), fixed_text(basin.largest_weight, 3),
@@ -172,6 +201,22 @@ std::string gaps_table(const Report& report) {
   return std::move(table).text("") + "<p>" + std::to_string(without) + " of " +
          std::to_string(gauges.size()) +
          " gauges report in every step; the others are listed.</p>\n";
+}
+
+std::string network_text(const Report& report) {
+  const auto after = [&]() -> std::string {
+    switch (report.gaps) {
+      case Gaps::retessellate:
+        return "their ground goes to those around them that report";
+      case Gaps::renormalise:
+        return "the weights of the others are scaled up to 1";
+      case Gaps::strict:
+        return "the basins in which they weigh have no value";
+    }
+    return "";
+  };
+  return "Cells and weights are those of the full network. Where gauges are silent at a step, " +
+         after() + " (" + name_of(report.gaps) + ").";
 }
 
 std::string findings_list(const Report& report) {

@@ -12,6 +12,8 @@ std::string basins_table(const Report& report);
 std::string weights_table(const Report& report);
 std::string influence_table(const Report& report);
 std::string gaps_table(const Report& report);
+/// Says which cells and weights are shown, and what silent gauges change of them.
+std::string network_text(const Report& report);
 std::string findings_list(const Report& report);
 std::string made_by_table(const Report& report);
 std::string inputs_table(const Report& report);

@@ -50,7 +50,7 @@ void ThinnedSeries::add(const std::string& time, std::span<const double> basins,
                         std::span<const double> readings) {
   note_silence(readings);
   ++steps_;
-  SeriesStretch step{1, time, {}, sum_of(readings), {}};
+  SeriesStretch step{1, time, time, {}, sum_of(readings), {}};
   for (const double value : basins) step.basins.push_back(of_one(value));
   if (has_readings_) step.readings.assign(readings.begin(), readings.end());
   if (!stretches_.empty() && stretches_.back().steps < length_) {

@@ -19,7 +19,8 @@ struct SeriesStretch {
   };
 
   std::size_t steps = 0;
-  std::string time;  ///< of its wettest step by the gauges' sum, of equal ones the first
+  std::string begin;  ///< the time of its first step
+  std::string time;   ///< of its wettest step by the gauges' sum, of equal ones the first
   std::vector<double> readings;  ///< by station at that step; empty where they are left out
   double gauges_sum = 0;         ///< of these readings
   std::vector<OfBasin> basins;

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Opens report.html in a Chromium without a window, and uses it by mouse, by keyboard and on paper
-# Packages: chromium chromium-driver
+# Packages: chromium chromium-driver poppler-utils
 set -euo pipefail
 
 work=$CLONE/build-ecosystem/report

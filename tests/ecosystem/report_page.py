@@ -170,6 +170,19 @@ def check_map(browser):
     assert box_of(browser) == whole
 
 
+def check_legend(browser):
+    """The legend is there without the script; each colour of the map is in it, at every step."""
+    shown = """return [...document.querySelectorAll('#legend ul:not([hidden]) rect[fill]')].map((rect) => rect.getAttribute('fill'))"""
+    assert browser.run("return document.querySelectorAll('#mean-classes li').length") > 3
+    assert set(fills(browser)) - {None} <= set(browser.run(shown))
+    signs = browser.run("return [...document.querySelectorAll('#legend ul:last-child li')].map((item) => item.textContent)")
+    assert signs == ["no reading", "rain gauge", "gauge without any reading"], signs
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert set(fills(browser)) - {None} <= set(browser.run(shown))
+    browser.keys("home")
+
+
 def check_keyboard(browser):
     """A cell is reached by Tab, the next by N; what is told of it is in its label too."""
     browser.run("document.getElementById('map').focus()")
@@ -182,21 +195,34 @@ def check_keyboard(browser):
     browser.keys("enter")
     basin = browser.run("return document.querySelector('#basin').selectedOptions[0].textContent")
     assert f"Basin {basin}," in second, (basin, second)
+    for _ in range(12):
+        browser.keys("+")
+    outside = """const cell = document.activeElement.getBBox();
+        const [x, y, width, height] = document.getElementById('map').getAttribute('viewBox').split(' ').map(Number);
+        const middle = [cell.x + cell.width / 2 - x, cell.y + cell.height / 2 - y];
+        return middle[0] < 0 || middle[1] < 0 || middle[0] > width || middle[1] > height"""
+    for key in "n" * 20 + "p" * 20:
+        browser.keys(key)
+        assert not browser.run(outside), browser.run("return document.activeElement.getAttribute('aria-label')")
+    browser.keys("0")
 
 
 def check_slider(browser):
     """Each step has its text, its colours and its readings."""
     before = fills(browser)
+    subtitle = browser.text("#subtitle")
+    assert subtitle == "each gauge's mean over the steps it reports, of 120 time steps, mm per month", subtitle
     browser.run("document.getElementById('step').focus()")
     browser.keys("right", "right", "right")
     text = browser.run("return document.getElementById('step').getAttribute('aria-valuetext')")
     assert text == browser.text("#step-text") and "(3 of " in text, text
     assert fills(browser) != before
+    assert browser.text("#subtitle") == "1988-03, mm per month", browser.text("#subtitle")
     browser.click("#before")
     assert "(2 of " in browser.text("#step-text")
     browser.run("document.getElementById('step').focus()")
     browser.keys("home")
-    assert fills(browser) == before
+    assert fills(browser) == before and browser.text("#subtitle") == subtitle
     assert browser.text("#step-text").startswith("mean of ")
 
 
@@ -229,10 +255,64 @@ def check_access(browser):
     assert wide <= 0, wide
 
 
+def check_nothing_read(browser):
+    """Where there is no reading no line is drawn at 0."""
+    folder = work / "nothing-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text("time,A,B\n2020-01-01,,\n2020-01-02,NA,\n", encoding="utf-8")
+    browser.open(study("nothing", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"))
+    for chart in ("hydrograph", "cumulative"):
+        told = browser.text(f"#{chart}-caption")
+        assert told == "Q has no value at any step: there is no reading." == browser.text(f"#{chart}-title"), told
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step no gauge reports.", browser.text("#silence")
+    browser.run("document.querySelector('.cell').focus()")
+    assert "Reading: none\n" in browser.text("#info"), browser.text("#info")
+    assert browser.run("return document.querySelectorAll('.chart .sum, .chart .error').length") == 0
+
+
+def check_narrow(browser, page):
+    """A label without a break does not widen the page; no button is over the map; headings have one ground."""
+    label = "x" * 80
+    folder = work / "label-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text(f"time,A,B\n{label},1,2\n", encoding="utf-8")
+    browser.open(study("label", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"))
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#step-text").startswith(label)
+    check_access(browser)
+    browser.open(page)
+    over = browser.run("""const map = document.getElementById('map').getBoundingClientRect();
+        return [...document.querySelectorAll('button')].map((button) => button.getBoundingClientRect()).filter((box) =>
+            box.right > map.left && box.left < map.right && box.bottom > map.top && box.top < map.bottom).length""")
+    assert over == 0, over
+    grounds = browser.run("""return [...document.querySelectorAll('.sortable thead')].map((head) => new Set(
+        [...head.rows[0].cells].map((cell) => getComputedStyle(cell).backgroundColor + cell.getBoundingClientRect().height)).size)""")
+    assert set(grounds) == {1}, grounds
+    lines = browser.run("""return [...document.querySelectorAll('.sortable thead button')].map(
+        (button) => Math.round((button.getBoundingClientRect().height - 6) / 20))""")
+    assert max(lines) <= 3, lines
+    bare = browser.run("""return [...document.querySelectorAll('.sortable thead button')].every(
+        (button) => getComputedStyle(button).backgroundColor === 'rgba(0, 0, 0, 0)')""")
+    assert bare
+
+
 def check_print(browser, file):
     pages = base64.b64decode(browser.ask("POST", "/print", {"page": {"width": 21, "height": 29.7}}))
     (work / file).write_bytes(pages)
     assert pages.startswith(b"%PDF") and len(pages) > 20_000
+    text = subprocess.run(["pdftotext", "-layout", work / file, "-"], check=True, capture_output=True, text=True).stdout
+    assert "Cells and weights are those of the full network." in text and "longest silence" in text, text[:2000]
+    of_weights = [page for page in text.split("\f") if re.search(r"^ *(\S+ ){1,2} *\d{6} +[\d.]+ +[01]\.\d+$", page, re.M)]
+    assert len(of_weights) > 5, len(of_weights)
+    for page in of_weights:
+        assert re.search(r"basin +gauge( \S)? +area", page), page[:500]
 
 
 def evil_study():
@@ -246,17 +326,74 @@ def evil_study():
     return study("evil", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar"), evil
 
 
+def gaps_study(policy):
+    """Three gauges in a row, of which the second is silent at the second step."""
+    folder = work / f"{policy}-inputs"
+    folder.mkdir()
+    (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,5,2\nC,9,2\n", encoding="utf-8")
+    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "rain.csv").write_text("time,A,B,C\nMonday,1,2,3\nTuesday,4,,8\n", encoding="utf-8")
+    return study(policy, folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar",
+                 "--gaps", policy)
+
+
+def check_silence(browser, policy, reading):
+    """What is told of a step that was made by other cells than the map shows."""
+    browser.open(gaps_study(policy))
+    assert f"({policy})" in browser.text("#map-part") and "full network" in browser.text("#map-part")
+    browser.run("document.getElementById('step').focus()")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step every gauge reports.", browser.text("#silence")
+    browser.keys("right")
+    assert browser.text("#silence") == "At this step 1 of 3 gauges is silent: B.", browser.text("#silence")
+    browser.run("document.querySelectorAll('.cell')[1].focus()")
+    told = browser.text("#info")
+    assert told == (f"Gauge B\nBasin Q\nReading: none: {reading}\n"
+                    "Weight: 0.4 in the full network; 2 of the basin's 3 gauges report"), told
+    if policy != "strict":  # 4 and 8 have half of the basin each
+        assert browser.text("#basin-text") == "6 mm at Tuesday; 2 of the basin's 3 gauges report", browser.text("#basin-text")
+
+
 def long_study():
     folder = work / "long-inputs"
     folder.mkdir()
     (folder / "stations.csv").write_text("id,x,y\nA,1,2\nB,8,2\n", encoding="utf-8")
-    (folder / "basins.csv").write_text('id,WKT\nQ,"POLYGON ((0 0,10 0,10 4,0 4,0 0))"\n', encoding="utf-8")
+    (folder / "basins.csv").write_text(
+        'id,WKT\nP,"POLYGON ((0 0,4 0,4 4,0 4,0 0))"\nQ,"POLYGON ((5 0,10 0,10 4,5 4,5 0))"\n', encoding="utf-8")
+    rows = long_rows()
     with open(folder / "rain.csv", "w", encoding="utf-8") as table:
         table.write("time,A,B\n")
-        for i in range(100_000):
-            value = 99.5 if i == 54_321 else i % 7
-            table.write(f"{i},{value},{value}\n")
+        table.writelines(f"{i},{a},{b}\n" for i, (a, b) in enumerate(rows))
     return study("long", folder / "stations.csv", folder / "basins.csv", folder / "rain.csv", "--metric", "planar")
+
+
+def long_rows():
+    """What A and B read: all of P's and of Q's rain, whose largest values fall at different times."""
+    return [(99.5 if i == 54_321 else i % 7, i * 5 % 11) for i in range(100_000)]
+
+
+def check_long_values(browser):
+    """The text beside the basin tells, step by step, a value that the basin has in the steps that it names."""
+    rows = long_rows()
+    for number in range(2):
+        texts = browser.run("""const basin = document.getElementById('basin');
+            const slider = document.getElementById('step');
+            const texts = [];
+            basin.value = arguments[0];
+            basin.dispatchEvent(new Event('change'));
+            for (let step = 1; step <= slider.max; ++step) {
+              slider.value = step;
+              slider.dispatchEvent(new Event('input'));
+              texts.push(document.getElementById('basin-text').textContent);
+            }
+            return texts""", str(number))
+        for text in texts:
+            found = re.fullmatch(r"largest of the (\d+) steps from (\d+) on: ([\d.]+) mm", text)
+            assert found, text
+            first = int(found[2])
+            largest = max(row[number] for row in rows[first:first + int(found[1])])
+            assert float(found[3]) == largest, (text, largest)
+    print(f"= {2 * len(texts)} texts of a thinned series tell the largest value of the steps that they name")
 
 
 def main():
@@ -277,6 +414,7 @@ def main():
         browser.picture("wide.png")
         check_access(browser)
         check_map(browser)
+        check_legend(browser)
         check_keyboard(browser)
         check_slider(browser)
         check_tables(browser)
@@ -287,8 +425,8 @@ def main():
             slider.dispatchEvent(new Event('input'))""")
         browser.picture("dark.png")
         browser.develop("Emulation.setEmulatedMedia", features=[])
-        browser.narrowed(400, 800)
-        browser.open(large)
+        browser.narrowed(390, 844)
+        check_narrow(browser, large)
         check_access(browser)
         browser.picture("narrow.png")
         browser.open(small)
@@ -297,6 +435,10 @@ def main():
         browser.narrowed(1400, 900)
         browser.open(small)
         browser.picture("textbook.png")
+        check_nothing_read(browser)
+        check_silence(browser, "retessellate", "its ground goes to gauges that report")
+        check_silence(browser, "renormalise", "the weights of the others are scaled up")
+        check_silence(browser, "strict", "so the basin has no value")
         page, evil = evil_study()
         browser.open(page)
         assert browser.run("return document.images.length") == 0
@@ -308,6 +450,7 @@ def main():
         assert "of 100000 time steps each " in thinned, thinned
         assert "99.5" in browser.text("#hydrograph-title"), browser.text("#hydrograph-title")
         browser.picture("long.png")
+        check_long_values(browser)
         print(f"= 100,000 steps are thinned, keep their largest, and are ready after {ready} ms")
         assert not browser.log(), browser.log()
     finally:

@@ -90,10 +90,29 @@ TEST(ReportPage, tells_the_bar_of_the_mean) {
   EXPECT_TRUE(has(report_page(TwoCells().report), ">5.540 to 9.460<"));
 }
 
+// "95 % bar of" and "the mean (mm)": 13 characters, and two for what is round them. "change, root",
+// "root mean" and "square (mm)": 11.
+TEST(ReportPage, gives_headings_room_for_a_few_lines) {
+  const std::string page = report_page(TwoCells().report);
+  EXPECT_TRUE(has(page, "style=\"min-width:15ch\">95 % bar of the mean (mm)<")) << page;
+  EXPECT_TRUE(has(page, "style=\"min-width:13ch\">change, root mean square (mm)<")) << page;
+}
+
 TEST(ReportPage, tells_which_gauges_are_silent) {
   const std::string page = report_page(TwoCells().report);
   EXPECT_TRUE(has(page, "<th scope=\"row\">A</th><td class=\"n\">1</td><td class=\"n\">50.0</td>"));
   EXPECT_TRUE(has(page, "1 of 2 gauges report in every step"));
+}
+
+TEST(ReportPage, says_whose_cells_are_shown_and_what_silence_changes) {
+  TwoCells study;
+  EXPECT_TRUE(has(report_page(study.report),
+                  "Cells and weights are those of the full network. Where gauges are silent at a "
+                  "step, their ground goes to those around them that report (retessellate)."));
+  study.report.gaps = Gaps::renormalise;
+  EXPECT_TRUE(has(report_page(study.report), "are scaled up to 1 (renormalise)."));
+  study.report.gaps = Gaps::strict;
+  EXPECT_TRUE(has(report_page(study.report), "have no value (strict)."));
 }
 
 TEST(ReportPage, takes_no_text_for_markup) {
@@ -117,6 +136,26 @@ TEST(ReportPage, draws_a_cell_in_steps_of_whole_numbers) {
   EXPECT_TRUE(has(page, " d=\"M150 5000l4850 0 0-4850-4850 0z\"")) << page;
 }
 
+TEST(ReportPage, draws_no_line_where_the_antimeridian_cuts_a_cell) {
+  TwoCells study;
+  EXPECT_TRUE(has(report_page(study.report), "<g id=\"edges\">\n</g>")) << "no cell is cut";
+  // A cap round the pole, whose ring runs up the antimeridian and along the pole.
+  study.picture.geographic = true;
+  const MultiPolygon cap{
+      {{{-180, 60}, {-90, 60}, {0, 60}, {90, 60}, {180, 60}, {180, 90}, {-180, 90}}, {}}};
+  study.picture.cells = {{cap, 0, 4, 0}};
+  study.picture.basins = {{"Q", cap}};
+  study.picture.gauges.resize(1);
+  study.picture.gauges[0].position = {0, 80};
+  const std::string page = report_page(study.report);
+  EXPECT_TRUE(has(page, "class=\"cell cut\""));
+  const std::size_t edges = page.find("<path data-cell=\"0\" d=\"M");
+  ASSERT_NE(edges, std::string::npos);
+  const std::string path = page.substr(edges, page.find("/>", edges) - edges);
+  EXPECT_FALSE(has(path, "z")) << path;
+  EXPECT_EQ(count_of(path, "M"), 1U) << path;
+}
+
 TEST(ReportPage, says_where_it_is_thinned) {
   TwoCells study;
   EXPECT_TRUE(has(report_page(study.report), "id=\"thinned\"></p>"));
@@ -126,7 +165,13 @@ TEST(ReportPage, says_where_it_is_thinned) {
   study.report.series = &series;
   const std::string page = report_page(study.report);
   EXPECT_TRUE(has(page, "of 100 time steps each 4 are shown as one"));
+  EXPECT_TRUE(has(page, R"("begins":["0","4","8",)")) << "where stretches begin";
+  EXPECT_TRUE(has(page, R"("times":["3","7","11",)")) << "their wettest steps";
   EXPECT_TRUE(has(page, "rain.csv has all steps"));
+  study.report.has_totals = true;
+  const std::string totals = report_page(study.report);
+  EXPECT_TRUE(has(totals, "rain.csv has totals over periods, not the steps"));
+  EXPECT_FALSE(has(totals, "all steps"));
 }
 
 TEST(ReportPage, says_where_readings_are_left_out) {

@@ -61,8 +61,10 @@ TEST(ThinnedSeries, shows_the_wettest_step_of_a_stretch) {
   series.add("damp", std::vector{1.0}, std::vector{1.0, 1.0});
   ASSERT_EQ(series.stretches().size(), 2U);
   EXPECT_EQ(series.steps_in_a_stretch(), 2U);
+  EXPECT_EQ(series.stretches()[0].begin, "dry");
   EXPECT_EQ(series.stretches()[0].time, "wet");
   EXPECT_EQ(series.stretches()[0].readings[0], 6);
+  EXPECT_EQ(series.stretches()[1].begin, "damp");
   EXPECT_EQ(series.stretches()[1].time, "damp");
 }
 

@@ -42,12 +42,21 @@ std::string page_of(const GivenInputs& given, const Warnings& warnings) {
                       .summary = &summary,
                       .weights = &rainfall.full_weights(),
                       .options = &options,
-                      .unit = "mm"},
+                      .unit = "mm",
+                      .gaps = Gaps::strict,
+                      .has_totals = true},
                      warnings);
 }
 
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
+}
+
+TEST(StudyReport, tells_the_policy_for_gaps) {
+  const GivenInputs given;
+  const std::string page = page_of(given, {});
+  EXPECT_TRUE(has(page, "have no value (strict)."));
+  EXPECT_TRUE(has(page, R"("gaps":"strict")"));
 }
 
 // The weights are 0.4 and 0.6, of 40 in all.

@@ -46,5 +46,19 @@ TEST(FittedTable, wide_characters_count_as_two) {
             "b        n\n" + five.substr(0, 9) + "\xE2\x80\xA6  1\n");
 }
 
+TEST(Wrapped, lines_break_between_words) {
+  EXPECT_EQ(wrapped("one two three\nfour\n", 7), "one two\nthree\nfour\n");
+  EXPECT_EQ(wrapped("one two three\nfour\n", 13), "one two three\nfour\n");
+  EXPECT_EQ(wrapped("", 7), "");
+}
+
+TEST(Wrapped, a_word_that_is_too_long_has_a_line_to_itself) {
+  EXPECT_EQ(wrapped("a 2020-01-01T00:00:00 b", 7), "a\n2020-01-01T00:00:00\nb\n");
+}
+
+TEST(Wrapped, wide_characters_count_as_two) {
+  EXPECT_EQ(wrapped("\xE9\x9B\xA8 \xE9\x87\x8F", 4), "\xE9\x9B\xA8\n\xE9\x87\x8F\n");
+}
+
 }  // namespace
 }  // namespace thiessen::cli

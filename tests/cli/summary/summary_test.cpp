@@ -73,7 +73,7 @@ TEST(Summary, says_why_no_gauge_is_the_most_influential) {
   summary.add(step(1, 1, 1));
   EXPECT_TRUE(
       summary.text("", 80).ends_with("The most influential gauges are told with --gaps "
-                                     "retessellate and without --min-gauges.\n"));
+                                     "retessellate and without\n--min-gauges.\n"));
 }
 
 // It looks at 4,096 steps at most.
@@ -83,10 +83,12 @@ TEST(Summary, says_in_how_many_steps_it_looked_for_the_most_influential_gauge) {
   Summary summary(given.inputs, rainfall.full_weights());
   for (int i = 0; i < 5000; ++i) summary.add(step(10, 20, 16));
   summary.find_most_influential(rainfall, 1);
+  const std::string told = summary.remarks();
+  EXPECT_NE(told.find("The most influential gauges are those of "), std::string::npos) << told;
+  EXPECT_NE(told.find(" of the 5000 steps, evenly spaced"), std::string::npos) << told;
   const std::string text = summary.text("mm", 80);
-  EXPECT_NE(text.find("The most influential gauges are those of "), std::string::npos) << text;
-  EXPECT_NE(text.find(" of the 5000 steps, evenly spaced"), std::string::npos) << text;
   EXPECT_NE(text.find("6.0\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("spaced:\nlooking for them may take"), std::string::npos) << text;
 }
 
 TEST(Summary, has_square_kilometres_where_the_unit_is_known) {
