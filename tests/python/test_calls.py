@@ -91,8 +91,8 @@ def test_stations_that_never_report_are_named():
 
 def test_doubles_in_order_are_not_copied():
     readings = numpy.ones((5, 3))
-    assert readings_of(readings, None, False)[0] is readings
-    assert not numpy.shares_memory(readings_of(numpy.ones((5, 3), int), None, False)[0], readings)
+    assert readings_of(readings, None).matrix is readings
+    assert not numpy.shares_memory(readings_of(numpy.ones((5, 3), int), None).matrix, readings)
 
 
 def many_readings():

@@ -89,7 +89,8 @@ class Study:
                     return held_stations.ids
                 return _thiessen.station_ids([given[0], *texts_of(keywords, only_stations=True)])
 
-            matrix, self._times = readings_of(rainfall, ids_of_stations, keywords.pop("ignore_unknown", False))
+            held = readings_of(rainfall, ids_of_stations, keywords.pop("ignore_unknown", False))
+            matrix, self._times = held.matrix, held.times
         if held_stations is not None:
             held_stations.require_crs(keywords, held_basins)
         self._matrix = matrix
@@ -161,7 +162,8 @@ class Study:
 
         readings: nothing, for those of the study; files; an array of steps by stations, in the order in which the
             stations were given, NaN where a gauge is silent; a frame with a column for each station, whose index is
-            the time. An array of doubles in C's order is read where it lies.
+            the time. What has labels (a frame, a row of one, a dictionary, a structured array, an array of xarray with
+            coordinates) goes by them. An array of doubles in C's order is read where it lies.
         keywords: gaps, min_gauges, method (several with commas between them), error, and of readings in files from_,
             to, time_field and the other options of readings.
 
@@ -209,8 +211,8 @@ class Study:
             return self._matrix, self._times, texts_of(keywords)
         if _are_files(readings):
             return None, None, _rainfall_keywords(readings) + texts_of(keywords)
-        matrix, times = readings_of(readings, lambda: self._study.given_ids, keywords.pop("ignore_unknown", False))
-        return matrix, times, texts_of(keywords)
+        held = readings_of(readings, lambda: self._study.given_ids, keywords.pop("ignore_unknown", False))
+        return held.matrix, held.times, texts_of(keywords)
 
     @staticmethod
     def _time_column(times, file_times, steps):
