@@ -18,7 +18,7 @@ from matplotlib import pyplot  # noqa: E402
 
 colorado = pathlib.Path(__file__).resolve().parents[1] / "colorado"
 
-# 1. Files, as the program reads them. Every long option is a keyword.
+# 1. Files, as the program reads them. Its long options are keywords.
 study = thiessen.Study(colorado / "stations.csv", colorado / "counties.geojson", colorado / "rainfall.csv",
                        basin_id="name")
 print(f"{len(study.stations)} gauges in {len(study.basins)} counties; {len(study.never_reporting)} never report")

@@ -17,7 +17,7 @@ from conftest import COLORADO, TEXTBOOK
 
 
 def test_a_wrong_keyword_tells_the_nearest():
-    with pytest.raises(TypeError, match="basin_id"):
+    with pytest.raises(TypeError, match="Study has no keyword 'basinid'; is basin_id meant"):
         thiessen.Study(*TEXTBOOK, basinid="x")
 
 
@@ -187,3 +187,4 @@ def test_several_files_are_joined(tmp_path):
         parts[-1].write_text("\n".join([lines[0], *part]) + "\n", encoding="utf-8")
     whole, joined = thiessen.Study(*COLORADO).rain(), thiessen.Study(*COLORADO[:2], parts).rain()
     assert whole.equals(joined)
+    assert thiessen.Study(*COLORADO[:2]).rain(rainfall=parts).iloc[:, 1:].shape == whole.iloc[:, 1:].shape

@@ -138,3 +138,45 @@ def readings_of(readings, ids_of_stations, ignore_unknown=False):
     if array.ndim != 2:
         raise _thiessen.Error(f"readings of {array.ndim} dimensions: an array of steps by stations is wanted")
     return Held(array)
+
+
+def _is_midnight(times):
+    return times.tz is None and bool((times == times.normalize()).all())
+
+
+def time_texts(times, ends_steps=False):
+    """Times as ISO 8601 writes them. Timestamps of pandas that are all midnight are days, as pandas writes them; but
+    where it is said what times are of their steps they have clocks.
+    """
+    if hasattr(times, "normalize"):
+        if not ends_steps and _is_midnight(times):
+            return list(times.strftime("%Y-%m-%d"))
+        return [time.isoformat() for time in times]
+    return [time.isoformat() if hasattr(time, "isoformat") else str(time) for time in times]
+
+
+def texts_of_unique(times, ends_steps=False):
+    """The same of times of which each is there once."""
+    if not times.is_unique:
+        raise _thiessen.Error(f"the time {str(times[times.duplicated()][0])!r} is there twice\n"
+                              "hint: times are told apart by what they are called")
+    return time_texts(times, ends_steps)
+
+
+def text_of_time(time, times, texts):
+    """The text of the one of these times that is meant; `texts` are theirs."""
+    meant = str(time)
+    if hasattr(times, "normalize"):
+        try:
+            stamp = pandas.Timestamp(time)
+            if (stamp.tz is None) != (times.tz is None):
+                stamp = stamp.tz_localize(times.tz)
+            found = numpy.flatnonzero(times == stamp)
+        except (TypeError, ValueError):
+            found = ()
+        if len(found):
+            return texts[found[0]]
+    elif meant in texts:
+        return meant
+    raise _thiessen.Error(f"there is no time step {meant!r}" +
+                          (f": the first is {texts[0]!r}, the last {texts[-1]!r}" if texts else ""))
