@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Areal rainfall of Colorado's counties in Python: from files, from frames, with errors, and a plot.
 
-    pip install ./src/python        # once, from the clone
+    pip install ./src/python        # once, from the clone, in a venv: see README.md
     samples/python/walkthrough.py [PLOT.png]
 """
 
