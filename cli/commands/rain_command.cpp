@@ -191,12 +191,7 @@ class RainCommand : public Command {
   void check_errors_can_be_had() const {
     if (!errors_) return;
     method_.check_errors();
-    if (periods_.totalling()) {
-      throw UsageError{
-          "--error is of steps, and --every sums them: how far their errors cancel is "
-          "not known",
-          "leave one of them out, or sum the readings first"};
-    }
+    periods_.check_errors();
     if (rainfall_.is_standard_input()) {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
                        "give a file"};

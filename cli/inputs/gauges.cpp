@@ -29,19 +29,24 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
 std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study,
                                        const RainfallOptions& rainfall,
                                        std::span<const std::string> times, Warnings& warnings) {
-  const auto readings = inputs.open_readings(study, rainfall, warnings);
-  std::vector<GaugeReadings> steps = read_steps(*readings, inputs.network(), times);
+  return shown_steps(*inputs.open_readings(study, rainfall, warnings), inputs.network(),
+                     rainfall.name(), times, warnings);
+}
+
+std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& network,
+                                       const std::string& name, std::span<const std::string> times,
+                                       Warnings& warnings) {
+  std::vector<GaugeReadings> steps = read_steps(readings, network, times);
   Complaints lacking;
   for (std::size_t i = 0; i < times.size(); ++i) {
     if (!steps[i].readings.empty()) continue;
-    lacking.add({rainfall.name(), 0, "there is no time step '" + times[i] + "'",
+    lacking.add({name, 0, "there is no time step '" + times[i] + "'",
                  "a time is written just as in the file"});
   }
   lacking.throw_if_any();
   for (const GaugeReadings& shown : steps) {
     if (!all_silent(shown)) continue;
-    warnings.add(
-        {rainfall.name(), 0, "no gauge reports in the time step '" + shown.label + "'", ""});
+    warnings.add({name, 0, "no gauge reports in the time step '" + shown.label + "'", ""});
   }
   return steps;
 }

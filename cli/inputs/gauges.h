@@ -16,6 +16,12 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings);
 
+/// The steps at these times of readings that are open, in their order; `name` is that of the
+/// readings in messages. Throws Error, naming each time that they lack.
+std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& network,
+                                       const std::string& name, std::span<const std::string> times,
+                                       Warnings& warnings);
+
 /// What readings are called to be in: their own unit where that is known, else what `--units` says.
 /// Throws Error where it says another; `file` is for the message.
 std::string unit_shown(const std::string& known, const std::string& said, bool is_said,

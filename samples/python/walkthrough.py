@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Areal rainfall of Colorado's counties in Python: from files, from frames, with errors, and a plot.
 
-    pip install ./src/python        # once, from the clone
+    pip install ./src/python        # once, from the clone, in a venv: see README.md
     samples/python/walkthrough.py [PLOT.png]
 """
 
@@ -18,7 +18,7 @@ from matplotlib import pyplot  # noqa: E402
 
 colorado = pathlib.Path(__file__).resolve().parents[1] / "colorado"
 
-# 1. Files, as the program reads them. Every long option is a keyword.
+# 1. Files, as the program reads them. Its long options are keywords.
 study = thiessen.Study(colorado / "stations.csv", colorado / "counties.geojson", colorado / "rainfall.csv",
                        basin_id="name")
 print(f"{len(study.stations)} gauges in {len(study.basins)} counties; {len(study.never_reporting)} never report")

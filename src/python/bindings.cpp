@@ -25,7 +25,7 @@ namespace {
 
 // What the library calls settings and files, in a call of Python's: they are its keywords.
 std::string keyword(std::string_view name, std::string_view value) {
-  std::string text(name);
+  std::string text = keyword_name(std::string(name));
   if (!value.empty()) text += "='" + std::string(value) + "'";
   return text;
 }
@@ -63,8 +63,23 @@ std::string shown(const Error& error) {
 /// The ids of the stations in a file, in its order.
 std::vector<std::string> station_ids(const Keywords& keywords) {
   Warnings told_later;
-  const StudyKeywords said(keywords, false, told_later);
+  const StudyKeywords said(keywords, {}, Call::study, told_later);
   return ids_of(read_stations(said.study.request().stations, told_later).stations);
+}
+
+std::optional<GivenReadings> held_readings(const std::optional<Matrix>& matrix,
+                                           std::vector<std::string> times) {
+  if (!matrix) return std::nullopt;
+  if (!times.empty() && times.size() != matrix->steps)
+    throw py::value_error("the readings have not as many times as rows");
+  return GivenReadings{*matrix, std::move(times)};
+}
+
+/// Where the readings of a call are. What is in memory has times where its owner hands them in, or
+/// may do so.
+ReadingsAt place_of(const std::optional<Doubles>& readings, bool dated) {
+  if (!readings) return ReadingsAt::files;
+  return dated ? ReadingsAt::dated_memory : ReadingsAt::memory;
 }
 
 std::optional<Matrix> matrix_of(const std::optional<Doubles>& readings) {
@@ -76,12 +91,13 @@ std::optional<Matrix> matrix_of(const std::optional<Doubles>& readings) {
 }
 
 /// An array that owns what it is made of.
-py::array owned(std::vector<double> values, std::vector<py::ssize_t> shape) {
-  auto held = std::make_unique<std::vector<double>>(std::move(values));
-  const double* first = held->data();
+template <typename Number>
+py::array owned(std::vector<Number> values, std::vector<py::ssize_t> shape) {
+  auto held = std::make_unique<std::vector<Number>>(std::move(values));
+  const Number* first = held->data();
   const py::capsule owner(held.release(),
-                          [](void* made) { delete static_cast<std::vector<double>*>(made); });
-  return py::array_t<double>(std::move(shape), first, owner);
+                          [](void* made) { delete static_cast<std::vector<Number>*>(made); });
+  return py::array_t<Number>(std::move(shape), first, owner);
 }
 
 /// A table of numbers by basin and station, as columns.
@@ -117,7 +133,7 @@ std::unique_ptr<PythonStudy> make_study(std::optional<StationsFile> stations,
                                         std::optional<BasinsFile> basins,
                                         const std::optional<Doubles>& readings,
                                         const Keywords& keywords, const py::object& told) {
-  GivenParts given{std::move(stations), std::move(basins), matrix_of(readings)};
+  GivenParts given{std::move(stations), std::move(basins), matrix_of(readings), false, {}};
   std::unique_ptr<PythonStudy> study;
   wait_for([&] { study = std::make_unique<PythonStudy>(std::move(given), keywords); }, {}, told);
   return study;
@@ -134,38 +150,91 @@ py::list weights(const PythonStudy& study) {
   return table.columns();
 }
 
-py::tuple cells(const PythonStudy& study) {
+/// The weights of a study before and after gauges close and open. `never_reporting` are the ids of
+/// the study's stations that are not of its network.
+py::tuple changed_weights(std::optional<StationsFile> stations, std::optional<BasinsFile> basins,
+                          const Keywords& keywords, std::vector<std::string> never_reporting) {
+  GivenParts given{std::move(stations), std::move(basins), std::nullopt, true,
+                   std::move(never_reporting)};
+  Warnings warnings;
+  std::unique_ptr<PythonStudy> study;
+  ChangedNetwork changed;
+  wait_for(
+      [&] {
+        study = std::make_unique<PythonStudy>(std::move(given), keywords);
+        changed = study->changed_weights(warnings);
+      },
+      {}, py::none());
+  std::vector<Message> told = warnings.messages();
+  for (const Message& message : study->warnings().messages()) {
+    // The study itself has told all others before.
+    if (message.file == opened_gauges) told.push_back(message);
+  }
+  const double km2 = study->inputs().area_unit().km2;
+  PartsTable table(4);
+  for (std::size_t b = 0; b < changed.basins.size(); ++b) {
+    for (const ChangedWeight& part : changed.basins[b])
+      table.add(
+          b, part.before.station,
+          {part.before.area * km2, part.before.weight, part.after.area * km2, part.after.weight});
+  }
+  return py::make_tuple(table.columns(), changed.stations, shown(told));
+}
+
+py::tuple cells(PythonStudy& study, const std::optional<Doubles>& readings,
+                const std::vector<std::string>& times, const Keywords& keywords) {
+  const CellsKeywords said(keywords);
+  const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   std::string text;
-  wait_for([&] { text = study.cells_geojson(warnings); }, {}, py::none());
+  wait_for([&] { text = study.cells_geojson(held, said, warnings); }, {}, py::none());
   return py::make_tuple(text, shown(warnings.messages()));
 }
 
-py::tuple rain(PythonStudy& study, const std::optional<Doubles>& readings, const Keywords& keywords,
-               const py::object& told) {
-  const SeriesKeywords said(keywords);
-  const std::optional<Matrix> matrix = matrix_of(readings);
+/// Throws what is wrong with the keywords of a series, before its readings are known.
+void check_series(const Keywords& keywords, const std::optional<bool>& dated) {
+  const SeriesKeywords said(keywords,
+                            !dated   ? ReadingsAt::unknown
+                            : *dated ? ReadingsAt::dated_memory
+                                     : ReadingsAt::memory,
+                            Call::rain);
+}
+
+py::dict rain(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
+              const std::vector<std::string>& times, const Keywords& keywords,
+              const py::object& told) {
+  SeriesKeywords said(keywords, place_of(readings, dated), Call::rain);
+  const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
   Series series;
-  wait_for([&] { series = study.rain(matrix, said, progress, warnings); }, progress, told);
+  wait_for([&] { series = study.rain(held, said, progress, warnings); }, progress, told);
   const auto columns = static_cast<py::ssize_t>(series.names.size());
   const auto steps = columns == 0 ? 0 : static_cast<py::ssize_t>(series.rainfall.size()) / columns;
-  const bool has_errors = said.errors;
-  return py::make_tuple(
-      series.names, series.times, owned(std::move(series.rainfall), {steps, columns}),
-      has_errors ? py::object(owned(std::move(series.errors), {steps, columns})) : py::none(),
-      shown(warnings.messages()));
+  py::dict found;
+  found["names"] = series.names;
+  found["times"] = series.times;
+  found["rainfall"] = owned(std::move(series.rainfall), {steps, columns});
+  found["warnings"] = shown(warnings.messages());
+  // What is not asked for is not there, however many rows there are.
+  if (said.errors) found["errors"] = owned(std::move(series.errors), {steps, columns});
+  if (said.range.totalling()) found["missing"] = owned(std::move(series.missing), {steps, columns});
+  if (held && said.range.times() && !said.range.totalling()) {
+    const auto rows = static_cast<py::ssize_t>(series.steps.size());
+    found["steps"] = owned(std::move(series.steps), {rows});
+  }
+  return found;
 }
 
-py::tuple influence(PythonStudy& study, const std::optional<Doubles>& readings,
-                    const Keywords& keywords, const py::object& told) {
-  const SeriesKeywords said(keywords);
-  const std::optional<Matrix> matrix = matrix_of(readings);
+py::tuple influence(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
+                    const std::vector<std::string>& times, const Keywords& keywords,
+                    const py::object& told) {
+  const SeriesKeywords said(keywords, place_of(readings, dated), Call::influence);
+  const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
   std::vector<std::vector<GaugeInfluence>> found;
-  wait_for([&] { found = study.influence(matrix, said, progress, warnings); }, progress, told);
+  wait_for([&] { found = study.influence(held, said, progress, warnings); }, progress, told);
   PartsTable table(3);
   for (std::size_t b = 0; b < found.size(); ++b) {
     for (const GaugeInfluence& gauge : found[b])
@@ -206,6 +275,9 @@ static void declare(py::module_& module) {
   module.def("geometry_in", geometry_in);
   module.def("known_columns", known_columns);
   module.def("station_ids", station_ids);
+  module.def("keywords_of_calls", keywords_of_calls);
+  module.def("check_series", check_series);
+  module.def("changed_weights", changed_weights);
   py::class_<StationsFile>(module, "Stations").def(py::init(&stations_of));
   py::class_<BasinsFile>(module, "Basins").def(py::init(&basins_of));
   py::class_<PythonStudy>(module, "Study")

@@ -19,13 +19,15 @@ namespace py = pybind11;
 namespace thiessen::python {
 namespace {
 
-std::optional<Crs> crs_of(const std::string& text, const char* its_keyword) {
-  if (text.empty()) return std::nullopt;
-  return Crs::from_text(text, setting(its_keyword));
-}
-
-CrsOrigin origin_of(const std::string& crs, bool implied) {
-  return crs.empty() ? CrsOrigin::none : implied ? CrsOrigin::implied : CrsOrigin::option;
+/// Names what is in memory as messages name files: `stations: ...`.
+template <typename File>
+void name(File& file, const char* what, const std::string& crs, const std::string& origin) {
+  file.file = what;
+  if (crs.empty()) return;
+  file.crs = Crs::from_text(crs, "the CRS of the " + std::string(what));
+  file.crs_origin = origin == "implied"   ? CrsOrigin::implied
+                    : origin == "columns" ? CrsOrigin::columns
+                                          : CrsOrigin::object;
 }
 
 void require_pairs(const Doubles& points) {
@@ -55,7 +57,7 @@ Doubles array_of(const Ring& ring) {
 }  // namespace
 
 StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& positions,
-                         const std::string& crs, bool implied) {
+                         const std::string& crs, const std::string& origin) {
   require_pairs(positions);
   if (ids.size() != static_cast<std::size_t>(positions.shape(0))) {
     throw py::value_error(std::to_string(positions.shape(0)) + " stations, and " +
@@ -70,14 +72,13 @@ StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& pos
   }
   StationsFile file;
   static_cast<StationList&>(file) = given_stations(std::move(stations));
-  file.crs = crs_of(crs, "crs");
-  file.crs_origin = origin_of(crs, implied);
+  name(file, "stations", crs, origin);
   return file;
 }
 
 BasinsFile basins_of(const std::vector<std::string>& ids,
                      const std::vector<std::vector<Rings>>& shapes, const std::string& crs,
-                     bool implied) {
+                     const std::string& origin) {
   std::vector<Basin> basins;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Basin basin{ids[i], {}, {}};
@@ -93,8 +94,7 @@ BasinsFile basins_of(const std::vector<std::string>& ids,
   if (basins.empty()) throw Error({"", 0, "there are no basins", ""});
   BasinsFile file;
   static_cast<BasinList&>(file) = given_basins(std::move(basins));
-  file.crs = crs_of(crs, "basins_crs");
-  file.crs_origin = origin_of(crs, implied);
+  name(file, "basins", crs, origin);
   return file;
 }
 

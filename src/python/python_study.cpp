@@ -1,13 +1,14 @@
 #include "python/python_study.h"
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
-#include "base/utf8.h"
+#include "cli/inputs/gauges.h"
+#include "cli/inputs/summed_rates.h"
 #include "cli/options/usage_error.h"
 #include "cli/outputs/cell_features.h"
 #include "files/rainfall/full_network.h"
@@ -16,76 +17,80 @@
 #include "rainfall/gaps/handover.h"
 #include "rainfall/influence/step_blocks.h"
 #include "rainfall/methods/rain_methods.h"
+#include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/step_sample.h"
 #include "results/column_names.h"
+#include "study/network_change.h"
 
 namespace thiessen::python {
 namespace {
 
 constexpr std::size_t steps_in_a_block = 64;
 
-/// Throws Error with the readings in memory that no gauge can have.
-void check_readings(const Matrix& readings, const std::vector<std::string>& ids) {
-  if (readings.stations != ids.size()) {
-    throw Error({"", 0,
-                 std::to_string(ids.size()) + " stations were given, and the readings have " +
-                     std::to_string(readings.stations) + " columns: one for each is needed",
-                 ""});
+/// Settles the CRS of what is in memory as that of files is: a keyword may name the CRS of
+/// coordinates that have none, and may not say another than they have.
+template <typename File>
+void settle_crs(File& file, const std::string& said, const char* keyword) {
+  if (said.empty()) return;
+  const Crs wanted = Crs::from_text(said, setting(keyword));
+  const bool has_own = file.crs && file.crs_origin == CrsOrigin::object;
+  if (has_own && !file.crs->same_as(wanted)) {
+    throw Error(Message{file.file, 0,
+                        "their CRS is " + file.crs->name() + ", and not " + wanted.name() + " as " +
+                            setting(keyword) + " says",
+                        "leave " + setting(keyword) + " out: it is for coordinates without a CRS"});
   }
-  Complaints complaints;
-  for (std::size_t step = 0; step < readings.steps; ++step) {
-    const std::span<const double> row = readings[step];
-    for (std::size_t s = 0; s < row.size(); ++s) {
-      if (!(row[s] < 0) && !std::isinf(row[s])) continue;
-      complaints.add({"", 0,
-                      "the reading of station " + quoted(ids[s], 80) + " in row " +
-                          std::to_string(step) + " is " +
-                          (std::isinf(row[s]) ? "not finite" : "negative"),
-                      "a gauge that does not report reads NaN"});
-    }
-  }
-  complaints.throw_if_any();
+  file.crs = wanted;
+  file.crs_origin = has_own ? CrsOrigin::object : CrsOrigin::option;
 }
 
-ReportingStations heard_in(const Matrix& readings) {
-  ReportingStations heard(readings.stations, false);
-  for (std::uint32_t s = 0; s < readings.stations; ++s) {
-    for (std::size_t step = 0; step < readings.steps; ++step) {
-      if (std::isnan(readings[step][s])) continue;
-      heard.set(StationIndex{s}, true);
-      break;
-    }
+/// Settles the CRSs of both, and throws Error where nothing says whether coordinates in memory are
+/// degrees or those of a plane.
+void settle_crs(GivenParts& given, const StudyRequest& request) {
+  if (given.stations) settle_crs(*given.stations, request.stations.source.crs, "crs");
+  if (given.basins) settle_crs(*given.basins, request.basins->source.crs, "basins_crs");
+  const bool basins_tell =
+      given.basins ? given.basins->crs.has_value() : request.basins.has_value();
+  if (!given.stations || given.stations->crs || basins_tell || request.metric ||
+      !request.plane.empty()) {
+    return;
   }
-  return heard;
+  throw Error(Message{given.stations->file, 0, "nothing says what the coordinates are",
+                      setting("crs", "EPSG:4326") +
+                          " for longitude and latitude, another CRS, or " +
+                          setting("metric", "planar") + " for a plane"});
+}
+
+void add(const RainStep& step, bool in_memory, bool errors, Series& series) {
+  if (in_memory) {
+    series.steps.push_back(step.line - 1);
+  } else {
+    series.times.push_back(step.time);
+  }
+  for (const BasinRainfall& basin : step.basins) {
+    series.rainfall.push_back(basin.rainfall);
+    if (errors) series.errors.push_back(basin.standard_error);
+  }
+}
+
+void add(const RainPeriod& period, Series& series) {
+  series.times.push_back(period.time);
+  for (const BasinTotal& total : period.basins) {
+    series.rainfall.push_back(total.rainfall);
+    series.missing.push_back(total.missing);
+  }
 }
 
 }  // namespace
 
-/// The rows of a matrix with the network's stations alone. Where these are all stations that were
-/// given, a row is the caller's own memory.
-class PythonStudy::Rows {
- public:
-  Rows(const Matrix& readings, const std::vector<std::size_t>& columns)
-      : readings_(readings), columns_(columns) {}
-
-  std::size_t size() const { return readings_.steps; }
-  std::span<const double> row(std::size_t step, std::vector<double>& buffer) const {
-    const std::span<const double> whole = readings_[step];
-    if (columns_.size() == whole.size()) return whole;
-    buffer.resize(columns_.size());
-    for (std::size_t i = 0; i < columns_.size(); ++i) buffer[i] = whole[columns_[i]];
-    return buffer;
-  }
-
- private:
-  const Matrix& readings_;
-  const std::vector<std::size_t>& columns_;
-};
-
 PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
-    : keywords_(keywords, given.readings.has_value(), warnings_) {
-  const StudyRequest request = keywords_.study.request();
+    : keywords_(keywords,
+                {given.stations.has_value(), given.basins.has_value(), given.readings.has_value()},
+                given.changes ? Call::weights : Call::study, warnings_) {
+  StudyRequest request = keywords_.study.request();
+  request.opened_from = opened_gauges;
+  settle_crs(given, request);
   StationsFile stations =
       given.stations ? *std::move(given.stations) : read_stations(request.stations, warnings_);
   std::optional<BasinsFile> basins = std::move(given.basins);
@@ -93,26 +98,87 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
   for (const Station& station : stations.stations) given_ids_.push_back(station.id);
   auto files = std::make_shared<StudyFiles>(
       study_of(std::move(stations), std::move(basins), request, warnings_));
-  if (given.readings) {
-    check_readings(*given.readings, given_ids_);
-    keep_full_network(*files, heard_in(*given.readings), "", warnings_);
-  } else {
-    cli::keep_full_network(*files, keywords_.study, keywords_.rainfall, warnings_);
-  }
+  keep_full_network(given, *files);
   std::unordered_map<std::string, std::size_t> column_of;
   for (std::size_t i = 0; i < given_ids_.size(); ++i) column_of.emplace(given_ids_[i], i);
-  for (const Station& station : files->stations) columns_.push_back(column_of.at(station.id));
+  for (const Station& station : files->stations) {
+    const auto column = column_of.find(station.id);
+    if (column != column_of.end()) columns_.push_back(column->second);  // and is not opened
+  }
   inputs_ = std::make_unique<cli::Inputs>(std::move(files), keywords_.study, keywords_.view.margin,
                                           keywords_.common.threads, warnings_);
+}
+
+/// Leaves the stations alone that report. Where gauges open and close they all stay, as those that
+/// open report nothing yet.
+void PythonStudy::keep_full_network(const GivenParts& given, StudyFiles& files) {
+  if (given.changes) {
+    never_reporting_ = given.never_reporting;
+  } else if (given.readings) {
+    check_readings(*given.readings, given_ids_);
+    thiessen::keep_full_network(files, heard_in(*given.readings), "", warnings_);
+  } else {
+    cli::keep_full_network(files, keywords_.study, keywords_.rainfall, warnings_);
+  }
+}
+
+ChangedNetwork PythonStudy::changed_weights(Warnings& warnings) const {
+  if (!inputs_->has_basins()) {
+    throw cli::UsageError{"without and with_ are about the weights of basins, and there are none",
+                          "give basins"};
+  }
+  const NetworkChange change(inputs_->whole(), keywords_.changes.closed(),
+                             inputs_->study().filtered_ids, "without");
+  change.warn_of_shared_places(warnings);
+  ReportingStations before = change.before();
+  ReportingStations after = change.after();
+  const std::unordered_set<std::string> never(never_reporting_.begin(), never_reporting_.end());
+  const std::vector<Station>& stations = inputs_->network().stations();
+  for (std::uint32_t s = 0; s < stations.size(); ++s) {
+    if (!never.contains(stations[s].id)) continue;
+    before.set(StationIndex{s}, false);
+    after.set(StationIndex{s}, false);
+  }
+  if (!after.any()) {
+    throw cli::UsageError{"without closes every gauge that reports",
+                          "leave one open, or open one with with_"};
+  }
+  const auto weights_before = inputs_->weighing().weights(before, threads());
+  const auto weights_after = inputs_->weighing().weights(after, threads());
+  change.warn_of_no_effect(weights_before, weights_after, warnings);
+  ChangedNetwork changed;
+  for (std::size_t b = 0; b < weights_before.size(); ++b)
+    changed.basins.push_back(thiessen::changed_weights(weights_before[b], weights_after[b]));
+  for (const Station& station : stations) changed.stations.push_back(station.id);
+  return changed;
 }
 
 std::vector<BasinWeights> PythonStudy::weights() const {
   return inputs_->weighing().weights(inputs_->all_report(), threads());
 }
 
-std::string PythonStudy::cells_geojson(Warnings& warnings) const {
-  const auto cells = cli::cells_of_network(*inputs_, threads());
-  return thiessen::cells_geojson(cli::cells_output(*inputs_, cells, nullptr, keywords_.study, ""),
+/// The readings that cells show: the step at `time`, or the means where it is empty.
+std::optional<GaugeReadings> PythonStudy::shown(const std::optional<GivenReadings>& readings,
+                                                const std::string& time, Warnings& warnings) {
+  if (!readings)
+    return cli::shown_readings(*inputs_, keywords_.study, keywords_.rainfall, time, warnings);
+  DatedRows rows(*readings, columns_);
+  if (time.empty()) return read_gauges(rows, inputs_->network(), "");
+  return cli::shown_steps(rows, inputs_->network(), "", {&time, 1}, warnings).front();
+}
+
+std::string PythonStudy::cells_geojson(const std::optional<GivenReadings>& readings,
+                                       const CellsKeywords& keywords, Warnings& warnings) {
+  if (!readings && !has_readings() && !keywords.view.times.empty()) {
+    throw cli::UsageError{"--time is about readings, and the study has none",
+                          "give RAINFALL to Study"};
+  }
+  const std::optional<GaugeReadings> found = shown(readings, keywords.view.time(), warnings);
+  const GaugeReadings* const values = found ? &*found : nullptr;
+  const std::string unit =
+      values == nullptr ? "" : cli::unit_shown(values->unit, keywords.view.units, false, "");
+  const auto cells = cli::cells_of(*inputs_, values, threads());
+  return thiessen::cells_geojson(cli::cells_output(*inputs_, cells, values, keywords_.study, unit),
                                  "the cells", warnings);
 }
 
@@ -123,17 +189,34 @@ const cli::RainfallOptions& PythonStudy::files_of(const SeriesKeywords& keywords
                         "give an array, a frame or a file, here or to the study"};
 }
 
-std::unique_ptr<WatchedReadings> PythonStudy::open(const SeriesKeywords& keywords,
-                                                   Warnings& warnings) {
-  return inputs_->open_readings(keywords_.study, files_of(keywords), warnings,
-                                keywords.range.times());
+/// Opens readings of which only the steps count whose times are wanted.
+std::unique_ptr<Readings> PythonStudy::open(const std::optional<GivenReadings>& readings,
+                                            const SeriesKeywords& keywords, Warnings& warnings) {
+  const std::optional<StepTimes> wanted = keywords.range.times();
+  if (!readings)
+    return inputs_->open_readings(keywords_.study, files_of(keywords), warnings, wanted);
+  std::unique_ptr<Readings> rows = std::make_unique<DatedRows>(*readings, columns_);
+  if (!wanted) return rows;
+  return std::make_unique<DatedReadings>(std::move(rows), "", *wanted, warnings);
+}
+
+/// The periods over which the steps are summed, if they are.
+std::optional<Totalling> PythonStudy::totals(const Readings& opened,
+                                             const std::optional<GivenReadings>& readings,
+                                             SeriesKeywords& keywords, Warnings& warnings) {
+  if (!readings) keywords.range.settle_stamp(opened.stamp(), files_of(keywords).name());
+  std::optional<Totalling> totalling = keywords.range.totalling();
+  if (totalling && !readings) {
+    cli::settle_rates(*totalling, *inputs_, keywords_.study, files_of(keywords), opened.unit(),
+                      warnings);
+  }
+  return totalling;
 }
 
 std::unique_ptr<const StepRainfall> PythonStudy::errors_of(const ArealRainfall& values,
-                                                           const Rows* rows,
+                                                           const HeldRows* rows,
                                                            const SeriesKeywords& keywords,
                                                            Warnings& warnings) {
-  check_column_names(inputs_->basins(), "_se");
   StepSample sample(columns_.size(), steps_for_errors(columns_.size()));
   if (rows != nullptr) {
     std::vector<double> buffer;
@@ -157,6 +240,14 @@ std::unique_ptr<const StepRainfall> PythonStudy::errors_of(const ArealRainfall& 
 Series PythonStudy::series_with_names(const SeriesKeywords& keywords) const {
   Series series;
   const std::vector<std::string> methods = names_of_methods(keywords.method.methods());
+  if (methods.empty()) {
+    const Wording other_ids = setting("basin_id") +
+                              " takes the ids of another field, and basin_ids, or a dictionary, "
+                              "those of shapes";
+    check_time_column(inputs_->basins(), other_ids);
+    if (keywords.errors) check_column_names(inputs_->basins(), "_se", other_ids);
+    if (keywords.range.totalling()) check_column_names(inputs_->basins(), "_missing", other_ids);
+  }
   for (const Basin& basin : inputs_->basins()) {
     if (methods.empty()) series.names.push_back(basin.id);
     for (const std::string& method : methods) series.names.push_back(basin.id + "_" + method);
@@ -164,7 +255,7 @@ Series PythonStudy::series_with_names(const SeriesKeywords& keywords) const {
   return series;
 }
 
-void PythonStudy::compute(const Rows& rows, const StepRainfall& rainfall, bool errors,
+void PythonStudy::compute(const HeldRows& rows, const StepRainfall& rainfall, bool errors,
                           Series& series, Progress& progress) const {
   const std::size_t columns = series.names.size();
   progress.begin(rows.size());
@@ -181,12 +272,13 @@ void PythonStudy::compute(const Rows& rows, const StepRainfall& rainfall, bool e
   });
 }
 
-Series PythonStudy::rain(const std::optional<Matrix>& readings, const SeriesKeywords& keywords,
+Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKeywords& keywords,
                          Progress& progress, Warnings& warnings) {
-  std::optional<Rows> rows;
+  Series series = series_with_names(keywords);
+  std::optional<HeldRows> rows;
   if (readings) {
-    check_readings(*readings, given_ids_);
-    rows.emplace(*readings, columns_);
+    check_readings(readings->matrix, given_ids_);
+    rows.emplace(readings->matrix, columns_);
   }
   ArealRainfallSettings settings = keywords.gaps.settings();
   settings.accounts = false;
@@ -199,33 +291,40 @@ Series PythonStudy::rain(const std::optional<Matrix>& readings, const SeriesKeyw
     rainfall = rainfall_by(keywords.method.methods(), inputs_->weighing(), keywords.method.points(),
                            settings, threads(), warnings);
   }
-  Series series = series_with_names(keywords);
-  if (rows) {
+  if (rows && !keywords.range.times()) {
     compute(*rows, *rainfall, keywords.errors, series, progress);
     return series;
   }
-  const auto opened = open(keywords, warnings);
+  const auto opened = open(readings, keywords, warnings);
+  if (rows) progress.begin(rows->size());
+  std::optional<RainPeriods> periods;
+  if (const auto totalling = totals(*opened, readings, keywords, warnings)) {
+    periods.emplace(*totalling, readings ? "" : files_of(keywords).name(),
+                    [&](const RainPeriod& period) { add(period, series); });
+  }
   const auto take = [&](const RainStep& step) {
     throw_if_interrupted();
-    series.times.push_back(step.time);
-    for (const BasinRainfall& basin : step.basins) {
-      series.rainfall.push_back(basin.rainfall);
-      if (keywords.errors) series.errors.push_back(basin.standard_error);
+    if (periods) {
+      periods->add(step);
+    } else {
+      add(step, readings.has_value(), keywords.errors, series);
     }
     progress.advance(1);
   };
   for_each_step(
       *opened, *rainfall, {threads()}, [](RainStep&) {}, take);
+  if (periods) periods->finish(warnings);
   return series;
 }
 
 std::vector<std::vector<GaugeInfluence>> PythonStudy::influence(
-    const std::optional<Matrix>& readings, const SeriesKeywords& keywords, Progress& progress,
-    Warnings& warnings) {
+    const std::optional<GivenReadings>& readings, const SeriesKeywords& keywords,
+    Progress& progress, Warnings& warnings) {
   const Handovers handovers(inputs_->weighing(), threads());
   Influence influence(handovers, keywords.gaps.settings().remembered_bytes, threads());
-  if (!readings) {
-    const auto opened = open(keywords, warnings);
+  if (readings) check_readings(readings->matrix, given_ids_);
+  if (!readings || keywords.range.times()) {
+    const auto opened = open(readings, keywords, warnings);
     for_each_block(*opened, steps_in_a_block, threads(), [&](StepRows block) {
       throw_if_interrupted();
       influence.add(block);
@@ -233,8 +332,7 @@ std::vector<std::vector<GaugeInfluence>> PythonStudy::influence(
     });
     return influence.result();
   }
-  check_readings(*readings, given_ids_);
-  const Rows rows(*readings, columns_);
+  const HeldRows rows(readings->matrix, columns_);
   progress.begin(rows.size());
   std::vector<std::vector<double>> buffers(steps_in_a_block);
   std::vector<std::span<const double>> block;

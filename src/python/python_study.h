@@ -9,31 +9,34 @@
 
 #include "base/error.h"
 #include "cli/inputs/inputs.h"
+#include "python/held_readings.h"
 #include "python/keywords.h"
 #include "python/progress.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/influence.h"
+#include "rainfall/series/gauge_readings.h"
+#include "rainfall/series/rain_periods.h"
+#include "results/weights_file.h"
 
 namespace thiessen::python {
 
-/// Readings in the caller's memory, which are not copied: a row for each step and in it a column
-/// for each station that was given, in their order. NaN where a gauge is silent.
-struct Matrix {
-  const double* first = nullptr;
-  std::size_t steps = 0;
-  std::size_t stations = 0;
+/// What messages call the gauges that open, in the place of a file.
+inline constexpr const char* opened_gauges = "with_";
 
-  std::span<const double> operator[](std::size_t step) const {
-    return {first + step * stations, stations};
-  }
+/// A series of areal rainfall, a row for each step or, where totals are asked for, each period.
+struct Series {
+  std::vector<std::string> names;    ///< of its columns: a basin, or BASIN_METHOD
+  std::vector<std::string> times;    ///< of files' steps as these have them, and of periods
+  std::vector<std::size_t> steps;    ///< of steps in memory: their rows in the caller's order
+  std::vector<double> rainfall;      ///< by row, then by column; NaN where there is no value
+  std::vector<double> errors;        ///< standard errors; none where they are not asked for
+  std::vector<std::size_t> missing;  ///< of totals: how many steps have no value
 };
 
-/// A series of areal rainfall, a row for each step.
-struct Series {
-  std::vector<std::string> names;  ///< of its columns: a basin, or BASIN_METHOD
-  std::vector<std::string> times;  ///< as the file has them; none where readings are in memory
-  std::vector<double> rainfall;    ///< by step, then by column; NaN where there is no value
-  std::vector<double> errors;      ///< standard errors; none where they are not asked for
+/// The weights of a basin's stations before and after gauges close and open.
+struct ChangedNetwork {
+  std::vector<std::vector<ChangedWeight>> basins;
+  std::vector<std::string> stations;  ///< the ids of all stations, the opened behind the others
 };
 
 /// What the stations and basins of a study are made of, where they are not in files.
@@ -41,6 +44,10 @@ struct GivenParts {
   std::optional<StationsFile> stations;
   std::optional<BasinsFile> basins;
   std::optional<Matrix> readings;  ///< they decide which stations are of the network
+  /// Whether gauges open and close: all stations are of the network then, whatever they read, and
+  /// the ids of those that never report are given.
+  bool changes = false;
+  std::vector<std::string> never_reporting = {};
 };
 
 /// A study as Python sees it: the same inputs, read and checked, as those of a command of the
@@ -56,33 +63,45 @@ class PythonStudy {
   const std::vector<std::string>& given_ids() const { return given_ids_; }
   bool has_readings() const { return keywords_.rainfall.given(); }
   std::vector<BasinWeights> weights() const;
-  /// The cells as RFC 7946 has them: the bytes of the program's GeoJSON.
-  std::string cells_geojson(Warnings& warnings) const;
-  /// The series of readings in memory or, where there are none, in files.
-  Series rain(const std::optional<Matrix>& readings, const SeriesKeywords& keywords,
+  /// The weights before and after the change that the keywords say, of the stations but those that
+  /// never report.
+  ChangedNetwork changed_weights(Warnings& warnings) const;
+  /// The cells as RFC 7946 has them: the bytes of the program's GeoJSON, with the rainfall of the
+  /// study's readings, in memory or in files, where it has some.
+  std::string cells_geojson(const std::optional<GivenReadings>& readings,
+                            const CellsKeywords& keywords, Warnings& warnings);
+  /// The series of readings in memory or, where there are none, in files. What the files say of
+  /// their times is taken into the keywords.
+  Series rain(const std::optional<GivenReadings>& readings, SeriesKeywords& keywords,
               Progress& progress, Warnings& warnings);
-  std::vector<std::vector<GaugeInfluence>> influence(const std::optional<Matrix>& readings,
+  std::vector<std::vector<GaugeInfluence>> influence(const std::optional<GivenReadings>& readings,
                                                      const SeriesKeywords& keywords,
                                                      Progress& progress, Warnings& warnings);
   /// What was assumed, found out or mended.
   const Warnings& warnings() const { return warnings_; }
 
  private:
-  class Rows;
-
-  std::unique_ptr<const StepRainfall> errors_of(const ArealRainfall& values, const Rows* rows,
+  std::unique_ptr<const StepRainfall> errors_of(const ArealRainfall& values, const HeldRows* rows,
                                                 const SeriesKeywords& keywords, Warnings& warnings);
   Series series_with_names(const SeriesKeywords& keywords) const;
-  void compute(const Rows& rows, const StepRainfall& rainfall, bool errors, Series& series,
+  void compute(const HeldRows& rows, const StepRainfall& rainfall, bool errors, Series& series,
                Progress& progress) const;
   unsigned threads() const { return static_cast<unsigned>(keywords_.common.threads); }
-  std::unique_ptr<WatchedReadings> open(const SeriesKeywords& keywords, Warnings& warnings);
+  std::unique_ptr<Readings> open(const std::optional<GivenReadings>& readings,
+                                 const SeriesKeywords& keywords, Warnings& warnings);
+  std::optional<Totalling> totals(const Readings& opened,
+                                  const std::optional<GivenReadings>& readings,
+                                  SeriesKeywords& keywords, Warnings& warnings);
+  std::optional<GaugeReadings> shown(const std::optional<GivenReadings>& readings,
+                                     const std::string& time, Warnings& warnings);
+  void keep_full_network(const GivenParts& given, StudyFiles& files);
   const cli::RainfallOptions& files_of(const SeriesKeywords& keywords) const;
 
   Warnings warnings_;
   StudyKeywords keywords_;
   std::vector<std::string> given_ids_;
-  std::vector<std::size_t> columns_;  // of the network's stations among those given
+  std::vector<std::size_t> columns_;          // of the network's stations among those given
+  std::vector<std::string> never_reporting_;  // where gauges open and close
   std::unique_ptr<cli::Inputs> inputs_;
 };
 

@@ -1,5 +1,6 @@
 #include "results/column_names.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 #include "base/error.h"
@@ -7,7 +8,13 @@
 
 namespace thiessen {
 
-void check_column_names(const std::vector<Basin>& basins, const std::string& suffix) {
+Wording rows_or_other_ids() {
+  return setting("long") + " has a row a basin, and " + setting("basin_id") +
+         " takes the ids of another field";
+}
+
+void check_column_names(const std::vector<Basin>& basins, const std::string& suffix,
+                        const Wording& hint) {
   std::unordered_set<std::string> ids;
   for (const Basin& basin : basins) ids.insert(basin.id);
   for (const Basin& basin : basins) {
@@ -16,8 +23,15 @@ void check_column_names(const std::vector<Basin>& basins, const std::string& suf
     throw Error({"", 0,
                  "basins " + quoted(basin.id) + " and " + quoted(second) +
                      " would both have a column of the latter name",
-                 setting("long") + " has a row a basin"});
+                 hint});
   }
+}
+
+void check_time_column(const std::vector<Basin>& basins, const Wording& hint) {
+  const bool any = std::any_of(basins.begin(), basins.end(),
+                               [](const Basin& basin) { return basin.id == "time"; });
+  if (any)
+    throw Error({"", 0, "the column of basin 'time' would be called as that of times", hint});
 }
 
 }  // namespace thiessen

@@ -58,8 +58,10 @@ RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainForma
     : file_(file), basins_(basins), format_(std::move(format)) {
   // With several methods the method's name stands between id and suffix, so that no column can be
   // mistaken for another.
-  if (!format_.rows_for_basins && format_.errors && format_.methods.empty())
-    check_column_names(basins_, error_suffix);
+  if (!format_.rows_for_basins && format_.methods.empty()) {
+    check_time_column(basins_);
+    if (format_.errors) check_column_names(basins_, error_suffix);
+  }
   if (!format_.continues) file_.append(rain_header(basins_, format_));
 }
 

@@ -19,8 +19,10 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
     : file_(file), basins_(basins), format_(std::move(format)) {
   // With several methods the method's name stands between id and suffix, so that no column can be
   // mistaken for another.
-  if (!format_.rows_for_basins && format_.methods.empty())
+  if (!format_.rows_for_basins && format_.methods.empty()) {
+    check_time_column(basins_);
     check_column_names(basins_, missing_suffix);
+  }
   if (!format_.continues) file_.append(totals_header(basins_, format_));
 }
 

@@ -38,6 +38,22 @@ std::vector<WeightRow> weight_rows(const Weighing& weighing,
   return rows;
 }
 
+std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const BasinWeights& after) {
+  std::vector<ChangedWeight> changed;
+  auto old_part = before.stations.begin();
+  auto new_part = after.stations.begin();
+  while (old_part != before.stations.end() || new_part != after.stations.end()) {
+    const bool has_old =
+        old_part != before.stations.end() &&
+        (new_part == after.stations.end() || old_part->station <= new_part->station);
+    const bool has_new =
+        new_part != after.stations.end() && (!has_old || new_part->station == old_part->station);
+    const StationWeight none{has_old ? old_part->station : new_part->station, 0, 0};
+    changed.push_back({has_old ? *old_part++ : none, has_new ? *new_part++ : none});
+  }
+  return changed;
+}
+
 void write_weights(OutputFile& file, const Weighing& weighing,
                    const std::vector<BasinWeights>& weights, AreaUnit unit) {
   file.append(std::string("basin,station,") + unit.column() + ",weight\n");
@@ -60,20 +76,11 @@ void write_changed_weights(OutputFile& file, const Weighing& weighing,
   file.append("basin,station," + area + ",weight," + area + "_after,weight_after\n");
   std::string row;
   for (std::size_t b = 0; b < before.size(); ++b) {
-    auto old_part = before[b].stations.begin();
-    auto new_part = after[b].stations.begin();
-    while (old_part != before[b].stations.end() || new_part != after[b].stations.end()) {
-      const bool has_old =
-          old_part != before[b].stations.end() &&
-          (new_part == after[b].stations.end() || old_part->station <= new_part->station);
-      const bool has_new = new_part != after[b].stations.end() &&
-                           (!has_old || new_part->station == old_part->station);
-      const StationIndex station = has_old ? old_part->station : new_part->station;
-      const StationWeight none{station, 0, 0};
+    for (const ChangedWeight& part : changed_weights(before[b], after[b])) {
       row.clear();
-      append_ids(row, weighing, b, station);
-      append_part(row, has_old ? *old_part++ : none, unit);
-      append_part(row, has_new ? *new_part++ : none, unit);
+      append_ids(row, weighing, b, part.before.station);
+      append_part(row, part.before, unit);
+      append_part(row, part.after, unit);
       row += '\n';
       file.append(row);
     }

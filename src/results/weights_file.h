@@ -30,6 +30,15 @@ struct WeightRow {
 std::vector<WeightRow> weight_rows(const Weighing& weighing,
                                    const std::vector<BasinWeights>& weights, AreaUnit unit);
 
+/// A station's part of a basin before and after a change of the network: 0 where it has none.
+struct ChangedWeight {
+  StationWeight before;
+  StationWeight after;
+};
+
+/// The parts that a basin's stations have before or after, in the order of the stations.
+std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const BasinWeights& after);
+
 /// Writes the table of weights: CSV `basin,station,area_km2,weight`, or with `area` where the unit
 /// is unknown, in the fewest digits that read back to the same double; basins in file order, then
 /// stations in file order.

@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs the module of Python by pip, with an installed thiessen, runs its tests and its walk-through
-# Packages: pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-pytest python3-numpy python3-pandas python3-shapely python3-matplotlib
+# Packages: pybind11-dev python3-pybind11 python3-dev python3-venv python3-pip python3-setuptools python3-wheel python3-pytest python3-numpy python3-pandas python3-shapely python3-matplotlib python3-xarray
 set -euo pipefail
 
 work=$CLONE/build-ecosystem/python

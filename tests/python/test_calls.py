@@ -19,7 +19,7 @@ from conftest import COLORADO, TEXTBOOK
 
 
 def test_a_wrong_keyword_tells_the_nearest():
-    with pytest.raises(TypeError, match="basin_id"):
+    with pytest.raises(TypeError, match="Study has no keyword 'basinid'; is basin_id meant"):
         thiessen.Study(*TEXTBOOK, basinid="x")
 
 
@@ -116,8 +116,8 @@ def test_stations_that_never_report_are_named():
 
 def test_doubles_in_order_are_not_copied():
     readings = numpy.ones((5, 3))
-    assert readings_of(readings, None, False)[0] is readings
-    assert not numpy.shares_memory(readings_of(numpy.ones((5, 3), int), None, False)[0], readings)
+    assert readings_of(readings, None).matrix is readings
+    assert not numpy.shares_memory(readings_of(numpy.ones((5, 3), int), None).matrix, readings)
 
 
 def many_readings():
@@ -212,3 +212,4 @@ def test_several_files_are_joined(tmp_path):
         parts[-1].write_text("\n".join([lines[0], *part]) + "\n", encoding="utf-8")
     whole, joined = thiessen.Study(*COLORADO).rain(), thiessen.Study(*COLORADO[:2], parts).rain()
     assert whole.equals(joined)
+    assert thiessen.Study(*COLORADO[:2]).rain(rainfall=parts).iloc[:, 1:].shape == whole.iloc[:, 1:].shape

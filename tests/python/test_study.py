@@ -102,6 +102,28 @@ def test_cells_are_the_programs():
     assert thiessen.Study(*COLORADO[:2]).cells() == json.loads(run("cells", *COLORADO[:2]))
 
 
+def test_cells_with_rainfall_are_the_programs():
+    readings = pd_readings()
+    times = [None, readings.index[3]]
+    for time in times:
+        words = () if time is None else ("--time", time)
+        wanted = json.loads(run("cells", *COLORADO, *words))
+        assert "rainfall" in wanted["features"][0]["properties"]
+        assert thiessen.Study(*COLORADO).cells(time=time) == wanted
+        in_memory = thiessen.Study(*COLORADO[:2], readings).cells(time=time)
+        assert in_memory["features"] == wanted["features"]
+    dated = readings.set_axis(pandas.to_datetime(readings.index))
+    study = thiessen.Study(*COLORADO[:2], dated)
+    assert study.cells(time=dated.index[3])["features"] == wanted["features"]
+    assert study.cells(time=str(dated.index[3].date()))["features"] == wanted["features"]
+    with pytest.raises(thiessen.Error, match="there is no time step '2050-01-01': the first is"):
+        study.cells(time="2050-01-01")
+    with pytest.raises(thiessen.Error, match="time is about times, and the readings in memory have none"):
+        thiessen.Study(*COLORADO[:2], readings.to_numpy()).cells(time="1990")
+    with pytest.raises(thiessen.Error, match="time is about readings, and the study has none"):
+        thiessen.Study(*COLORADO[:2]).cells(time="1990")
+
+
 def test_readings_in_memory_are_those_of_the_file():
     readings = pd_readings()
     from_file = thiessen.Study(*COLORADO)

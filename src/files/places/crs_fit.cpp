@@ -55,6 +55,7 @@ class Fit {
       case CrsOrigin::none:
       case CrsOrigin::implied:
       case CrsOrigin::file:
+      case CrsOrigin::object:
         break;
     }
     return "its CRS is " + name;
@@ -65,12 +66,17 @@ class Fit {
     return "the CRS that stands in the file is not that of its coordinates; ogr2ogr -a_srs writes "
            "another";
   }
+  static Wording wrong_in_object() {
+    return "the CRS that stands with the coordinates is not theirs: hand them in with their own";
+  }
   Wording right() const {
+    if (file_.crs_origin == CrsOrigin::object) return wrong_in_object();
     return file_.crs_origin == CrsOrigin::file
                ? wrong_in_file()
                : "name the CRS that they are in with " + setting(its_setting_);
   }
   Wording degrees() const {
+    if (file_.crs_origin == CrsOrigin::object) return wrong_in_object();
     if (file_.crs_origin == CrsOrigin::file) return wrong_in_file();
     return "longitude and latitude are " + setting(its_setting_, "EPSG:4326");
   }

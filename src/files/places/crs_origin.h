@@ -8,6 +8,7 @@ enum class CrsOrigin {
   implied,  ///< GeoJSON without a `crs` member: WGS 84 by RFC 7946
   columns,  ///< columns named lon and lat, or alike: WGS 84
   file,     ///< the file names it
+  object,   ///< it stands with coordinates that a caller hands in
   lent,     ///< the file names none, and that of the other file is taken
   option    ///< the command line names it
 };

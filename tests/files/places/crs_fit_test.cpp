@@ -66,7 +66,11 @@ TEST(CrsFit, says_by_whom_the_crs_is_named_and_what_the_coordinates_are) {
   EXPECT_TRUE(contains(complaint(CrsOrigin::option), "'crs' says EPSG:4326"));
   EXPECT_TRUE(contains(complaint(CrsOrigin::columns), "names of its columns say EPSG:4326"));
   EXPECT_TRUE(contains(complaint(CrsOrigin::file), "its CRS is EPSG:4326"));
-  for (const CrsOrigin origin : {CrsOrigin::option, CrsOrigin::columns, CrsOrigin::file}) {
+  EXPECT_TRUE(contains(complaint(CrsOrigin::object), "its CRS is EPSG:4326"));
+  EXPECT_TRUE(contains(complaint(CrsOrigin::file), "ogr2ogr"));
+  EXPECT_FALSE(contains(complaint(CrsOrigin::object), "ogr2ogr")) << "there is no file";
+  for (const CrsOrigin origin :
+       {CrsOrigin::option, CrsOrigin::columns, CrsOrigin::file, CrsOrigin::object}) {
     EXPECT_TRUE(complaint(origin).starts_with("s.csv: "));
     EXPECT_TRUE(
         contains(complaint(origin), "x from 350000 to 360000 and y from 5500000 to 5600000"));
