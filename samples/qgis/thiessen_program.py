@@ -13,7 +13,8 @@ import signal
 import subprocess
 import tempfile
 
-from qgis.core import (QgsFeature, QgsFeatureSink, QgsProcessing, QgsProcessingException,
+from osgeo import gdal
+from qgis.core import (QgsCoordinateReferenceSystem, QgsFeature, QgsFeatureSink, QgsProcessing, QgsProcessingException,
                        QgsProcessingParameterEnum, QgsProcessingParameterField, QgsProcessingParameterFile,
                        QgsProcessingParameterFeatureSource, QgsProcessingParameterString, QgsProcessingUtils,
                        QgsVectorLayer)
@@ -128,6 +129,12 @@ class ThiessenScript:
                 continue
             path, layer = self.parameterAsCompatibleSourceLayerPathAndLayerName(
                 parameters, name, context, ["gpkg", "geojson", "shp", "fgb"], "gpkg", feedback)
+            wanted, named = self.parameterAsSource(parameters, name, context).sourceCrs(), crs_of_file(path, layer)
+            if named != wanted:
+                # The layer's CRS counts, as its properties have it: a copy of the layer is written in that.
+                path, layer = self.parameterAsCompatibleSourceLayerPathAndLayerName(
+                    parameters, name, context, [], "gpkg", feedback)
+                feedback.pushInfo(f"{name}: the layer's CRS is taken, {words_of(wanted)}; its file names {words_of(named)}")
             words.append(path)
             if layer:
                 options += [layer_option, layer]
@@ -150,6 +157,20 @@ def split_words(text):
         return shlex.split(text)
     except ValueError as error:
         raise QgsProcessingException(f"the further options {text} cannot be parted into words: {error}") from error
+
+
+def words_of(crs):
+    return (crs.authid() or crs.toWkt()) if crs.isValid() else "none"
+
+
+def crs_of_file(path, layer):
+    """The CRS that a file names for a layer of it; invalid where it names none."""
+    file = gdal.OpenEx(path, gdal.OF_VECTOR)
+    opened = file and (file.GetLayerByName(layer) if layer else file.GetLayer(0))
+    named = opened and opened.GetSpatialRef()
+    if not named:
+        return QgsCoordinateReferenceSystem()
+    return QgsCoordinateReferenceSystem.fromWkt(named.ExportToWkt(["FORMAT=WKT2_2019"]))
 
 
 def to_destination(destination, arguments, context, feedback):

@@ -24,4 +24,4 @@ eval "$command"
 for file in cells wanted; do ogr2ogr -f CSV -lco GEOMETRY=AS_WKT "$file.csv" "$file.gpkg"; done
 cmp cells.csv wanted.csv
 echo "= study.gpkg opens with its layers, labels and classes, and is drawn in their colours"
-echo "= cells, weights and areal rainfall of Colorado's counties, a warning, an error and Cancel"
+echo "= cells, weights and areal rainfall of Colorado's counties, a warning, an error and Cancel, layers of another CRS than their files'"

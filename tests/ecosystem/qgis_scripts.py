@@ -9,7 +9,7 @@ import sys
 import threading
 import time
 
-from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException,
+from qgis.core import (QgsApplication, QgsCoordinateReferenceSystem, QgsProcessingContext, QgsProcessingException,
                        QgsProcessingFeedback, QgsProcessingUtils, QgsProject, QgsVectorLayer)
 
 clone, work = map(pathlib.Path, sys.argv[1:])
@@ -118,6 +118,31 @@ for destination in (f"ogr:dbname='{work}/dest.gpkg' table=\"cells\" (geom)", "me
     found = {(cell["basin"], cell["station"]): cell["weight"] for cell in layer.getFeatures()}
     assert found == of_cells
 assert QgsVectorLayer(f"{work}/dest.gpkg|layername=counties", "counties", "ogr").featureCount() == 64
+
+# A layer is in the CRS that QGIS has for it, whether its file names none or another.
+for name, file in (("stations", files[0]), ("basins", files[1])):
+    given = ["-oo", "X_POSSIBLE_NAMES=lon", "-oo", "Y_POSSIBLE_NAMES=lat"] if name == "stations" else []
+    subprocess.run(["ogr2ogr", work / f"{name}.shp", file, *given, "-s_srs", "EPSG:4326", "-t_srs", "EPSG:32613"], check=True)
+(work / "stations.prj").unlink()
+wanted = by_program("weights", work / "stations.shp", work / "basins.shp", "--crs", "EPSG:26713", "--id", "id", "--basin-id", "id")
+in_nad27 = QgsVectorLayer(str(work / "stations.shp"), "gauges", "ogr")
+in_nad27.setCrs(QgsCoordinateReferenceSystem("EPSG:26713"))
+in_utm = QgsVectorLayer(str(work / "basins.shp"), "basins", "ogr")
+result, feedback = run("thiessen_weights", {"STATIONS": in_nad27, "STATION_ID": "id", "BASINS": in_utm, "BASIN_ID": "id",
+                                            "OUTPUT": str(work / "out/crs.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == wanted
+assert "STATIONS: the layer's CRS is taken, EPSG:26713; its file names none" in feedback.informed, feedback.informed
+assert not any(text.startswith("BASINS: ") for text in feedback.informed), feedback.informed
+(work / "basins.prj").unlink()
+wanted = by_program("weights", work / "stations.shp", work / "basins.shp", "--crs", "EPSG:26713", "--basins-crs", "EPSG:26713",
+                    "--id", "id", "--basin-id", "id")
+subprocess.run(["ogr2ogr", work / "basins.gpkg", work / "basins.shp", "-a_srs", "EPSG:32613"], check=True)
+moved = QgsVectorLayer(str(work / "basins.gpkg"), "basins", "ogr")
+moved.setCrs(QgsCoordinateReferenceSystem("EPSG:26713"))
+result, feedback = run("thiessen_weights", {"STATIONS": in_nad27, "STATION_ID": "id", "BASINS": moved, "BASIN_ID": "id",
+                                            "OUTPUT": str(work / "out/crs.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == wanted
+assert "BASINS: the layer's CRS is taken, EPSG:26713; its file names EPSG:32613" in feedback.informed, feedback.informed
 
 # Cancel ends the program in the midst of a series that has no end of its own.
 feedback, context = Heard(), QgsProcessingContext()
