@@ -126,6 +126,18 @@ run("weights", *FILES[:2], "-o", mine, "--overwrite")
 assert sorted(value(rights).strip("{}").split(",")) == sorted(before.strip("{}").split(",")), (value(rights), before)
 
 
+# The comment says by which method and in which unit.
+def comment_of(*options):
+    run("rain", *FILES, "-o", DATABASE, "--output-layer", "told", "--overwrite", *options)
+    return value("SELECT obj_description('told'::regclass)")
+
+
+assert comment_of().endswith("; method: thiessen; unit: mm"), comment_of()
+assert comment_of("--method", "idw").endswith("; method: idw; unit: mm")
+assert comment_of("--method", "thiessen,idw").endswith("; method: thiessen,idw; unit: mm")
+assert comment_of("--from-unit", "mm", "--to-unit", "in").endswith("; unit: in")
+assert comment_of("--units", "in").endswith("; unit: in")
+
 # A run that fails leaves nothing.
 with open("bad.csv", "w", encoding="utf-8") as bad:
     bad.write("month,028468\n1988-01,1\n1988-02,oops\n")
