@@ -138,6 +138,15 @@ assert comment_of("--method", "thiessen,idw").endswith("; method: thiessen,idw; 
 assert comment_of("--from-unit", "mm", "--to-unit", "in").endswith("; unit: in")
 assert comment_of("--units", "in").endswith("; unit: in")
 
+# A station's field that is called as the geometry is.
+with open(FILES[0], encoding="utf-8") as file, open("fields.csv", "w", encoding="utf-8") as fields:
+    for line in file:
+        fields.write(line.rstrip("\n") + (",geom\n" if line.startswith('"id"') else ",round\n"))
+said = subprocess.run([program, "cells", "fields.csv", FILES[1], "--attributes", "-o", DATABASE, "--output-layer", "fields"],
+                      check=True, capture_output=True, text=True).stderr
+assert "'geom' is called 'geom_'" in said, said
+assert ask("SELECT DISTINCT geom_ FROM fields") == [["round"]]
+
 # A run that fails leaves nothing.
 with open("bad.csv", "w", encoding="utf-8") as bad:
     bad.write("month,028468\n1988-01,1\n1988-02,oops\n")
