@@ -89,6 +89,23 @@ std::vector<const Option*> options_of_study(const OptionList& options) {
   return given;
 }
 
+/// Throws UsageError where the value is of a kind that the option cannot mean.
+void require_kind(const Option& option, const TomlSetting& setting, const std::string& where) {
+  const std::string text = setting.texts.empty() ? "" : setting.texts.front();
+  const auto hint = [&] {
+    return "a text stands in quotes: " + key_of(option) + " = \"" + text + '"';
+  };
+  if (setting.is_truth && !option.is_flag()) {
+    throw UsageError{where + "'" + printable(setting.key) + "' is " + text + ", and wants a value",
+                     hint()};
+  }
+  if (!setting.is_text && names_a_file(option)) {
+    throw UsageError{where + "'" + printable(setting.key) + "' names a file, and " +
+                         printable(text) + " is no text",
+                     hint()};
+  }
+}
+
 /// The options that the command line gives, by their keys.
 std::set<std::string> given_keys(const OptionList& options) {
   std::set<std::string> keys;
@@ -209,6 +226,7 @@ void take_study_file(OptionList& options, const std::string& path, Warnings& war
       passed_over.push_back(key_of(*option));
       continue;
     }
+    require_kind(*option, setting, where);
     option->origin = where;
     option->texts = std::move(setting.texts);
     if (option->is_flag()) std::erase(option->texts, "false");

@@ -159,6 +159,16 @@ TEST(StudyFile, IsTheSameHoweverAFileIsNamed) {
   EXPECT_EQ(files[1].file, "/r");
 }
 
+TEST(StudyFile, NamesTheLineOfAValueOfAWrongKind) {
+  EXPECT_EQ(
+      Painting("stations = 's'\nmissing = true\n").refusal(),
+      ":2: 'missing' is true, and wants a value | a text stands in quotes: missing = \"true\"");
+  EXPECT_EQ(Painting("stations = 5\n").refusal(),
+            ":1: 'stations' names a file, and 5 is no text | a text stands in quotes: stations = "
+            "\"5\"");
+  EXPECT_EQ(Painting("stations = 's'\nmissing = 'true'\nmend = true\n").refusal(), "");
+}
+
 TEST(StudyFile, BeginsWithTheVersionAndHowItIsUsed) {
   Painting paint("");
   EXPECT_EQ(paint.refusal({"/s"}), "");
