@@ -1,6 +1,7 @@
 """`cmake --install`: what is there, whether the program and the library can be used from there, and what is left
 when it is uninstalled."""
 
+import re
 import shutil
 import unittest
 
@@ -107,6 +108,16 @@ class Install(InstallationTest):
         self.run_command(CMAKE, "--build", built)
         self.assertEqual("9 gauges\n", self.run_command(built / "gauges", SAMPLES / "textbook" / "stations.csv"))
         self.assertNotIn("OpenCV", (built / "CMakeCache.txt").read_text(encoding="utf-8"))
+
+    @unittest.skipUnless(shutil.which("nm"), "nm is not installed")
+    def test_the_library_takes_no_name_of_a_user_s(self):
+        self.install()
+        names = self.run_command("nm", "--extern-only", "--defined-only", "--format=posix",
+                                 self.prefix / "lib" / "libthiessen.a")
+        # What is in the namespace, or shared by all who use it, as an instance of a template is (V, W, u).
+        strange = [line for line in names.splitlines()
+                   if re.match(r"\S+ [A-TX-Z] ", line) and not re.match(r"_Z\S*8thiessen", line)]
+        self.assertEqual(strange, [])
 
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not installed")
     def test_a_program_finds_the_library_by_pkg_config(self):
