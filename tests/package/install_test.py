@@ -14,6 +14,14 @@ add_executable(storm textbook.cpp)
 target_link_libraries(storm PRIVATE thiessen::thiessen)
 """
 
+# A project that can do without, and says why it has to.
+PERHAPS = """cmake_minimum_required(VERSION 3.22)
+project(storm LANGUAGES CXX)
+%s
+find_package(thiessen QUIET CONFIG %s)
+message(STATUS "found: ${thiessen_FOUND}, for ${thiessen_NOT_FOUND_MESSAGE}")
+"""
+
 # What the module for Python stands on: its sources, and no headers, come with a clone.
 PROGRAM = """cmake_minimum_required(VERSION 3.22)
 project(gauges LANGUAGES CXX)
@@ -108,6 +116,33 @@ class Install(InstallationTest):
         self.run_command(CMAKE, "--build", built)
         self.assertEqual("9 gauges\n", self.run_command(built / "gauges", SAMPLES / "textbook" / "stations.csv"))
         self.assertNotIn("OpenCV", (built / "CMakeCache.txt").read_text(encoding="utf-8"))
+
+    def configured(self, before, components):
+        project = self.folder / "perhaps"
+        shutil.rmtree(project, ignore_errors=True)
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(PERHAPS % (before, components), encoding="utf-8")
+        return self.run_command(CMAKE, "-S", project, "-B", project / "built", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                                f"-DCMAKE_CXX_COMPILER={CXX}")
+
+    def test_what_is_missing_is_said_and_no_end(self):
+        self.install()
+        self.assertIn("found: 1, for \n", self.configured("", ""))
+        nowhere = "set(CMAKE_FIND_USE_CMAKE_SYSTEM_PATH OFF)\nset(CMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH OFF)"
+        self.assertRegex(self.configured(nowhere, ""), "found: (0|OFF|FALSE), for GeographicLib is not found: install ")
+        self.assertRegex(self.configured("", "COMPONENTS pictures"),
+                         "found: (0|OFF|FALSE), for thiessen has no component pictures: ")
+        self.assertIn("found: 1, for \n", self.configured("", "OPTIONAL_COMPONENTS pictures"))
+
+    def test_headers_are_found_where_they_are_installed(self):
+        built = self.folder / "elsewhere"
+        for folder, named in (("include/foo", "${_IMPORT_PREFIX}/include/foo"), ("/all/include", "/all/include")):
+            self.run_command(CMAKE, "-S", SAMPLES.parent, "-B", built, "-DTHIESSEN_PROGRAM=OFF",
+                             f"-DCMAKE_INSTALL_INCLUDEDIR={folder}", f"-DCMAKE_CXX_COMPILER={CXX}")
+            [targets] = built.glob("src/package/CMakeFiles/Export/**/thiessen-targets.cmake")
+            self.assertIn(f'INTERFACE_INCLUDE_DIRECTORIES "{named}"', targets.read_text(encoding="utf-8"))
+            [pc] = built.rglob("thiessen.pc")
+            self.assertIn("includedir=" + named.replace("_IMPORT_PREFIX", "prefix") + "\n", pc.read_text(encoding="utf-8"))
 
     @unittest.skipUnless(shutil.which("nm"), "nm is not installed")
     def test_the_library_takes_no_name_of_a_user_s(self):
