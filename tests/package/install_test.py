@@ -5,7 +5,7 @@ import re
 import shutil
 import unittest
 
-from installation import ANSWER, CXX, CMAKE, SAMPLES, TEXTBOOK, InstallationTest
+from installation import ANSWER, BUILD, CXX, CMAKE, RECORDS, SAMPLES, TEXTBOOK, InstallationTest
 
 PROJECT = """cmake_minimum_required(VERSION 3.22)
 project(storm LANGUAGES CXX)
@@ -193,6 +193,35 @@ class Uninstall(InstallationTest):
         self.install()
         self.uninstall()
         self.assertEqual(list(self.root.iterdir()), [])
+
+    def test_what_is_not_there_is_asked_for(self):
+        self.install()
+        before = self.files()
+        left = {name: (BUILD / name).read_bytes() for name in RECORDS}
+        with self.assertRaises(AssertionError) as caught:
+            self.run_command(CMAKE, "--build", BUILD, "--target", "uninstall",
+                             environment={"DESTDIR": str(self.folder / "other")})
+        self.assertIn("DESTDIR", str(caught.exception))
+        self.assertEqual(left, {name: (BUILD / name).read_bytes() for name in RECORDS})
+        self.assertEqual(before, self.files())
+        self.uninstall()
+
+    def test_folders_of_an_earlier_installation_of_another_build_go(self):
+        self.install()
+        for name in RECORDS:
+            (BUILD / name).unlink()
+        self.install()
+        self.uninstall()
+        self.assertEqual([path for path in self.root.rglob("*") if "thiessen" in path.name], [])
+        self.assertTrue((self.prefix / "bin").is_dir(), "which this installation did not make")
+
+    def test_what_it_made_in_a_folder_of_its_name_goes(self):
+        doc = self.prefix / "share" / "doc" / "thiessen"
+        doc.mkdir(parents=True)
+        (doc / "notes").touch()
+        self.install()
+        self.uninstall()
+        self.assertEqual([path.name for path in doc.rglob("*")], ["notes"])
 
     def test_without_an_installation_it_says_so(self):
         with self.assertRaises(AssertionError) as caught:
