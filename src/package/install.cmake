@@ -21,6 +21,8 @@ endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
         COMPONENT library)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/textbook ${PROJECT_SOURCE_DIR}/samples/library
-        ${PROJECT_SOURCE_DIR}/samples/colorado DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples COMPONENT library
-        FILES_MATCHING REGEX "\\.(csv|geojson|cpp|md)$")
+set(samples ${PROJECT_SOURCE_DIR}/samples)
+install(DIRECTORY ${samples}/textbook ${samples}/library ${samples}/colorado ${samples}/python ${samples}/qgis
+        ${samples}/r ${samples}/jobs DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples COMPONENT library
+        FILES_MATCHING REGEX "\\.(csv|geojson|cpp|md|py|R)$")
+install(PROGRAMS ${samples}/jobs/areal_jobs.sh DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples/jobs COMPONENT library)
