@@ -87,6 +87,7 @@ class CellsCommand : public Command {
     if (file != nullptr) {
       const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
       CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
+      if (table) output.geometry_column = DatabaseTable::geometry_column;
       if (shown != nullptr && holds_colours(output_.output)) output.colours = colours_of(output);
       const std::string older_bytes = older ? older->bytes() : "";
       if (table) {

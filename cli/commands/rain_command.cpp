@@ -125,6 +125,8 @@ class RainCommand : public Command {
         model ? model_table(*model, inputs, unit_of_values(readings->unit(), totalling), totalling)
               : std::make_unique<RainTable>(*file, inputs.basins(), format, totalling,
                                             rainfall_.name(), grown ? grown->growth() : nullptr);
+    const std::string comment =
+        table ? sentence_of(made_by(inputs, unit_of_values(readings->unit(), totalling))) : "";
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
     GaugePatterns patterns;
@@ -146,7 +148,7 @@ class RainCommand : public Command {
     series->finish(warnings);
     if (grown) grown->finish(warnings);
     outputs.commit();
-    if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
+    if (table) table->commit(comment);
   }
   bool quiet() const override { return common_.quiet; }
 
@@ -210,6 +212,16 @@ class RainCommand : public Command {
     return format;
   }
 
+  /// What is said of how the series is made. `unit` is the one that its values are known to be in.
+  Provenance made_by(const Inputs& inputs, const std::string& unit) const {
+    Provenance made_by = provenance_of(inputs, study_, nullptr, "");
+    made_by.method.clear();
+    for (const RainMethod method : method_.methods())
+      made_by.method += (made_by.method.empty() ? "" : ",") + std::string(name_of(method));
+    made_by.unit = unit_shown(unit, model_.units, model_.are_units_given(), rainfall_.name());
+    return made_by;
+  }
+
   /// The series as a model reads it, in the unit that RAINFALL is known to be in, if it is.
   std::unique_ptr<RainOutput> model_table(ModelFiles& files, const Inputs& inputs,
                                           const std::string& unit,
@@ -217,11 +229,9 @@ class RainCommand : public Command {
     ModelSubject subject;
     for (const Basin& basin : inputs.basins()) subject.basins.push_back(basin.id);
     subject.centroids = centroids_on_earth(inputs.study()).value_or(std::vector<Point>());
-    subject.unit = unit_shown(unit, model_.units, model_.are_units_given(), rainfall_.name());
+    subject.made_by = made_by(inputs, unit);
+    subject.unit = subject.made_by.unit;
     subject.decimals = format_.format().decimals;
-    subject.made_by = provenance_of(inputs, study_, nullptr, "");
-    subject.made_by.method = name_of(method_.methods().front());
-    subject.made_by.unit = subject.unit;
     subject.stamp = periods_.stamp();
     subject.rainfall = rainfall_.name();
     subject.output = output_.output == "-" ? "" : output_.output;

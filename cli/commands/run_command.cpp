@@ -119,7 +119,8 @@ class RunCommand : public Command {
     const std::optional<StepTimes> times = periods_.times();
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
     Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
-    const Files files = open_files(outputs, warnings);
+    Warnings of_study_file;  // which are none of the study's: the page of its repetition has none
+    const Files files = open_files(outputs, of_study_file);
     const std::unique_ptr<GeoPackageCopy> older = older_layers(files.package.name());
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
@@ -150,6 +151,7 @@ class RunCommand : public Command {
     series.finish(threads());
     write_summary(files.summary, series.summary.basins(), inputs.area_unit());
     write_maps(files, inputs, rainfall, series, older ? older->bytes() : "", warnings);
+    for (const Message& message : of_study_file.messages()) warnings.add(message);
     if (!common_.quiet) outputs.add("-").append(series.summary.text(view_.units, line_width()));
     outputs.commit();
   }

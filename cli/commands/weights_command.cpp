@@ -82,10 +82,11 @@ class WeightsCommand : public Command {
       require_table_name(output_.output);
     }
     OutputFile& file = table ? table->rows() : outputs.add(output_.output);
+    std::string unit;
     study_.opened = changes_.opened();
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     if (rainfall_.given()) {
-      write_influence(file, inputs.weighing(), influence(inputs, times, warnings));
+      write_influence(file, inputs.weighing(), influence(inputs, times, unit, warnings));
     } else if (changes_.given()) {
       const NetworkChange change(inputs.whole(), changes_.closed(), inputs.study().filtered_ids,
                                  "--without");
@@ -101,7 +102,10 @@ class WeightsCommand : public Command {
                     inputs.weighing().weights(inputs.all_report(), threads()), inputs.area_unit());
     }
     outputs.commit();
-    if (table) table->commit(sentence_of(provenance_of(inputs, study_, nullptr, "")));
+    if (!table) return;
+    Provenance made_by = provenance_of(inputs, study_, nullptr, "");
+    made_by.unit = unit;
+    table->commit(sentence_of(made_by));
   }
   bool quiet() const override { return common_.quiet; }
 
@@ -140,10 +144,12 @@ class WeightsCommand : public Command {
                          ""});
   }
 
+  /// `unit` becomes that of the changes; empty where it is not known.
   std::vector<std::vector<GaugeInfluence>> influence(Inputs& inputs,
                                                      const std::optional<StepTimes>& times,
-                                                     Warnings& warnings) const {
+                                                     std::string& unit, Warnings& warnings) const {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
+    unit = readings->unit();
     const Handovers handovers(inputs.weighing(), threads());
     Influence influence(handovers, gaps_.settings().remembered_bytes, threads());
     Progress progress("time step", common_.quiet,

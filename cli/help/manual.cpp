@@ -171,6 +171,27 @@ std::string status_section() {
              "known; a second line may give a hint. Every bad row of a file is told, up to 20.");
 }
 
+std::string others_section() {
+  std::string text = ".SH FROM OTHER PROGRAMS\n" +
+                     roff_paragraph(
+                         "Pages in samples/, in the folder of the clone or in share/doc/thiessen "
+                         "of an installation, begin each of these:");
+  const auto add = [&](const char* name, const char* what) {
+    text += ".TP\n" + roff_bold(name) + "\n" + roff_paragraph(what);
+  };
+  add("C++",
+      "the library: #include <thiessen.h>, linked as thiessen::thiessen after "
+      "find_package(thiessen) of CMake, or as pkg-config says of thiessen (samples/library).");
+  add("Python",
+      "the module thiessen, arrays in and out, built by pip from src/python of the clone "
+      "(samples/python).");
+  add("QGIS", "Processing scripts for cells, weights and areal rainfall (samples/qgis).");
+  add("R", "results opened with sf and terra, and as data frames (samples/r).");
+  add("PostGIS", "PG:... in place of a file: stations, basins, readings, and -o.");
+  add("Array jobs", "an archive split by time, with GNU parallel or Slurm (samples/jobs).");
+  return text;
+}
+
 std::string examples_section(const Catalogue& commands) {
   std::string text =
       ".SH EXAMPLES\n" +
@@ -189,7 +210,7 @@ std::string examples_section(const Catalogue& commands) {
 std::string manual(const Catalogue& commands) {
   return title() + beginning() + commands_section(commands) + options_section(commands) +
          notes_sections(commands) + report_section() + study_file_section() + files_sections() +
-         status_section() + examples_section(commands);
+         others_section() + status_section() + examples_section(commands);
 }
 
 }  // namespace thiessen::cli

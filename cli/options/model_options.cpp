@@ -38,14 +38,14 @@ void RainModelOptions::declare(OptionList& options) {
       "what the next model reads, under any name: CF time series, HYPE's Pobs.txt, SWAT+'s .pcp "
       "with pcp.cli (FILE is a folder), SWMM's rain file, Delft-FEWS's PI-XML; default csv");
   units_option_ = &output.add("--units", any_text(units, "U"),
-                              "with --format netcdf or pi-xml: what readings of no known unit are "
-                              "in; default mm");
+                              "with --format netcdf or pi-xml, or into a database: what readings "
+                              "of no known unit are in; default mm");
 }
 
 void RainModelOptions::check(const OptionList& options, const std::string& output,
                              std::size_t methods) const {
   if (!model_) {
-    if (!are_units_given()) return;
+    if (!are_units_given() || thiessen::is_database(output)) return;
     throw UsageError{"--units is about what a model reads, and a CSV names no unit",
                      "--format netcdf and --format pi-xml do"};
   }

@@ -74,6 +74,38 @@ bool is_relative_file(const std::string& name) {
   return !name.empty() && name != "-" && !is_database(name) && fs::path(name).is_relative();
 }
 
+/// The options that a study's file has, in its order. What an option and an argument of one key
+/// give stands where the argument does: the file repeats itself, however it was given.
+std::vector<const Option*> options_of_study(const OptionList& options) {
+  std::set<std::string> keys;
+  std::vector<const Option*> given;
+  for (const Option& option : options.options()) {
+    if (is_of_study(option) && keys.insert(key_of(option)).second) given.push_back(&option);
+    if (!option.is_argument()) continue;
+    const Option* same = options.find("--" + key_of(option));
+    if (same != nullptr && is_of_study(*same) && keys.insert(key_of(option)).second)
+      given.push_back(same);
+  }
+  return given;
+}
+
+/// Throws UsageError where the value is of a kind that the option cannot mean.
+void require_kind(const Option& option, const TomlSetting& setting, const std::string& where) {
+  const std::string text = setting.texts.empty() ? "" : setting.texts.front();
+  const auto hint = [&] {
+    return "a text stands in quotes: " + key_of(option) + " = \"" + text + '"';
+  };
+  if (setting.is_truth && !option.is_flag()) {
+    throw UsageError{where + "'" + printable(setting.key) + "' is " + text + ", and wants a value",
+                     hint()};
+  }
+  if (!setting.is_text && names_a_file(option)) {
+    throw UsageError{where + "'" + printable(setting.key) + "' names a file, and " +
+                         printable(text) + " is no text",
+                     hint()};
+  }
+}
+
 /// The options that the command line gives, by their keys.
 std::set<std::string> given_keys(const OptionList& options) {
   std::set<std::string> keys;
@@ -194,6 +226,7 @@ void take_study_file(OptionList& options, const std::string& path, Warnings& war
       passed_over.push_back(key_of(*option));
       continue;
     }
+    require_kind(*option, setting, where);
     option->origin = where;
     option->texts = std::move(setting.texts);
     if (option->is_flag()) std::erase(option->texts, "false");
@@ -210,9 +243,7 @@ void take_study_file(OptionList& options, const std::string& path, Warnings& war
 std::string study_file_text(const OptionList& options, const std::string& command,
                             const std::string& folder, Warnings& warnings) {
   StudyFileText text(folder + "/" + file_name, resolved(folder), warnings);
-  for (const Option& option : options.options()) {
-    if (is_of_study(option)) text.add(option);
-  }
+  for (const Option* option : options_of_study(options)) text.add(*option);
   return std::string("# thiessen ") + version() + "\n# Computed again by: thiessen " + command +
          " --config " + file_name +
          " -o FOLDER\n# Relative names of files count from this file's folder.\n" +
@@ -222,17 +253,15 @@ std::string study_file_text(const OptionList& options, const std::string& comman
 std::string study_options_text(const OptionList& options) {
   Warnings told;  // by the file that repeats the study
   StudyFileText text(file_name, std::nullopt, told);
-  for (const Option& option : options.options()) {
-    if (is_of_study(option)) text.add(option);
-  }
+  for (const Option* option : options_of_study(options)) text.add(*option);
   return std::move(text).text();
 }
 
 std::vector<GivenFile> given_files(const OptionList& options) {
   std::vector<GivenFile> files;
-  for (const Option& option : options.options()) {
-    if (!is_of_study(option) || !names_a_file(option)) continue;
-    for (const std::string& file : option.texts) files.push_back({key_of(option), file});
+  for (const Option* option : options_of_study(options)) {
+    if (!names_a_file(*option)) continue;
+    for (const std::string& file : option->texts) files.push_back({key_of(*option), file});
   }
   return files;
 }

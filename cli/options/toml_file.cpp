@@ -47,11 +47,13 @@ std::size_t line_of(const toml::node& node) {
 }
 
 TomlSetting setting_of(const std::string& file, const std::string& key, const toml::node& node) {
-  TomlSetting setting{key, line_of(node), {}};
+  TomlSetting setting{key, line_of(node), {}, node.is_boolean(), node.is_string()};
   if (const auto* values = node.as_array()) {
+    setting.is_text = true;
     for (const toml::node& value : *values) {
-      if (value.is_array() || value.is_table())
+      if (value.is_array() || value.is_table() || value.is_boolean())
         throw Error({file, line_of(value), "an array of options holds texts and numbers", ""});
+      setting.is_text = setting.is_text && value.is_string();
       const std::vector<std::string> texts = texts_of(value);
       setting.texts.insert(setting.texts.end(), texts.begin(), texts.end());
     }

@@ -14,11 +14,13 @@ struct TomlSetting {
   /// Texts as they are; numbers, dates and times in the form that is shortest; `true` or
   /// `false`. An array has its values in their order.
   std::vector<std::string> texts;
+  bool is_truth = false;  ///< true or false, without quotes
+  bool is_text = true;    ///< texts alone, in quotes
 };
 
 /// Reads the keys of a TOML file (version 1.0), in the order of their lines. The file is `-` for
 /// the standard input. Throws Error where it cannot be read, is not TOML, or has a table, a NUL or
-/// an array of arrays in it. This is the one place that knows toml++.
+/// an array of arrays or of truths in it. This is the one place that knows toml++.
 std::vector<TomlSetting> read_toml(const std::string& path);
 
 /// The text as TOML writes it, in double quotes. Requires UTF-8.

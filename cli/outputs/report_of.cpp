@@ -63,14 +63,23 @@ void StudyReport::add(const RainStep& step) {
   for (const double reading : step.readings) passed_.missing += std::isnan(reading) ? 1U : 0U;
 }
 
-std::vector<std::string> StudyReport::findings(const Summary& summary,
+std::vector<std::string> StudyReport::findings(const ReportParts& parts,
                                                const Warnings& warnings) const {
+  const Option* const study_file = parts.options->find(study_file_option);
+  // What the command line says in place of a study's file is said of neither study.
+  const auto is_of_study = [&](const Message& message) {
+    return study_file == nullptr || !study_file->is_given() ||
+           message.file != study_file->texts.front();
+  };
   std::vector<std::string> findings;
   for (const Message& message : warnings.messages())
     findings.push_back(finding_of("warning", message));
-  for (const Message& notice : warnings.notices()) findings.push_back(finding_of("notice", notice));
+  for (const Message& notice : warnings.notices()) {
+    if (is_of_study(notice)) findings.push_back(finding_of("notice", notice));
+  }
   add_lines(findings, describe_study(inputs_) + odd_gauges_text(inputs_) +
-                          describe_weights(summary.findings()) + describe_steps(inputs_, passed_));
+                          describe_weights(parts.summary->findings()) +
+                          describe_steps(inputs_, passed_));
   findings.push_back(nearest_gauges_table(inputs_));
   return findings;
 }
@@ -88,7 +97,7 @@ std::string StudyReport::page(const ReportParts& parts, const Warnings& warnings
   report.series = &series_;
   report.gaps = parts.gaps;
   report.has_totals = parts.has_totals;
-  report.findings = findings(*parts.summary, warnings);
+  report.findings = findings(parts, warnings);
   report.made_by = items_of(parts.made_by);
   report.options = study_options_text(*parts.options);
   report.inputs = inputs_of(*parts.options);

@@ -40,7 +40,7 @@ class StudyReport {
   std::string page(const ReportParts& parts, const Warnings& warnings) const;
 
  private:
-  std::vector<std::string> findings(const Summary& summary, const Warnings& warnings) const;
+  std::vector<std::string> findings(const ReportParts& parts, const Warnings& warnings) const;
 
   const Inputs& inputs_;
   ThinnedSeries series_;

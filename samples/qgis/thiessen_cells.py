@@ -6,7 +6,7 @@ import sys
 from qgis.core import QgsProcessingAlgorithm, QgsProcessingParameterVectorDestination
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from thiessen_program import ThiessenScript, in_place  # noqa: E402
+from thiessen_program import ThiessenScript, to_destination  # noqa: E402
 
 
 class ThiessenCells(ThiessenScript, QgsProcessingAlgorithm):
@@ -34,5 +34,5 @@ class ThiessenCells(ThiessenScript, QgsProcessingAlgorithm):
     def processAlgorithm(self, parameters, context, feedback):
         words, options = self.places(parameters, context, feedback)
         output = self.parameterAsOutputLayer(parameters, self.OUTPUT, context)
-        in_place(output, ["cells", *words, *options, *self.method(parameters, context)], feedback)
-        return {self.OUTPUT: output}
+        arguments = ["cells", *words, *options, *self.method(parameters, context)]
+        return {self.OUTPUT: to_destination(output, arguments, context, feedback)}

@@ -13,15 +13,21 @@ import signal
 import subprocess
 import tempfile
 
-from qgis.core import (QgsProcessing, QgsProcessingException, QgsProcessingParameterEnum, QgsProcessingParameterField,
-                       QgsProcessingParameterFile, QgsProcessingParameterFeatureSource, QgsProcessingParameterString)
+from osgeo import gdal
+from qgis.core import (QgsCoordinateReferenceSystem, QgsFeature, QgsFeatureSink, QgsProcessing, QgsProcessingException,
+                       QgsProcessingParameterEnum, QgsProcessingParameterField, QgsProcessingParameterFile,
+                       QgsProcessingParameterFeatureSource, QgsProcessingParameterString, QgsProcessingUtils,
+                       QgsVectorLayer)
 
 PROGRESS = re.compile(r"(\d+) %")
 ESCAPES = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 
 
 def program():
-    found = os.environ.get("THIESSEN") or shutil.which("thiessen")
+    named = os.environ.get("THIESSEN")
+    found = shutil.which(named or "thiessen")
+    if named and not found:
+        raise QgsProcessingException(f"the environment variable THIESSEN names {named}, and that is no program")
     if not found:
         raise QgsProcessingException("the program thiessen is not found: install it, or name it in the environment "
                                      "variable THIESSEN (Settings, Options, System, Environment)")
@@ -123,12 +129,18 @@ class ThiessenScript:
                 continue
             path, layer = self.parameterAsCompatibleSourceLayerPathAndLayerName(
                 parameters, name, context, ["gpkg", "geojson", "shp", "fgb"], "gpkg", feedback)
+            wanted, named = self.parameterAsSource(parameters, name, context).sourceCrs(), crs_of_file(path, layer)
+            if named != wanted:
+                # The layer's CRS counts, as its properties have it: a copy of the layer is written in that.
+                path, layer = self.parameterAsCompatibleSourceLayerPathAndLayerName(
+                    parameters, name, context, [], "gpkg", feedback)
+                feedback.pushInfo(f"{name}: the layer's CRS is taken, {words_of(wanted)}; its file names {words_of(named)}")
             words.append(path)
             if layer:
                 options += [layer_option, layer]
-            named = self.parameterAsString(parameters, field, context)
-            if named:
-                options += [id_option, named]
+            of_ids = self.parameterAsString(parameters, field, context)
+            if of_ids:
+                options += [id_option, of_ids]
         return words, options
 
     def method(self, parameters, context):
@@ -141,18 +153,68 @@ class ThiessenScript:
 def split_words(text):
     import shlex
 
-    return shlex.split(text)
+    try:
+        return shlex.split(text)
+    except ValueError as error:
+        raise QgsProcessingException(f"the further options {text} cannot be parted into words: {error}") from error
+
+
+def words_of(crs):
+    return (crs.authid() or crs.toWkt()) if crs.isValid() else "none"
+
+
+def crs_of_file(path, layer):
+    """The CRS that a file names for a layer of it; invalid where it names none."""
+    file = gdal.OpenEx(path, gdal.OF_VECTOR)
+    opened = file and (file.GetLayerByName(layer) if layer else file.GetLayer(0))
+    named = opened and opened.GetSpatialRef()
+    if not named:
+        return QgsCoordinateReferenceSystem()
+    return QgsCoordinateReferenceSystem.fromWkt(named.ExportToWkt(["FORMAT=WKT2_2019"]))
+
+
+def to_destination(destination, arguments, context, feedback):
+    """Runs the program for a vector layer, which goes to a file, or to what else Processing can write to: a layer of a
+    GeoPackage, a table of a database, the memory. Returns the layer's source.
+    """
+    if os.path.splitext(destination)[1] and ":" not in destination.split(os.sep, 1)[0]:
+        in_place(destination, arguments, feedback)
+        return destination
+    folder = tempfile.mkdtemp(prefix="thiessen-")
+    try:
+        made = os.path.join(folder, "made.gpkg")
+        run([*arguments, "-o", made], feedback)
+        layer = QgsVectorLayer(made, "made", "ogr")
+        fields = layer.fields()
+        fields.remove(fields.indexOf("fid"))  # which the destination numbers anew
+        sink, source = QgsProcessingUtils.createFeatureSink(destination, context, fields, layer.wkbType(), layer.crs())
+        if sink is None:
+            raise QgsProcessingException(f"nothing can be written to {destination}")
+        for feature in layer.getFeatures():
+            copy = QgsFeature(fields)
+            copy.setGeometry(feature.geometry())
+            copy.setAttributes([feature[field.name()] for field in fields])
+            if not sink.addFeature(copy, QgsFeatureSink.FastInsert):
+                raise QgsProcessingException(f"a cell cannot be written to {destination}: {sink.lastError()}")
+        del sink  # which writes what it has not yet written
+        return source
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def in_place(parameters_path, arguments, feedback):
     """Runs the program with its output beside `parameters_path`, and puts it there when it is whole: Processing has
     asked before whether a file may be replaced.
     """
-    folder = tempfile.mkdtemp(prefix="thiessen-", dir=os.path.dirname(os.path.abspath(parameters_path)))
+    beside = os.path.dirname(os.path.abspath(parameters_path))
+    try:
+        folder = tempfile.mkdtemp(prefix="thiessen-", dir=beside)
+    except OSError as error:
+        raise QgsProcessingException(f"nothing can be written into {beside}: {error.strerror}") from error
     try:
         made = os.path.join(folder, os.path.basename(parameters_path))
         run([*arguments, "-o", made], feedback)
         for name in os.listdir(folder):
-            os.replace(os.path.join(folder, name), os.path.join(os.path.dirname(os.path.abspath(parameters_path)), name))
+            os.replace(os.path.join(folder, name), os.path.join(beside, name))
     finally:
         shutil.rmtree(folder, ignore_errors=True)

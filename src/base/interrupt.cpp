@@ -10,8 +10,11 @@ namespace {
 std::atomic<int> noted_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait");
 
-extern "C" void note_signal(int signal) {
+// The name of a function of C is its whole name, in a namespace too: static keeps it from others.
+extern "C" {
+static void note_signal(int signal) {
   noted_signal.store(signal, std::memory_order_relaxed);
+}
 }
 
 void note(int signal) {

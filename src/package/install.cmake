@@ -8,7 +8,9 @@ set(THIESSEN_FOLDERS ${CMAKE_INSTALL_BINDIR} ${CMAKE_INSTALL_INCLUDEDIR}/thiesse
     ${CMAKE_INSTALL_LIBDIR}/cmake/thiessen ${CMAKE_INSTALL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_LIBDIR}/thiessen
     ${CMAKE_INSTALL_MANDIR}/man1 ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
     ${CMAKE_INSTALL_DATADIR}/zsh/site-functions ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
-    ${CMAKE_INSTALL_DOCDIR})")
+    ${CMAKE_INSTALL_DOCDIR})
+set(THIESSEN_OWN_FOLDERS ${CMAKE_INSTALL_INCLUDEDIR}/thiessen ${CMAKE_INSTALL_LIBDIR}/cmake/thiessen
+    ${CMAKE_INSTALL_LIBDIR}/thiessen ${CMAKE_INSTALL_DOCDIR})")
 install(SCRIPT ${CMAKE_CURRENT_LIST_DIR}/new_folders.cmake)
 
 if(PROJECT_IS_TOP_LEVEL)
@@ -19,6 +21,8 @@ endif()
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright
         COMPONENT library)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/samples/textbook ${PROJECT_SOURCE_DIR}/samples/library
-        ${PROJECT_SOURCE_DIR}/samples/colorado DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples COMPONENT library
-        FILES_MATCHING REGEX "\\.(csv|geojson|cpp|md)$")
+set(samples ${PROJECT_SOURCE_DIR}/samples)
+install(DIRECTORY ${samples}/textbook ${samples}/library ${samples}/colorado ${samples}/python ${samples}/qgis
+        ${samples}/r ${samples}/jobs DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples COMPONENT library
+        FILES_MATCHING REGEX "\\.(csv|geojson|cpp|md|py|R)$")
+install(PROGRAMS ${samples}/jobs/areal_jobs.sh DESTINATION ${CMAKE_INSTALL_DOCDIR}/samples/jobs COMPONENT library)

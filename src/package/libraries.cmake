@@ -1,9 +1,19 @@
 # What the library rests on, as thiessen::GeographicLib and thiessen::GEOS: read where thiessen is built, and again by
-# find_package(thiessen) where it is used, so that no path of the machine that built it is kept.
+# find_package(thiessen) where it is used, so that no path of the machine that built it is kept. What is missing ends the
+# build of thiessen; find_package(thiessen) is told of it in thiessen_LACKING.
 #
 # GeographicLib has a CMake config where its own build installed one, a module file on Debian and Ubuntu, and neither
 # on some systems; before version 2 its library is called Geographic. The config's target has had two names.
 include(CMakeFindDependencyMacro)
+
+set(thiessen_LACKING)
+
+function(thiessen_lacks message)
+  if(NOT CMAKE_FIND_PACKAGE_NAME STREQUAL "thiessen")
+    message(FATAL_ERROR "${message}")
+  endif()
+  set(thiessen_LACKING "${message}" PARENT_SCOPE)
+endfunction()
 
 function(thiessen_find_geographiclib)
   find_package(GeographicLib CONFIG QUIET)
@@ -13,8 +23,8 @@ function(thiessen_find_geographiclib)
       set(found ${target})
     endif()
   endforeach()
-  add_library(thiessen::GeographicLib INTERFACE IMPORTED GLOBAL)
   if(found)
+    add_library(thiessen::GeographicLib INTERFACE IMPORTED GLOBAL)
     target_link_libraries(thiessen::GeographicLib INTERFACE ${found})
     return()
   endif()
@@ -22,8 +32,11 @@ function(thiessen_find_geographiclib)
   find_library(GeographicLib_LIBRARY NAMES GeographicLib Geographic)
   mark_as_advanced(GeographicLib_INCLUDE_DIR GeographicLib_LIBRARY)
   if(NOT GeographicLib_INCLUDE_DIR OR NOT GeographicLib_LIBRARY)
-    message(FATAL_ERROR "GeographicLib is not found: install libgeographiclib-dev (Debian), libgeographic-dev (Ubuntu 22.04) or GeographicLib-devel (Fedora)")
+    thiessen_lacks("GeographicLib is not found: install libgeographiclib-dev (Debian), libgeographic-dev (Ubuntu 22.04) or GeographicLib-devel (Fedora)")
+    set(thiessen_LACKING "${thiessen_LACKING}" PARENT_SCOPE)
+    return()
   endif()
+  add_library(thiessen::GeographicLib INTERFACE IMPORTED GLOBAL)
   set_target_properties(thiessen::GeographicLib PROPERTIES
                         INTERFACE_INCLUDE_DIRECTORIES "${GeographicLib_INCLUDE_DIR}"
                         INTERFACE_LINK_LIBRARIES "${GeographicLib_LIBRARY}")
@@ -35,7 +48,9 @@ function(thiessen_find_geos)
   find_library(GEOS_LIBRARY geos_c)
   mark_as_advanced(GEOS_INCLUDE_DIR GEOS_LIBRARY)
   if(NOT GEOS_INCLUDE_DIR OR NOT GEOS_LIBRARY)
-    message(FATAL_ERROR "GEOS is not found: install libgeos-dev (Debian, Ubuntu) or geos-devel (Fedora)")
+    thiessen_lacks("GEOS is not found: install libgeos-dev (Debian, Ubuntu) or geos-devel (Fedora)")
+    set(thiessen_LACKING "${thiessen_LACKING}" PARENT_SCOPE)
+    return()
   endif()
   add_library(thiessen::GEOS INTERFACE IMPORTED GLOBAL)
   set_target_properties(thiessen::GEOS PROPERTIES
@@ -47,6 +62,6 @@ find_dependency(Threads)
 if(NOT TARGET thiessen::GeographicLib)
   thiessen_find_geographiclib()
 endif()
-if(NOT TARGET thiessen::GEOS)
+if(NOT TARGET thiessen::GEOS AND NOT thiessen_LACKING)
   thiessen_find_geos()
 endif()

@@ -8,8 +8,8 @@ namespace thiessen {
 
 std::vector<FieldName> attribute_fields(const CellFeatures& features) {
   if (features.attributes == nullptr) return {};
-  std::unordered_set<std::string> taken = {"station", "basin", features.area_column, "weight",
-                                           "rainfall"};
+  std::unordered_set<std::string> taken = {"station", "basin",    features.area_column,
+                                           "weight",  "rainfall", features.geometry_column};
   std::vector<FieldName> fields = features.attributes->fields;
   for (FieldName& field : fields) {
     while (!taken.insert(lower_case(field.name)).second) field.name += '_';

@@ -33,12 +33,14 @@ struct CellFeatures {
   std::string rainfall_is;  ///< what the values of rainfall are: a time, or which means
   /// The stations' attributes, where every field of a station is written with its cell; else null.
   const Attributes* attributes = nullptr;
+  /// What the column of the shapes is called, where that must be no attribute's name.
+  std::string geometry_column;
   std::optional<Provenance> made_by;  ///< what the file says of how it was made
 };
 
 /// The names under which the stations' attributes are written beside the cells' own fields
-/// (station, basin, the area's, weight, rainfall): a name that is taken, case ignored, gets
-/// underscores.
+/// (station, basin, the area's, weight, rainfall, the shapes'): a name that is taken, case ignored,
+/// gets underscores.
 std::vector<FieldName> attribute_fields(const CellFeatures& features);
 
 }  // namespace thiessen

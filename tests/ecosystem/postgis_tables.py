@@ -96,6 +96,57 @@ assert "nowhere" in said, said
 assert "cannot be reached" in run("weights", *FILES[:2], "-o", DATABASE.replace("dbname=postgres", "dbname=none"), status=1)
 run("weights", *FILES[:2], "-o", "w.csv", "--output-layer", "x", status=2)
 
+# A comment that only begins as ours do is no mark, and a name that the server would cut is none.
+ask("CREATE TABLE drawn (a int); COMMENT ON TABLE drawn IS 'thiessen polygons drawn by hand, 1998'")
+said = run("weights", *FILES[:2], "-o", DATABASE, "--output-layer", "drawn", "--overwrite", status=1)
+assert "never dropped" in said, said
+assert value("SELECT count(*) FROM drawn") == "0"
+said = run("weights", *FILES[:2], "-o", DATABASE, "--output-layer", 64 * "a", status=1)
+assert "64 bytes" in said and "63" in said, said
+run("weights", *FILES[:2], "-o", DATABASE, "--output-layer", 63 * "a")
+
+# A table is looked for where it would be made, and not in other schemas of the search_path.
+ask("CREATE SCHEMA mine")
+ours = value("SELECT 'public.weights'::regclass::oid")
+mine = DATABASE + " options='-csearch_path=mine,public'"
+run("weights", *FILES[:2], "-o", mine)
+run("weights", *FILES[:2], "-o", mine, "--overwrite")
+assert value("SELECT 'public.weights'::regclass::oid") == ours
+assert int(value("SELECT count(*) FROM mine.weights")) == len(weights) - 1
+said = run("weights", *FILES[:2], "-o", DATABASE + " active_schema=absent", status=1)
+assert "CREATE SCHEMA" in said and "LINE" not in said, said
+assert "no schema" in run("weights", *FILES[:2], "-o", DATABASE + " options='-csearch_path=absent'", status=1)
+
+# What replaces a table gives the same rights to others.
+ask("CREATE ROLE reader; CREATE ROLE clerk; GRANT SELECT ON mine.weights TO reader, PUBLIC; "
+    "GRANT INSERT ON mine.weights TO clerk WITH GRANT OPTION")
+rights = "SELECT relacl FROM pg_class WHERE oid = 'mine.weights'::regclass"
+before = value(rights)
+run("weights", *FILES[:2], "-o", mine, "--overwrite")
+assert sorted(value(rights).strip("{}").split(",")) == sorted(before.strip("{}").split(",")), (value(rights), before)
+
+
+# The comment says by which method and in which unit.
+def comment_of(*options):
+    run("rain", *FILES, "-o", DATABASE, "--output-layer", "told", "--overwrite", *options)
+    return value("SELECT obj_description('told'::regclass)")
+
+
+assert comment_of().endswith("; method: thiessen; unit: mm"), comment_of()
+assert comment_of("--method", "idw").endswith("; method: idw; unit: mm")
+assert comment_of("--method", "thiessen,idw").endswith("; method: thiessen,idw; unit: mm")
+assert comment_of("--from-unit", "mm", "--to-unit", "in").endswith("; unit: in")
+assert comment_of("--units", "in").endswith("; unit: in")
+
+# A station's field that is called as the geometry is.
+with open(FILES[0], encoding="utf-8") as file, open("fields.csv", "w", encoding="utf-8") as fields:
+    for line in file:
+        fields.write(line.rstrip("\n") + (",geom\n" if line.startswith('"id"') else ",round\n"))
+said = subprocess.run([program, "cells", "fields.csv", FILES[1], "--attributes", "-o", DATABASE, "--output-layer", "fields"],
+                      check=True, capture_output=True, text=True).stderr
+assert "'geom' is called 'geom_'" in said, said
+assert ask("SELECT DISTINCT geom_ FROM fields") == [["round"]]
+
 # A run that fails leaves nothing.
 with open("bad.csv", "w", encoding="utf-8") as bad:
     bad.write("month,028468\n1988-01,1\n1988-02,oops\n")
@@ -122,3 +173,9 @@ assert from_tables == from_files
 run("rain", *inputs, "-o", DATABASE, "--overwrite")
 same(ask("SELECT time, basin, rainfall FROM rain"),
      [[row[0], row[1], row[2]] for row in rows(run("rain", *FILES, "--long"))[1:]])
+
+# A run is repeated by its file to the byte, which holds no password, nor does the page tell of one.
+study = [DATABASE, FILES[1], FILES[2], "--stations-layer", "gauges", "--id", "id"]
+run("run", *study, "-o", "a")
+run("run", "--config", "a/study.toml", "-o", "b")
+subprocess.run(["diff", "-r", "a", "b"], check=True)

@@ -9,8 +9,8 @@ import sys
 import threading
 import time
 
-from qgis.core import (QgsApplication, QgsProcessingContext, QgsProcessingException, QgsProcessingFeedback, QgsProject,
-                       QgsVectorLayer)
+from qgis.core import (QgsApplication, QgsCoordinateReferenceSystem, QgsProcessingContext, QgsProcessingException,
+                       QgsProcessingFeedback, QgsProcessingUtils, QgsProject, QgsVectorLayer)
 
 clone, work = map(pathlib.Path, sys.argv[1:])
 scripts, colorado = clone / "samples/qgis", clone / "samples/colorado"
@@ -90,6 +90,59 @@ try:
 except QgsProcessingException as error:
     assert "nobody" in str(error), error
 assert sorted(path.name for path in (work / "out").iterdir()) == ["cells.gpkg", "rain.csv", "weights.csv"]
+
+
+def refusal(parameters):
+    try:
+        run("thiessen_cells", {**places, **parameters})
+    except QgsProcessingException as error:
+        return str(error)
+    raise AssertionError("an error was wanted")
+
+
+assert "nothing can be written into" in refusal({"OUTPUT": str(work / "none/cells.gpkg")})
+assert "cannot be parted into words" in refusal({"OUTPUT": str(work / "out/x.gpkg"), "OPTIONS": "--metric 'planar"})
+program, os.environ["THIESSEN"] = os.environ["THIESSEN"], str(work / "none/thiessen")
+assert "that is no program" in refusal({"OUTPUT": str(work / "out/x.gpkg")})
+os.environ["THIESSEN"] = program
+assert not (work / "out/x.gpkg").exists()
+
+# Cells go to a layer of a GeoPackage that has others, and to the memory.
+subprocess.run(["ogr2ogr", work / "dest.gpkg", files[1], "-nln", "counties"], check=True)
+for destination in (f"ogr:dbname='{work}/dest.gpkg' table=\"cells\" (geom)", "memory:cells"):
+    ran, context = algorithm("thiessen_cells"), QgsProcessingContext()
+    context.setProject(QgsProject.instance())
+    result, good = ran.run({**places, "OUTPUT": destination}, context, Heard(), catchExceptions=False)
+    layer = QgsProcessingUtils.mapLayerFromString(result["OUTPUT"], context)
+    assert layer.crs().authid() == "EPSG:4326", layer.crs()
+    found = {(cell["basin"], cell["station"]): cell["weight"] for cell in layer.getFeatures()}
+    assert found == of_cells
+assert QgsVectorLayer(f"{work}/dest.gpkg|layername=counties", "counties", "ogr").featureCount() == 64
+
+# A layer is in the CRS that QGIS has for it, whether its file names none or another.
+for name, file in (("stations", files[0]), ("basins", files[1])):
+    given = ["-oo", "X_POSSIBLE_NAMES=lon", "-oo", "Y_POSSIBLE_NAMES=lat"] if name == "stations" else []
+    subprocess.run(["ogr2ogr", work / f"{name}.shp", file, *given, "-s_srs", "EPSG:4326", "-t_srs", "EPSG:32613"], check=True)
+(work / "stations.prj").unlink()
+wanted = by_program("weights", work / "stations.shp", work / "basins.shp", "--crs", "EPSG:26713", "--id", "id", "--basin-id", "id")
+in_nad27 = QgsVectorLayer(str(work / "stations.shp"), "gauges", "ogr")
+in_nad27.setCrs(QgsCoordinateReferenceSystem("EPSG:26713"))
+in_utm = QgsVectorLayer(str(work / "basins.shp"), "basins", "ogr")
+result, feedback = run("thiessen_weights", {"STATIONS": in_nad27, "STATION_ID": "id", "BASINS": in_utm, "BASIN_ID": "id",
+                                            "OUTPUT": str(work / "out/crs.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == wanted
+assert "STATIONS: the layer's CRS is taken, EPSG:26713; its file names none" in feedback.informed, feedback.informed
+assert not any(text.startswith("BASINS: ") for text in feedback.informed), feedback.informed
+(work / "basins.prj").unlink()
+wanted = by_program("weights", work / "stations.shp", work / "basins.shp", "--crs", "EPSG:26713", "--basins-crs", "EPSG:26713",
+                    "--id", "id", "--basin-id", "id")
+subprocess.run(["ogr2ogr", work / "basins.gpkg", work / "basins.shp", "-a_srs", "EPSG:32613"], check=True)
+moved = QgsVectorLayer(str(work / "basins.gpkg"), "basins", "ogr")
+moved.setCrs(QgsCoordinateReferenceSystem("EPSG:26713"))
+result, feedback = run("thiessen_weights", {"STATIONS": in_nad27, "STATION_ID": "id", "BASINS": moved, "BASIN_ID": "id",
+                                            "OUTPUT": str(work / "out/crs.csv")})
+assert pathlib.Path(result["OUTPUT"]).read_text() == wanted
+assert "BASINS: the layer's CRS is taken, EPSG:26713; its file names EPSG:32613" in feedback.informed, feedback.informed
 
 # Cancel ends the program in the midst of a series that has no end of its own.
 feedback, context = Heard(), QgsProcessingContext()

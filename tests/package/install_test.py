@@ -1,16 +1,25 @@
 """`cmake --install`: what is there, whether the program and the library can be used from there, and what is left
 when it is uninstalled."""
 
+import re
 import shutil
 import unittest
 
-from installation import ANSWER, CXX, CMAKE, SAMPLES, TEXTBOOK, InstallationTest
+from installation import ANSWER, BUILD, CXX, CMAKE, RECORDS, SAMPLES, TEXTBOOK, InstallationTest
 
 PROJECT = """cmake_minimum_required(VERSION 3.22)
 project(storm LANGUAGES CXX)
 find_package(thiessen REQUIRED)
 add_executable(storm textbook.cpp)
 target_link_libraries(storm PRIVATE thiessen::thiessen)
+"""
+
+# A project that can do without, and says why it has to.
+PERHAPS = """cmake_minimum_required(VERSION 3.22)
+project(storm LANGUAGES CXX)
+%s
+find_package(thiessen QUIET CONFIG %s)
+message(STATUS "found: ${thiessen_FOUND}, for ${thiessen_NOT_FOUND_MESSAGE}")
 """
 
 # What the module for Python stands on: its sources, and no headers, come with a clone.
@@ -108,6 +117,43 @@ class Install(InstallationTest):
         self.assertEqual("9 gauges\n", self.run_command(built / "gauges", SAMPLES / "textbook" / "stations.csv"))
         self.assertNotIn("OpenCV", (built / "CMakeCache.txt").read_text(encoding="utf-8"))
 
+    def configured(self, before, components):
+        project = self.folder / "perhaps"
+        shutil.rmtree(project, ignore_errors=True)
+        project.mkdir()
+        (project / "CMakeLists.txt").write_text(PERHAPS % (before, components), encoding="utf-8")
+        return self.run_command(CMAKE, "-S", project, "-B", project / "built", f"-DCMAKE_PREFIX_PATH={self.prefix}",
+                                f"-DCMAKE_CXX_COMPILER={CXX}")
+
+    def test_what_is_missing_is_said_and_no_end(self):
+        self.install()
+        self.assertIn("found: 1, for \n", self.configured("", ""))
+        nowhere = "set(CMAKE_FIND_USE_CMAKE_SYSTEM_PATH OFF)\nset(CMAKE_FIND_USE_SYSTEM_ENVIRONMENT_PATH OFF)"
+        self.assertRegex(self.configured(nowhere, ""), "found: (0|OFF|FALSE), for GeographicLib is not found: install ")
+        self.assertRegex(self.configured("", "COMPONENTS pictures"),
+                         "found: (0|OFF|FALSE), for thiessen has no component pictures: ")
+        self.assertIn("found: 1, for \n", self.configured("", "OPTIONAL_COMPONENTS pictures"))
+
+    def test_headers_are_found_where_they_are_installed(self):
+        built = self.folder / "elsewhere"
+        for folder, named in (("include/foo", "${_IMPORT_PREFIX}/include/foo"), ("/all/include", "/all/include")):
+            self.run_command(CMAKE, "-S", SAMPLES.parent, "-B", built, "-DTHIESSEN_PROGRAM=OFF",
+                             f"-DCMAKE_INSTALL_INCLUDEDIR={folder}", f"-DCMAKE_CXX_COMPILER={CXX}")
+            [targets] = built.glob("src/package/CMakeFiles/Export/**/thiessen-targets.cmake")
+            self.assertIn(f'INTERFACE_INCLUDE_DIRECTORIES "{named}"', targets.read_text(encoding="utf-8"))
+            [pc] = built.rglob("thiessen.pc")
+            self.assertIn("includedir=" + named.replace("_IMPORT_PREFIX", "prefix") + "\n", pc.read_text(encoding="utf-8"))
+
+    @unittest.skipUnless(shutil.which("nm"), "nm is not installed")
+    def test_the_library_takes_no_name_of_a_user_s(self):
+        self.install()
+        names = self.run_command("nm", "--extern-only", "--defined-only", "--format=posix",
+                                 self.prefix / "lib" / "libthiessen.a")
+        # What is in the namespace, or shared by all who use it, as an instance of a template is (V, W, u).
+        strange = [line for line in names.splitlines()
+                   if re.match(r"\S+ [A-TX-Z] ", line) and not re.match(r"_Z\S*8thiessen", line)]
+        self.assertEqual(strange, [])
+
     @unittest.skipUnless(shutil.which("pkg-config"), "pkg-config is not installed")
     def test_a_program_finds_the_library_by_pkg_config(self):
         self.install()
@@ -147,6 +193,35 @@ class Uninstall(InstallationTest):
         self.install()
         self.uninstall()
         self.assertEqual(list(self.root.iterdir()), [])
+
+    def test_what_is_not_there_is_asked_for(self):
+        self.install()
+        before = self.files()
+        left = {name: (BUILD / name).read_bytes() for name in RECORDS}
+        with self.assertRaises(AssertionError) as caught:
+            self.run_command(CMAKE, "--build", BUILD, "--target", "uninstall",
+                             environment={"DESTDIR": str(self.folder / "other")})
+        self.assertIn("DESTDIR", str(caught.exception))
+        self.assertEqual(left, {name: (BUILD / name).read_bytes() for name in RECORDS})
+        self.assertEqual(before, self.files())
+        self.uninstall()
+
+    def test_folders_of_an_earlier_installation_of_another_build_go(self):
+        self.install()
+        for name in RECORDS:
+            (BUILD / name).unlink()
+        self.install()
+        self.uninstall()
+        self.assertEqual([path for path in self.root.rglob("*") if "thiessen" in path.name], [])
+        self.assertTrue((self.prefix / "bin").is_dir(), "which this installation did not make")
+
+    def test_what_it_made_in_a_folder_of_its_name_goes(self):
+        doc = self.prefix / "share" / "doc" / "thiessen"
+        doc.mkdir(parents=True)
+        (doc / "notes").touch()
+        self.install()
+        self.uninstall()
+        self.assertEqual([path.name for path in doc.rglob("*")], ["notes"])
 
     def test_without_an_installation_it_says_so(self):
         with self.assertRaises(AssertionError) as caught:

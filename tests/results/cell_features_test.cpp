@@ -22,6 +22,19 @@ TEST(CellFeatures, an_attribute_whose_name_is_taken_gets_underscores_case_ignore
   EXPECT_EQ(fields[0].type, FieldType::real);
 }
 
+TEST(CellFeatures, an_attribute_is_not_called_as_the_shapes_are) {
+  Attributes attributes;
+  attributes.fields = {{"geom", FieldType::text}, {"GEOM_", FieldType::text}};
+  CellFeatures features;
+  features.attributes = &attributes;
+  EXPECT_EQ(attribute_fields(features)[0].name, "geom");
+  features.geometry_column = "geom";
+  const auto fields = attribute_fields(features);
+  ASSERT_EQ(fields.size(), 2U);
+  EXPECT_EQ(fields[0].name, "geom_");
+  EXPECT_EQ(fields[1].name, "GEOM__");
+}
+
 TEST(CellFeatures, without_attributes_there_are_no_fields_of_theirs) {
   EXPECT_TRUE(attribute_fields({}).empty());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/descriptor.h"
@@ -20,20 +21,22 @@ struct DatabaseTarget {
 ///
 /// Its rows are written as CSV, and wait in a temporary file (spool.h) until all are there.
 /// `commit` then makes the table, fills and marks it, in one transaction. The mark is the table's
-/// comment, which begins with the program's name: a table without it is somebody else's, and is
-/// never dropped. Numbers go over as text, in the digits that the rows have.
+/// comment, which begins with the program's name and version: a table without it is somebody
+/// else's, and is never dropped. One that is replaced leaves its rights to the new one. A table
+/// that is named without a schema is looked for where it would be made, and nowhere else. Numbers
+/// go over as text, in the digits that the rows have.
 class DatabaseTable {
  public:
   /// A geometry, in the hexadecimal digits of EWKB.
   static constexpr const char* geometry_column = "geom";
 
   /// Looks whether the database can be reached and the table may be made. Throws Error where it
-  /// cannot, with a hint.
+  /// cannot, or PostgreSQL would cut its name, with a hint.
   explicit DatabaseTable(DatabaseTarget target);
 
   /// The rows: CSV with a header. An empty field without quotes is no value.
   OutputFile& rows() { return rows_; }
-  /// Makes the table of the rows. `comment` tells by what it is made, and begins with `thiessen`.
+  /// Makes the table of the rows. `comment` tells by what it is made, as sentence_of has it.
   /// `names` are those of the columns in their order; without them the rows' header counts, which
   /// then has names of this program's own alone. Geometries are in `srid`, and have an index.
   /// Throws Error where the database refuses it, and Interrupted; the database is then as before.
@@ -48,6 +51,10 @@ class DatabaseTable {
   Descriptor spool_;
   OutputFile rows_;
 };
+
+/// Whether a table's comment is of the form that this program's have: `thiessen 0.1.0; metric: `,
+/// and more.
+bool is_mark(std::string_view comment);
 
 /// The columns of a table in SQL, by the header of its CSV: `"time" text, "weight" double
 /// precision`. Areas, weights, rainfall, errors and shares are numbers, counts whole ones, all else

@@ -15,8 +15,10 @@ namespace {
 
 constexpr std::string_view prefix = "PG:";
 
-/// The words of the server or of libpq on one line, without their label.
+/// The words of the server or of libpq on one line, without their label, and without the line of
+/// SQL that a server may show: it is this program's own.
 std::string on_one_line(std::string_view reason) {
+  reason = reason.substr(0, reason.find("\nLINE "));
   std::string text;
   for (const char c : reason) {
     if (c != '\n') text += c;

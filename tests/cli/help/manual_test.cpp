@@ -38,5 +38,12 @@ TEST(Manual, ListsTheNamesByWhichFieldsAreFoundAndWhatMeansNoReading) {
   EXPECT_TRUE(has(text, "N/A"));
 }
 
+TEST(Manual, NamesTheLibraryTheModuleAndTheirPages) {
+  const std::string text = manual(Commands("thiessen"));
+  for (const char* name : {"<thiessen.h>", "find_package(thiessen)", "samples/library",
+                           "samples/python", "samples/qgis", "samples/r", "samples/jobs"})
+    EXPECT_TRUE(has(text, name)) << name;
+}
+
 }  // namespace
 }  // namespace thiessen::cli

@@ -48,6 +48,10 @@ TEST(RainModelOptions, take_a_format_and_a_unit) {
   EXPECT_EQ(model.block.name(), "pi-xml");
 }
 
+TEST(RainModelOptions, name_a_unit_to_a_database) {
+  EXPECT_EQ(Model().refused({"--units", "in"}, "PG:dbname=x"), "");
+}
+
 TEST(RainModelOptions, refuse_what_cannot_act) {
   EXPECT_EQ(Model().refused({"--units", "in"}, "-"),
             "--units is about what a model reads, and a CSV names no unit");

@@ -24,13 +24,13 @@ struct Painting {
     Option& argument = files.add("RAINFALL", file(rainfall), "");
     OptionValue repeated = texts(several, "FILE");
     repeated.completion = Completion::file;
+    files.add("--missing", texts(missing, "V"), "");
     argument.instead = {&files.add("--rainfall", repeated, "")};
     OptionGroup rest = options.group("Rest");
     rest.add("--basin-id", any_text(basin_id, "FIELD"), "");
     rest.add("--width", whole_number(width, 1, 9), "");
     rest.add("--tolerance", number(tolerance, above_zero), "");
     rest.add("--mend", flag(mend), "");
-    rest.add("--missing", texts(missing, "V"), "");
     rest.add("-o,--output", file(output, "FILE"), "");
     rest.add(study_file_option, file(config, "FILE"), "");
   }
@@ -139,6 +139,34 @@ TEST(StudyFile, IsWrittenAsItIsReadWithoutTheOutput) {
   EXPECT_EQ(paint.written(paint.in_folder("")),
             "stations = \"/in/s.csv\"\nrainfall = [\"/in/a\", \"/in/b\"]\n"
             "basin-id = \"a\\\"\\u000A#\"\nwidth = 3\ntolerance = \"0.50\"\nmend = true\n");
+}
+
+TEST(StudyFile, IsTheSameHoweverAFileIsNamed) {
+  const std::string wanted = "stations = \"/s\"\nrainfall = \"/r\"\nmissing = \"x\"\n";
+  Painting argument("");
+  EXPECT_EQ(argument.refusal({"/s", "/r", "--missing", "x"}), "");
+  EXPECT_EQ(argument.written("/"), wanted);
+  Painting option("");
+  EXPECT_EQ(option.refusal({"/s", "--missing", "x", "--rainfall", "/r"}), "");
+  EXPECT_EQ(option.written("/"), wanted);
+  Painting repeated(wanted);
+  EXPECT_EQ(repeated.refusal(), "");
+  EXPECT_EQ(repeated.written("/"), wanted);
+  EXPECT_EQ(study_options_text(repeated.options), study_options_text(argument.options));
+  const std::vector<GivenFile> files = given_files(repeated.options);
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_EQ(files[1].option, "rainfall");
+  EXPECT_EQ(files[1].file, "/r");
+}
+
+TEST(StudyFile, NamesTheLineOfAValueOfAWrongKind) {
+  EXPECT_EQ(
+      Painting("stations = 's'\nmissing = true\n").refusal(),
+      ":2: 'missing' is true, and wants a value | a text stands in quotes: missing = \"true\"");
+  EXPECT_EQ(Painting("stations = 5\n").refusal(),
+            ":1: 'stations' names a file, and 5 is no text | a text stands in quotes: stations = "
+            "\"5\"");
+  EXPECT_EQ(Painting("stations = 's'\nmissing = 'true'\nmend = true\n").refusal(), "");
 }
 
 TEST(StudyFile, BeginsWithTheVersionAndHowItIsUsed) {

@@ -61,6 +61,16 @@ TEST_F(TomlFile, HasTruthsDatesAndArrays) {
   EXPECT_TRUE(settings[5].texts.empty());
 }
 
+TEST_F(TomlFile, TellsTextsFromTruthsAndNumbers) {
+  const auto settings =
+      read("a = true\nb = 'true'\nc = 5\nd = ['x', 'y']\ne = ['x', 2]\nf = 1995-05-01\n");
+  ASSERT_EQ(settings.size(), 6u);
+  EXPECT_TRUE(settings[0].is_truth);
+  for (std::size_t i = 1; i < 6; ++i) EXPECT_FALSE(settings[i].is_truth) << i;
+  const std::vector<bool> are_texts = {false, true, false, true, false, false};
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(settings[i].is_text, are_texts[i]) << i;
+}
+
 TEST_F(TomlFile, SaysInWhichLineItIsNoToml) {
   EXPECT_TRUE(refusal("id = 'a'\nfrom = 1995-05\n").starts_with("2: this is not TOML: "));
   EXPECT_TRUE(refusal("id = gauge\n").starts_with("1: this is not TOML: "));
@@ -72,6 +82,7 @@ TEST_F(TomlFile, RefusesTablesAndWhatIsTooLarge) {
   EXPECT_EQ(refusal("id = 'a'\n[run]\nx = 'b'\n"),
             "2: [run] is a table, and options stand in none");
   EXPECT_EQ(refusal("id = [['a']]\n"), "1: an array of options holds texts and numbers");
+  EXPECT_EQ(refusal("id = [1,\n true]\n"), "2: an array of options holds texts and numbers");
   EXPECT_EQ(refusal(std::string(2'000'000, '#')),
             "0: this is larger than 1 MB, and no list of options");
 }
