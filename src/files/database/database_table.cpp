@@ -123,8 +123,10 @@ bool is_mark(std::string_view comment) {
   constexpr std::string_view name = "thiessen ";
   if (!comment.starts_with(name)) return false;
   comment.remove_prefix(name.size());
-  return take_number(comment, '.') && take_number(comment, '.') && take_number(comment, ';') &&
-         comment.starts_with(" metric: ");
+  for (const char sign : {'.', '.', ';'}) {
+    if (!take_number(comment, sign)) return false;
+  }
+  return comment.starts_with(" metric: ");
 }
 
 std::string sql_columns(const std::vector<std::string>& names, int srid) {
