@@ -121,12 +121,11 @@ class RainCommand : public Command {
     if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
+    const std::string unit = unit_named(readings->unit(), totalling);
     const auto series =
-        model ? model_table(*model, inputs, unit_of_values(readings->unit(), totalling), totalling)
+        model ? model_table(*model, inputs, unit, totalling)
               : std::make_unique<RainTable>(*file, inputs.basins(), format, totalling,
                                             rainfall_.name(), grown ? grown->growth() : nullptr);
-    const std::string comment =
-        table ? sentence_of(made_by(inputs, unit_of_values(readings->unit(), totalling))) : "";
     std::optional<WeightsLog> log;
     if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
     GaugePatterns patterns;
@@ -148,7 +147,7 @@ class RainCommand : public Command {
     series->finish(warnings);
     if (grown) grown->finish(warnings);
     outputs.commit();
-    if (table) table->commit(comment);
+    if (table) table->commit(sentence_of(made_by(inputs, unit)));
   }
   bool quiet() const override { return common_.quiet; }
 
@@ -212,17 +211,24 @@ class RainCommand : public Command {
     return format;
   }
 
-  /// What is said of how the series is made. `unit` is the one that its values are known to be in.
+  /// The unit that the values are said to be in, where something says it.
+  std::string unit_named(const std::string& of_readings,
+                         const std::optional<Totalling>& totalling) const {
+    return unit_shown(unit_of_values(of_readings, totalling), model_.units,
+                      model_.are_units_given(), rainfall_.name());
+  }
+
+  /// What is said of how the series is made.
   Provenance made_by(const Inputs& inputs, const std::string& unit) const {
     Provenance made_by = provenance_of(inputs, study_, nullptr, "");
     made_by.method.clear();
     for (const RainMethod method : method_.methods())
       made_by.method += (made_by.method.empty() ? "" : ",") + std::string(name_of(method));
-    made_by.unit = unit_shown(unit, model_.units, model_.are_units_given(), rainfall_.name());
+    made_by.unit = unit;
     return made_by;
   }
 
-  /// The series as a model reads it, in the unit that RAINFALL is known to be in, if it is.
+  /// The series as a model reads it.
   std::unique_ptr<RainOutput> model_table(ModelFiles& files, const Inputs& inputs,
                                           const std::string& unit,
                                           const std::optional<Totalling>& totalling) const {

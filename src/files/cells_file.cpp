@@ -116,7 +116,8 @@ void cells_table(const CellsOutput& output, DatabaseTable& table, Warnings& warn
   const CellShapes cells = valid_shapes_in(output, crs, table.name(), warnings);
   const std::vector<std::string> names =
       append_cell_rows(table.rows(), output, cells.shapes, DatabaseTable::geometry_column, srid);
-  table.commit(sentence_of(output.made_by.value_or(Provenance())), names, srid);
+  const std::size_t own = names.size() - 1 - attribute_fields(output).size();
+  table.commit(sentence_of(output.made_by.value_or(Provenance())), names, srid, own);
 }
 
 std::string cells_geojson(const CellsOutput& output, const std::string& file, Warnings& warnings) {

@@ -138,14 +138,14 @@ assert comment_of("--method", "thiessen,idw").endswith("; method: thiessen,idw; 
 assert comment_of("--from-unit", "mm", "--to-unit", "in").endswith("; unit: in")
 assert comment_of("--units", "in").endswith("; unit: in")
 
-# A station's field that is called as the geometry is.
+# Stations' fields that are called as the geometry is, and as a column of numbers of another table.
 with open(FILES[0], encoding="utf-8") as file, open("fields.csv", "w", encoding="utf-8") as fields:
     for line in file:
-        fields.write(line.rstrip("\n") + (",geom\n" if line.startswith('"id"') else ",round\n"))
+        fields.write(line.rstrip("\n") + (",geom,gauges\n" if line.startswith('"id"') else ",round,old ones\n"))
 said = subprocess.run([program, "cells", "fields.csv", FILES[1], "--attributes", "-o", DATABASE, "--output-layer", "fields"],
                       check=True, capture_output=True, text=True).stderr
 assert "'geom' is called 'geom_'" in said, said
-assert ask("SELECT DISTINCT geom_ FROM fields") == [["round"]]
+assert ask("SELECT DISTINCT geom_, gauges FROM fields") == [["round", "old ones"]]
 
 # A run that fails leaves nothing.
 with open("bad.csv", "w", encoding="utf-8") as bad:

@@ -123,17 +123,20 @@ bool is_mark(std::string_view comment) {
   constexpr std::string_view name = "thiessen ";
   if (!comment.starts_with(name)) return false;
   comment.remove_prefix(name.size());
-  return take_number(comment, '.') && take_number(comment, '.') && take_number(comment, ';') &&
-         comment.starts_with(" metric: ");
+  for (const char sign : {'.', '.', ';'}) {
+    if (!take_number(comment, sign)) return false;
+  }
+  return comment.starts_with(" metric: ");
 }
 
-std::string sql_columns(const std::vector<std::string>& names, int srid) {
+std::string sql_columns(const std::vector<std::string>& names, int srid, std::size_t own) {
   std::string columns;
-  for (const std::string& name : names) {
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
     columns += (columns.empty() ? "" : ", ") + Postgres::quoted_name(name) + " ";
     columns += name == DatabaseTable::geometry_column
                    ? "geometry(MultiPolygon, " + std::to_string(srid) + ")"
-                   : std::string(sql_type_of(name));
+                   : std::string(i < own ? sql_type_of(name) : "text");
   }
   return columns;
 }
@@ -148,7 +151,8 @@ DatabaseTable::DatabaseTable(DatabaseTarget target)
   look_for(database, in_sql(database, target_, name_), target_.overwrite, name_);
 }
 
-void DatabaseTable::commit(const std::string& comment, std::vector<std::string> names, int srid) {
+void DatabaseTable::commit(const std::string& comment, std::vector<std::string> names, int srid,
+                           std::size_t own) {
   rows_.finish();
   if (names.empty()) names = header_of(spool_);
   for (const std::string& name : names) {
@@ -163,7 +167,7 @@ void DatabaseTable::commit(const std::string& comment, std::vector<std::string> 
     grants = grants_on(database, table);
     database.run("DROP TABLE " + table);
   }
-  database.run("CREATE TABLE " + table + " (" + sql_columns(names, srid) + ")");
+  database.run("CREATE TABLE " + table + " (" + sql_columns(names, srid, own) + ")");
   database.run("COPY " + table + " FROM STDIN (FORMAT csv, HEADER)");
   copy_spool(spool_, [&](std::string_view rows) { database.copy(rows); });
   database.end_copy();

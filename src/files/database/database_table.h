@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,10 +40,12 @@ class DatabaseTable {
   OutputFile& rows() { return rows_; }
   /// Makes the table of the rows. `comment` tells by what it is made, as sentence_of has it.
   /// `names` are those of the columns in their order; without them the rows' header counts, which
-  /// then has names of this program's own alone. Geometries are in `srid`, and have an index.
+  /// then has names of this program's own alone; of those that are given the first `own` are, and
+  /// the others, but for the geometry's, are of texts. Geometries are in `srid`, and have an index.
   /// Throws Error where the database refuses it, and Interrupted; the database is then as before.
   /// Cost: linear in the rows.
-  void commit(const std::string& comment, std::vector<std::string> names = {}, int srid = 0);
+  void commit(const std::string& comment, std::vector<std::string> names = {}, int srid = 0,
+              std::size_t own = SIZE_MAX);
   /// The database and the table, as messages name them.
   const std::string& name() const { return name_; }
 
@@ -58,7 +62,8 @@ bool is_mark(std::string_view comment);
 
 /// The columns of a table in SQL, by the header of its CSV: `"time" text, "weight" double
 /// precision`. Areas, weights, rainfall, errors and shares are numbers, counts whole ones, all else
-/// is text.
-std::string sql_columns(const std::vector<std::string>& names, int srid);
+/// is text, and so is all behind the first `own` names but a geometry.
+std::string sql_columns(const std::vector<std::string>& names, int srid,
+                        std::size_t own = SIZE_MAX);
 
 }  // namespace thiessen

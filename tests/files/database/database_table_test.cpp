@@ -11,6 +11,12 @@ TEST(DatabaseTable, columns_have_the_types_of_their_names) {
             "\"geom\" geometry(MultiPolygon, 4326), \"a\"\"b\" text");
 }
 
+TEST(DatabaseTable, columns_of_others_are_text_whatever_their_names) {
+  EXPECT_EQ(sql_columns({"station", "weight", "gauges", "area", "geom"}, 0, 2),
+            "\"station\" text, \"weight\" double precision, \"gauges\" text, \"area\" text, "
+            "\"geom\" geometry(MultiPolygon, 0)");
+}
+
 TEST(DatabaseTable, a_comment_of_another_form_is_no_mark) {
   EXPECT_TRUE(is_mark("thiessen 0.1.0; metric: geodesic; tolerance: 0.1; method: thiessen"));
   EXPECT_TRUE(is_mark("thiessen 12.0.33; metric: planar"));
