@@ -13,7 +13,6 @@ import pytest
 
 import thiessen
 from thiessen import _thiessen
-from thiessen.keywords import OF_SERIES, OF_STATIONS
 from thiessen.readings import readings_of
 from conftest import COLORADO, TEXTBOOK
 
@@ -40,23 +39,6 @@ def test_how_many_points_are_looked_at_may_stand_with_the_study():
     once = thiessen.Study(*COLORADO, method="idw", grid=50).rain()
     assert once.equals(thiessen.Study(*COLORADO).rain(method="idw", grid=50))
     assert not once.equals(thiessen.Study(*COLORADO, method="idw").rain())
-
-
-@pytest.mark.parametrize("name", OF_SERIES)
-def test_what_is_of_a_series_is_an_option(name):
-    study = thiessen.Study(*TEXTBOOK, metric="planar")
-    try:
-        study._study.rain(None, [(name, ["?"])], None)
-    except thiessen.Error:
-        pass  # a value that the option does not take; an option that is not there is a TypeError
-
-
-@pytest.mark.parametrize("name", OF_STATIONS)
-def test_what_is_of_stations_is_an_option(name):
-    try:
-        _thiessen.station_ids([("STATIONS", [str(TEXTBOOK[0])]), (name, ["?"])])
-    except thiessen.Error:
-        pass  # a value that the option does not take, or a field that is not there
 
 
 def test_a_file_that_is_not_there():
