@@ -12,7 +12,6 @@ import pandas
 import pytest
 
 import thiessen
-from thiessen import _thiessen
 from thiessen.readings import readings_of
 from conftest import COLORADO, TEXTBOOK
 
