@@ -38,6 +38,14 @@ std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study
                  "a time is written just as in the file"});
   }
   lacking.throw_if_any();
+  const NormalField* const normals = inputs.weighing().normals();
+  for (const GaugeReadings& shown : steps) {
+    if (normals == nullptr || normals->months() == 1 || shown.month) continue;
+    throw Error({rainfall.name(), 0,
+                 "time " + quoted(shown.label, 80) +
+                     " tells no calendar month, and normals are of calendar months",
+                 "give normals of the year"});
+  }
   for (const GaugeReadings& shown : steps) {
     if (!all_silent(shown)) continue;
     warnings.add(

@@ -102,6 +102,10 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
   std::unordered_map<std::string, std::size_t> column_of;
   for (std::size_t i = 0; i < given_ids_.size(); ++i) column_of.emplace(given_ids_[i], i);
   for (const Station& station : files->stations) columns_.push_back(column_of.at(station.id));
+  if (keywords_.study.has_normals()) {
+    throw cli::UsageError{"normals are of the program, and the module does not weigh by them",
+                          "thiessen weights and thiessen rain do"};
+  }
   inputs_ = std::make_unique<cli::Inputs>(std::move(files), keywords_.study, keywords_.view.margin,
                                           keywords_.common.threads, warnings_);
 }

@@ -23,6 +23,18 @@ void append_part(std::string& row, const StationWeight& part, AreaUnit unit) {
   append_shortest(row, part.weight);
 }
 
+/// How many columns of factors there are.
+std::size_t factors_in(const Weighing& weighing,
+                       const std::vector<std::vector<BasinWeights>>& weights) {
+  return weighing.normals() == nullptr ? 0 : weights.size();
+}
+
+/// What is behind the name of a month's column, where there are several.
+std::string of_month(std::size_t month, std::size_t months) {
+  if (months == 1) return {};
+  return (month < 9 ? "_0" : "_") + std::to_string(month + 1);
+}
+
 }  // namespace
 
 std::vector<WeightRow> weight_rows(const Weighing& weighing,
@@ -32,21 +44,29 @@ std::vector<WeightRow> weight_rows(const Weighing& weighing,
     for (const StationWeight& weight : weights[b].stations) {
       rows.push_back({weighing.basins()[b].id,
                       weighing.network().stations()[index(weight.station)].id,
-                      weight.area * unit.km2, weight.weight});
+                      weight.area * unit.km2, weight.weight, weight.factor});
     }
   }
   return rows;
 }
 
 void write_weights(OutputFile& file, const Weighing& weighing,
-                   const std::vector<BasinWeights>& weights, AreaUnit unit) {
-  file.append(std::string("basin,station,") + unit.column() + ",weight\n");
+                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit) {
+  std::string header = std::string("basin,station,") + unit.column() + ",weight";
+  for (std::size_t m = 0; m < factors_in(weighing, weights); ++m)
+    header += ",factor" + of_month(m, weights.size());
+  file.append(header + '\n');
   std::string row;
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    for (const StationWeight& s : weights[b].stations) {
+  for (std::size_t b = 0; b < weights.front().size(); ++b) {
+    for (std::size_t i = 0; i < weights.front()[b].stations.size(); ++i) {
+      const StationWeight& s = weights.front()[b].stations[i];
       row.clear();
       append_ids(row, weighing, b, s.station);
       append_part(row, s, unit);
+      for (std::size_t m = 0; m < factors_in(weighing, weights); ++m) {
+        row += ',';
+        append_shortest(row, weights[m][b].stations[i].factor);
+      }
       row += '\n';
       file.append(row);
     }
@@ -54,28 +74,41 @@ void write_weights(OutputFile& file, const Weighing& weighing,
 }
 
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
-                           const std::vector<BasinWeights>& before,
-                           const std::vector<BasinWeights>& after, AreaUnit unit) {
+                           const std::vector<std::vector<BasinWeights>>& before,
+                           const std::vector<std::vector<BasinWeights>>& after, AreaUnit unit) {
   const std::string area = unit.column();
-  file.append("basin,station," + area + ",weight," + area + "_after,weight_after\n");
+  std::string header = "basin,station," + area + ",weight," + area + "_after,weight_after";
+  for (std::size_t m = 0; m < factors_in(weighing, before); ++m) {
+    const std::string factor = ",factor" + of_month(m, before.size());
+    header += factor + factor + "_after";
+  }
+  file.append(header + '\n');
   std::string row;
-  for (std::size_t b = 0; b < before.size(); ++b) {
-    auto old_part = before[b].stations.begin();
-    auto new_part = after[b].stations.begin();
-    while (old_part != before[b].stations.end() || new_part != after[b].stations.end()) {
-      const bool has_old =
-          old_part != before[b].stations.end() &&
-          (new_part == after[b].stations.end() || old_part->station <= new_part->station);
-      const bool has_new = new_part != after[b].stations.end() &&
-                           (!has_old || new_part->station == old_part->station);
-      const StationIndex station = has_old ? old_part->station : new_part->station;
-      const StationWeight none{station, 0, 0};
+  for (std::size_t b = 0; b < before.front().size(); ++b) {
+    const std::vector<StationWeight>& old_parts = before.front()[b].stations;
+    const std::vector<StationWeight>& new_parts = after.front()[b].stations;
+    std::size_t i = 0;
+    std::size_t k = 0;
+    while (i < old_parts.size() || k < new_parts.size()) {
+      const bool has_old = i < old_parts.size() &&
+                           (k == new_parts.size() || old_parts[i].station <= new_parts[k].station);
+      const bool has_new =
+          k < new_parts.size() && (!has_old || new_parts[k].station == old_parts[i].station);
+      const StationWeight none{has_old ? old_parts[i].station : new_parts[k].station, 0, 0};
       row.clear();
-      append_ids(row, weighing, b, station);
-      append_part(row, has_old ? *old_part++ : none, unit);
-      append_part(row, has_new ? *new_part++ : none, unit);
+      append_ids(row, weighing, b, none.station);
+      append_part(row, has_old ? old_parts[i] : none, unit);
+      append_part(row, has_new ? new_parts[k] : none, unit);
+      for (std::size_t m = 0; m < factors_in(weighing, before); ++m) {
+        row += ',';
+        if (has_old) append_shortest(row, before[m][b].stations[i].factor);
+        row += ',';
+        if (has_new) append_shortest(row, after[m][b].stations[k].factor);
+      }
       row += '\n';
       file.append(row);
+      if (has_old) ++i;
+      if (has_new) ++k;
     }
   }
 }
