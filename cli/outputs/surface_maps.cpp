@@ -186,7 +186,8 @@ void add_surfaces(const Inputs& inputs, std::span<const GaugeReadings> steps,
     if (!options.surface() || !steps[i].reports().any()) continue;
     shown[i] = {surface_raster(inputs, steps[i], *options.surface(), SurfaceRows::Beyond::continued,
                                size, threads),
-                surface_in(inputs, steps[i].readings, *options.surface())};
+                surface_in(inputs, steps[i].readings, *options.surface(),
+                           month_among(inputs, steps[i].month))};
     maps[i].surface = values_within(*shown[i], areas, to_study);
   }
   for (auto& [name, value] : maps.front().tags) {
