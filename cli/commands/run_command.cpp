@@ -222,6 +222,7 @@ class RunCommand : public Command {
   void write_maps(const Files& files, const Inputs& inputs, const ArealRainfall& rainfall,
                   RunSeries& series, Warnings& warnings) const {
     GaugeReadings mean = series.means.of_all();
+    tell_of_year(inputs, rainfall_, warnings);
     if (rainfall_.is_event()) mean.label = rainfall_.event();
     const auto cells = cells_of_network(inputs, threads());
     CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);

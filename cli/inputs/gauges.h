@@ -16,6 +16,9 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
                                             const RainfallOptions& rainfall,
                                             const std::string& time, Warnings& warnings);
 
+/// Says that means over all steps are shown by the year's normals, where months have their own.
+void tell_of_year(const Inputs& inputs, const RainfallOptions& rainfall, Warnings& warnings);
+
 /// What readings are called to be in: their own unit where that is known, else what `--units` says.
 /// Throws Error where it says another; `file` is for the message.
 std::string unit_shown(const std::string& known, const std::string& said, bool is_said,

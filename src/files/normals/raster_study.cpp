@@ -261,13 +261,13 @@ class RasterReader {
       complaints.add({source_.file(), 0, "does not reach " + place_of(b), ""});
       return {};
     }
+    const bool holds_all = columns.is_whole && rows.is_whole;
     WindowValues values = values_of(columns, rows);
-    const Point corner{columns.first - shift, rows.first};
-    NormalWindow window{PixelIntegrals(values, references, areas_of(columns, rows, shift)),
-                        shifted(basin, corner), keeps_turns_, columns.is_whole && rows.is_whole,
-                        box_of_basin(basin).centre().x};
-    complain_of_values(b, values, window, columns, rows, shift, complaints);
-    return window;
+    complain_of_values(b, values, {columns, rows, shift, holds_all}, complaints);
+    return NormalWindow{
+        PixelIntegrals(std::move(values), references, areas_of(columns, rows, shift)),
+        shifted(basin, {columns.first - shift, rows.first}), keeps_turns_, holds_all,
+        box_of_basin(basin).centre().x};
   }
 
   /// Whole columns or rows, as far as the raster has them.
@@ -390,27 +390,33 @@ class RasterReader {
     return nodes;
   }
 
+  /// Where a window lies.
+  struct Framed {
+    Range columns;
+    Range rows;
+    double shift;
+    bool holds_all;
+  };
   /// Complains of values in the basin that are not above 0.
-  void complain_of_values(std::size_t b, const WindowValues& values, const NormalWindow& window,
-                          const Range& columns, const Range& rows, double shift,
+  void complain_of_values(std::size_t b, const WindowValues& values, const Framed& window,
                           Complaints& complaints) const {
-    WindowValues bad(values.columns(), values.rows(), 1, false);
-    bool any = false;
+    std::optional<WindowValues> bad;
     for (std::size_t band = 0; band < values.bands(); ++band) {
       for (std::size_t r = 0; r < values.rows(); ++r) {
         for (std::size_t c = 0; c < values.columns(); ++c) {
           const double value = values.at(band, r, c);
           if (std::isnan(value) || is_good(value)) continue;
-          bad.set(0, r, c, 1);
-          any = true;
+          if (!bad) bad.emplace(values.columns(), values.rows(), 1, false);
+          bad->set(0, r, c, 1);
         }
       }
     }
-    if (!any) return;
+    if (!bad) return;
     const Basin& basin = study_.basins()[b];
-    NormalWindow of_bad{PixelIntegrals(std::move(bad), {1}, areas_of(columns, rows, shift)),
-                        shifted(basin, {columns.first - shift, rows.first}), window.keeps_turns,
-                        window.holds_all, window.middle_longitude};
+    NormalWindow of_bad{
+        PixelIntegrals(std::move(*bad), {1}, areas_of(window.columns, window.rows, window.shift)),
+        shifted(basin, {window.columns.first - window.shift, window.rows.first}), keeps_turns_,
+        window.holds_all, box_of_basin(basin).centre().x};
     const double share =
         RasterBasinNormals(std::move(of_bad), basin, study_.weighing().basin_area(b))
             .whole(0)
