@@ -346,8 +346,14 @@ class RasterReader {
       return std::make_unique<const EqualPixels>(std::abs(
           area_of_ring({{0, 0}, right, {right.x + down.x, right.y + down.y}, down}, surface)));
     }
-    return std::make_unique<const PixelsOfPlane>(nodes_of(columns, rows, shift, surface),
-                                                 static_cast<std::size_t>(columns.count()));
+    const Point middle{(columns.first + columns.last) / 2 - shift, (rows.first + rows.last) / 2};
+    const double side = std::sqrt(areas_at({middle}, surface).front());
+    const double spacing = std::floor(PixelsOfPlane::farthest_nodes / side);
+    const auto pixels = static_cast<std::size_t>(
+        spacing > 1 ? std::min(spacing, static_cast<double>(PixelsOfPlane::most_spacing)) : 1);
+    return std::make_unique<const PixelsOfPlane>(
+        areas_at(nodes_of(columns, rows, shift, pixels), surface),
+        static_cast<std::size_t>(columns.count()), pixels);
   }
 
   static double area_of_ring(const Ring& ring, const Surface& surface) {
@@ -357,27 +363,34 @@ class RasterReader {
     return area;
   }
 
-  /// The areas of a pixel at the nodes of PixelsOfPlane.
-  std::vector<double> nodes_of(const Range& columns, const Range& rows, double shift,
-                               const Surface& surface) const {
+  /// The nodes of PixelsOfPlane, in pixels of the raster.
+  static std::vector<Point> nodes_of(const Range& columns, const Range& rows, double shift,
+                                     std::size_t spacing) {
+    std::vector<Point> nodes;
+    const auto along = static_cast<std::size_t>(columns.count());
+    const auto down = static_cast<std::size_t>(rows.count());
+    for (std::size_t j = 0; j < PixelsOfPlane::nodes_along(down, spacing); ++j) {
+      for (std::size_t i = 0; i < PixelsOfPlane::nodes_along(along, spacing); ++i) {
+        nodes.push_back({columns.first - shift + static_cast<double>(spacing * i),
+                         rows.first + static_cast<double>(spacing * j)});
+      }
+    }
+    return nodes;
+  }
+
+  /// The areas of a pixel round each of these positions.
+  std::vector<double> areas_at(const std::vector<Point>& positions, const Surface& surface) const {
     const auto& t = source_.transform();
     std::vector<Point> corners;
-    const std::size_t along = PixelsOfPlane::nodes_along(static_cast<std::size_t>(columns.count()));
-    const std::size_t down = PixelsOfPlane::nodes_along(static_cast<std::size_t>(rows.count()));
-    for (std::size_t j = 0; j < down; ++j) {
-      for (std::size_t i = 0; i < along; ++i) {
-        const double column =
-            columns.first - shift + static_cast<double>(PixelsOfPlane::spacing * i);
-        const double row = rows.first + static_cast<double>(PixelsOfPlane::spacing * j);
-        for (const Point d : {Point{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
-          const double c = column + d.x;
-          const double r = row + d.y;
-          corners.push_back({t[0] + c * t[1] + r * t[2], t[3] + c * t[4] + r * t[5]});
-        }
+    for (const Point p : positions) {
+      for (const Point d : {Point{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
+        const double c = p.x + d.x;
+        const double r = p.y + d.y;
+        corners.push_back({t[0] + c * t[1] + r * t[2], t[3] + c * t[4] + r * t[5]});
       }
     }
     if (!is_same_) back_->apply_unproved(corners);
-    std::vector<double> nodes;
+    std::vector<double> areas;
     for (std::size_t i = 0; i < corners.size(); i += 4) {
       Ring ring(corners.begin() + static_cast<std::ptrdiff_t>(i),
                 corners.begin() + static_cast<std::ptrdiff_t>(i + 4));
@@ -385,9 +398,9 @@ class RasterReader {
         for (Point& p : ring) p.x -= 360 * std::round((p.x - ring.front().x) / 360);
       }
       const double area = std::abs(area_of_ring(ring, surface));
-      nodes.push_back(std::isfinite(area) ? area : 0);
+      areas.push_back(std::isfinite(area) ? area : 0);
     }
-    return nodes;
+    return areas;
   }
 
   /// Where a window lies.

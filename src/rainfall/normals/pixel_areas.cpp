@@ -43,15 +43,15 @@ double PixelsInDegrees::ordinate(double row) const {
   return edges_[r] + along * (whole + bend * (1 - along));
 }
 
-PixelsOfPlane::PixelsOfPlane(std::vector<double> nodes, std::size_t columns)
-    : nodes_(std::move(nodes)), nodes_in_row_(nodes_along(columns)) {}
+PixelsOfPlane::PixelsOfPlane(std::vector<double> nodes, std::size_t columns, std::size_t spacing)
+    : nodes_(std::move(nodes)), spacing_(spacing), nodes_in_row_(nodes_along(columns, spacing)) {}
 
 double PixelsOfPlane::scale(std::size_t row, std::size_t column) const {
-  const double* const upper = &nodes_[row / spacing * nodes_in_row_ + column / spacing];
+  const double* const upper = &nodes_[row / spacing_ * nodes_in_row_ + column / spacing_];
   const double* const lower = upper + nodes_in_row_;
-  constexpr double pixels = spacing;
-  const double down = (static_cast<double>(row % spacing) + 0.5) / pixels;
-  const double along = (static_cast<double>(column % spacing) + 0.5) / pixels;
+  const auto pixels = static_cast<double>(spacing_);
+  const double down = (static_cast<double>(row % spacing_) + 0.5) / pixels;
+  const double along = (static_cast<double>(column % spacing_) + 0.5) / pixels;
   const double left = upper[0] + down * (lower[0] - upper[0]);
   const double right = upper[1] + down * (lower[1] - upper[1]);
   return left + along * (right - left);

@@ -54,12 +54,16 @@ class PixelsInDegrees : public PixelAreas {
 /// pixels a tenth as large, in UTM).
 class PixelsOfPlane : public PixelAreas {
  public:
-  /// How many pixels lie between two nodes.
-  static constexpr std::size_t spacing = 16;
+  /// The most pixels that are to lie between two nodes, and how far apart nodes are to be, in
+  /// metres.
+  static constexpr std::size_t most_spacing = 16;
+  static constexpr double farthest_nodes = 16e3;
   /// `nodes` has the areas of a pixel at the nodes, row by row: one for each `spacing` pixels and
   /// one more, each way.
-  PixelsOfPlane(std::vector<double> nodes, std::size_t columns);
-  static std::size_t nodes_along(std::size_t pixels) { return pixels / spacing + 2; }
+  PixelsOfPlane(std::vector<double> nodes, std::size_t columns, std::size_t spacing);
+  static std::size_t nodes_along(std::size_t pixels, std::size_t spacing) {
+    return pixels / spacing + 2;
+  }
 
   double ordinate(double row) const override { return row; }
   bool vary_along_rows() const override { return true; }
@@ -67,6 +71,7 @@ class PixelsOfPlane : public PixelAreas {
 
  private:
   std::vector<double> nodes_;
+  std::size_t spacing_;
   std::size_t nodes_in_row_;
 };
 

@@ -35,11 +35,11 @@ TEST(PixelsOfPlane, have_linear_scales_exactly) {
   const std::size_t columns = 40;
   const std::size_t rows = 33;
   std::vector<double> nodes;
-  for (std::size_t r = 0; r < PixelsOfPlane::nodes_along(rows); ++r) {
-    for (std::size_t c = 0; c < PixelsOfPlane::nodes_along(columns); ++c)
+  for (std::size_t r = 0; r < PixelsOfPlane::nodes_along(rows, 16); ++r) {
+    for (std::size_t c = 0; c < PixelsOfPlane::nodes_along(columns, 16); ++c)
       nodes.push_back(100 + 16.0 * static_cast<double>(r) + 32.0 * static_cast<double>(c));
   }
-  const PixelsOfPlane pixels(nodes, columns);
+  const PixelsOfPlane pixels(nodes, columns, 16);
   EXPECT_DOUBLE_EQ(pixels.scale(0, 0), 100 + 0.5 + 1);
   EXPECT_DOUBLE_EQ(pixels.scale(32, 39), 100 + 32.5 + 2 * 39.5);
 }
