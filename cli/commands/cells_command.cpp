@@ -72,7 +72,7 @@ class CellsCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     std::optional<DatabaseTable> table;
     if (output_.is_database() && writes_cells()) table.emplace(output_.table());
     OutputFile* const file = writes_cells() ? &opened(outputs, table) : nullptr;
@@ -141,8 +141,9 @@ class CellsCommand : public Command {
                        .unit = readings == nullptr ? "" : view_.units,
                        .interval = isohyets_.interval,
                        .threads = threads};
-    const std::vector<BasinWeights> weights = inputs.weighing().weights(
-        readings == nullptr ? inputs.all_report() : readings->reports(), threads);
+    const std::vector<BasinWeights> weights = inputs.weighing().weights_in_month(
+        readings == nullptr ? inputs.all_report() : readings->reports(), threads,
+        readings == nullptr ? NormalMonth() : readings->month);
     parts.weights = &weights;
     if (readings != nullptr) parts.classes = classes_of(output);
     return study_package(study_package_of(inputs, output, parts), output_.output, older, warnings);

@@ -63,7 +63,7 @@ class IsohyetsCommand : public Command {
   }
 
   void run(Warnings& warnings) override {
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     const std::string path = output_.output == "-" ? "isohyets.geojson" : output_.output;
     require_vector_driver(path);
     OutputFile& file = outputs.add(output_.output);

@@ -28,6 +28,7 @@
 #include "gdal/output/raster_output.h"
 #include "map/sheet/multiples.h"
 #include "map/sheet/picture.h"
+#include "rainfall/series/step_months.h"
 
 namespace thiessen::cli {
 namespace {
@@ -103,7 +104,7 @@ class MapCommand : public Command {
     if (is_picture(kind)) {
       check_picture_size(view_.width(), view_.height());
     }
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     if (raster_.of_steps) return write_grid(kind, outputs, warnings);
     if (kind == Kind::tiff) return write_raster(outputs, warnings);
     OutputFile& file = outputs.add(output_.output);
@@ -251,12 +252,19 @@ class MapCommand : public Command {
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
     const auto advance = [&] { progress.advance(); };
+    const StepMonths months(rainfall_.name(), range_.stamp());
+    const NormalField* const normals = inputs.weighing().normals();
+    const auto month_of = [&](const TimeStep& step) -> NormalMonth {
+      if (normals == nullptr || normals->months() == 1) return {};
+      return months.of(step.time, step.written, step.line);
+    };
     if (!surface_.surface()) {
-      return write_steps(inputs, steps, *readings, output.grid, output.threads, grid, advance);
+      return write_steps(inputs, steps, *readings, output.grid, output.threads, grid, month_of,
+                         advance);
     }
     steps.sample = {};
     write_surfaces(inputs, *surface_.surface(), *readings, output.grid, output.threads, grid,
-                   steps.sample, advance);
+                   steps.sample, month_of, advance);
   }
 
   RasterOutput raster_output(const Inputs& inputs, const GaugeReadings* shown) const {

@@ -1,3 +1,4 @@
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,6 +34,7 @@
 #include "files/rainfall/rainfall_file.h"
 #include "rainfall/errors/rainfall_error.h"
 #include "rainfall/series/gauge_patterns.h"
+#include "rainfall/series/step_months.h"
 #include "results/weights_log.h"
 
 namespace thiessen::cli {
@@ -65,7 +67,7 @@ class RainCommand : public Command {
            "samples/textbook/rainfall.csv --metric planar";
   }
   void check() const override {
-    periods_.check(model_.model().has_value());
+    periods_.check(model_.model().has_value() || study_.has_normals());
     model_.check(options(), output_.output, method_.methods().size());
     format_.check(periods_.totalling().has_value());
     method_.check();
@@ -93,8 +95,7 @@ class RainCommand : public Command {
     require_what_is_asked_for();
     const bool is_fed = may_pass_on();
     if (is_fed) want_feed();
-    const OutputRules rules =
-        output_.rules(rainfall_.files_beside({study_.stations, study_.basins}));
+    const OutputRules rules = output_.rules(rainfall_.files_beside(study_.files()));
     Outputs outputs(rules);
     if (is_fed) outputs.pass_on_at_once();
     std::optional<DatabaseTable> table;
@@ -134,13 +135,22 @@ class RainCommand : public Command {
     SeriesWork work{threads()};
     if (is_fed && grown) work.when_handed_on = [&] { pass_on(*grown, warnings); };
     if (is_fed && !grown) work.when_handed_on = [&] { pass_on(*file, warnings); };
+    const StepMonths months(rainfall_.name(), periods_.stamp());
+    work.month_of = [&](const RainStep& step) {
+      return months.of(step.time, step.written, step.line);
+    };
     for_each_step(
         *readings, *rainfall, work, [&](RainStep& step) { series->prepare(step); },
         [&](const RainStep& step) {
           GaugePatterns::Pattern pattern{0, false};
-          if (log) pattern = patterns.of(step.readings);
-          if (pattern.is_fresh)
-            log->add(pattern.number, step.time, rainfall->weights_at(step.readings));
+          if (log) {
+            const std::size_t month = rainfall->tells_months() ? work.month_of(step) + 1 : 0;
+            pattern = patterns.of(step.readings, month);
+          }
+          if (pattern.is_fresh) {
+            log->add(pattern.number, step.time,
+                     rainfall_at(*rainfall, step, work).weights_at(step.readings));
+          }
           series->add(step, pattern.number);
           progress.advance();
         });
@@ -178,8 +188,9 @@ class RainCommand : public Command {
     value.completion = Completion::file;
     options().group("Output").add(
         "--weights-log", std::move(value),
-        "the account: CSV pattern,first_time,basin,station,weight, a block for each set of "
-        "reporting gauges; --long, without --every, then has a column pattern");
+        "the account: CSV pattern,first_time,basin,station,weight (with normals and factor), a "
+        "block for each set of reporting gauges (and month, where months have normals); --long, "
+        "without --every, then has a column pattern");
   }
 
   void check_append() const {
@@ -192,6 +203,10 @@ class RainCommand : public Command {
   void check_errors_can_be_had() const {
     if (!errors_) return;
     method_.check_errors();
+    if (study_.has_normals()) {
+      throw UsageError{"--error is of weights, and normals make factors beside them",
+                       "leave one of them out"};
+    }
     periods_.check_errors();
     if (rainfall_.is_standard_input()) {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",

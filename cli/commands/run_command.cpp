@@ -1,3 +1,5 @@
+#include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,7 +34,9 @@
 #include "cli/terminal/progress.h"
 #include "files/geopackage_copy.h"
 #include "rainfall/errors/mean_error.h"
+#include "rainfall/methods/method_rainfall.h"
 #include "rainfall/series/gauge_readings.h"
+#include "rainfall/series/step_months.h"
 #include "results/summary_file.h"
 #include "results/weights_file.h"
 
@@ -48,7 +52,9 @@ class RunSeries {
         report(inputs),
         rainfall_(rainfall),
         table_(table),
-        error_(rainfall, inputs.weighing()) {
+        error_(rainfall, inputs.weighing()),
+        has_normals_(inputs.weighing().normals() != nullptr),
+        tells_months_(has_normals_ && inputs.weighing().normals()->months() > 1) {
     table.tell(
         [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
   }
@@ -59,12 +65,17 @@ class RunSeries {
     table_.add(step);
     means.add(step.readings);
     means.note(step.time, calendar_time(step.time, step.written));
-    error_.add(step.readings);
+    if (!has_normals_) error_.add(step.readings);
     summary.add(step);
     report.add(step);
   }
   void finish(unsigned threads) {
-    if (rainfall_.leaves_silent_out()) summary.find_most_influential(rainfall_, threads);
+    if (rainfall_.leaves_silent_out() && !tells_months_)
+      summary.find_most_influential(rainfall_, threads);
+    if (has_normals_) {
+      summary.set_errors_of_mean({}, "they are of weights, and normals make factors beside them");
+      return;
+    }
     std::vector<double> errors = error_.result(threads);
     summary.set_errors_of_mean(std::move(errors), error_.shortfall());
   }
@@ -78,6 +89,8 @@ class RunSeries {
   const ArealRainfall& rainfall_;
   RainTable& table_;
   MeanError error_;
+  bool has_normals_;
+  bool tells_months_;
 };
 
 class RunCommand : public Command {
@@ -107,7 +120,7 @@ class RunCommand : public Command {
            "samples/colorado/rainfall.csv --basin-id name -o results";
   }
   void check() const override {
-    periods_.check();
+    periods_.check(study_.has_normals());
     format_.check(periods_.totalling().has_value());
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     study_.check();
@@ -118,7 +131,7 @@ class RunCommand : public Command {
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
-    Outputs outputs(output_.rules(rainfall_.files_beside({study_.stations, study_.basins})));
+    Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     Warnings of_study_file;  // which are none of the study's: the page of its repetition has none
     const Files files = open_files(outputs, of_study_file);
     const std::unique_ptr<GeoPackageCopy> older = older_layers(files.package.name());
@@ -131,7 +144,9 @@ class RunCommand : public Command {
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
     const ArealRainfall rainfall(inputs.weighing(), settings, threads());
-    write_weights(files.weights, inputs.weighing(), rainfall.full_weights(), inputs.area_unit());
+    write_weights(files.weights, inputs.weighing(), weights_of(inputs, rainfall),
+                  inputs.area_unit());
+    const auto by_month = monthly(inputs, rainfall);
 
     std::optional<Totalling> totalling = periods_.totalling();
     if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, view_.units, warnings);
@@ -140,8 +155,14 @@ class RunCommand : public Command {
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
+      const StepMonths months(rainfall_.name(), periods_.stamp());
+      SeriesWork work{threads()};
+      work.month_of = [&](const RainStep& step) {
+        return months.of(step.time, step.written, step.line);
+      };
       for_each_step(
-          *readings, rainfall, {threads()}, [&](RainStep& step) { table.prepare(step); },
+          *readings, by_month ? static_cast<const StepRainfall&>(*by_month) : rainfall, work,
+          [&](RainStep& step) { table.prepare(step); },
           [&](const RainStep& step) {
             series.add(step);
             progress.advance();
@@ -170,6 +191,27 @@ class RunCommand : public Command {
 
   unsigned threads() const { return static_cast<unsigned>(common_.threads); }
 
+  /// The weights of all gauges, and where months have normals of their own those of each.
+  std::vector<std::vector<BasinWeights>> weights_of(const Inputs& inputs,
+                                                    const ArealRainfall& rainfall) const {
+    if (tells_months(inputs))
+      return inputs.weighing().weights_by_month(inputs.all_report(), threads());
+    return {rainfall.full_weights()};
+  }
+  static bool tells_months(const Inputs& inputs) {
+    const NormalField* const normals = inputs.weighing().normals();
+    return normals != nullptr && normals->months() > 1;
+  }
+  /// The rainfall of each calendar month, where months have normals of their own; else null.
+  static std::unique_ptr<const MonthlyRainfall> monthly(const Inputs& inputs,
+                                                        const ArealRainfall& rainfall) {
+    if (!tells_months(inputs)) return nullptr;
+    std::vector<std::unique_ptr<const StepRainfall>> months;
+    for (std::size_t m = 0; m < inputs.weighing().normals()->months(); ++m)
+      months.push_back(rainfall.of_month(m));
+    return std::make_unique<const MonthlyRainfall>(std::move(months), rainfall.of_month({}));
+  }
+
   Files open_files(Outputs& outputs, Warnings& warnings) const {
     outputs.make_folder(output_.output);
     const auto add = [&](const char* name) -> OutputFile& {
@@ -184,6 +226,7 @@ class RunCommand : public Command {
   void write_maps(const Files& files, const Inputs& inputs, const ArealRainfall& rainfall,
                   RunSeries& series, const std::string& older_package, Warnings& warnings) const {
     GaugeReadings mean = series.means.of_all();
+    tell_of_year(inputs, rainfall_, warnings);
     if (rainfall_.is_event()) mean.label = rainfall_.event();
     const auto cells = cells_of_network(inputs, threads());
     CellsOutput output = cells_output(inputs, cells, &mean, study_, view_.units);

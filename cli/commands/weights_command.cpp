@@ -69,6 +69,10 @@ class WeightsCommand : public Command {
     model_.check({.is_influence = rainfall_.given(),
                   .is_change = changes_.given(),
                   .is_database = output_.is_database()});
+    if (model_.model() && study_.has_normals()) {
+      throw UsageError{model_.name() + " has no place for factors, and normals make them",
+                       "--format csv has a column factor; without normals --format holds weights"};
+    }
     output_.check();
   }
 
@@ -91,15 +95,16 @@ class WeightsCommand : public Command {
       const NetworkChange change(inputs.whole(), changes_.closed(), inputs.study().filtered_ids,
                                  "--without");
       change.warn_of_shared_places(warnings);
-      const auto before = inputs.weighing().weights(change.before(), threads());
-      const auto after = inputs.weighing().weights(change.after(), threads());
-      change.warn_of_no_effect(before, after, warnings);
+      const auto before = inputs.weighing().weights_by_month(change.before(), threads());
+      const auto after = inputs.weighing().weights_by_month(change.after(), threads());
+      change.warn_of_no_effect(before.front(), after.front(), warnings);
       write_changed_weights(file, inputs.weighing(), before, after, inputs.area_unit());
     } else if (model_.model()) {
       write_model(file, inputs, warnings);
     } else {
       write_weights(file, inputs.weighing(),
-                    inputs.weighing().weights(inputs.all_report(), threads()), inputs.area_unit());
+                    inputs.weighing().weights_by_month(inputs.all_report(), threads()),
+                    inputs.area_unit());
     }
     outputs.commit();
     if (!table) return;
@@ -112,10 +117,7 @@ class WeightsCommand : public Command {
  private:
   unsigned threads() const { return static_cast<unsigned>(common_.threads); }
 
-  std::vector<std::string> input_files() const {
-    std::vector<std::string> files{study_.stations, study_.basins};
-    return rainfall_.files_beside(std::move(files));
-  }
+  std::vector<std::string> input_files() const { return rainfall_.files_beside(study_.files()); }
 
   void refuse_changes() const {
     if (!changes_.given()) return;
@@ -148,6 +150,11 @@ class WeightsCommand : public Command {
   std::vector<std::vector<GaugeInfluence>> influence(Inputs& inputs,
                                                      const std::optional<StepTimes>& times,
                                                      std::string& unit, Warnings& warnings) const {
+    const NormalField* const normals = inputs.weighing().normals();
+    if (normals != nullptr && normals->months() > 1) {
+      throw UsageError{"--influence is of one normal a gauge, and these are of calendar months",
+                       "give normals of the year"};
+    }
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     unit = readings->unit();
     const Handovers handovers(inputs.weighing(), threads());

@@ -20,10 +20,21 @@ std::optional<GaugeReadings> shown_readings(Inputs& inputs, const StudyOptions& 
                                             const std::string& time, Warnings& warnings) {
   if (!rainfall.given()) return {};
   if (!time.empty()) return shown_steps(inputs, study, rainfall, {&time, 1}, warnings).front();
+  tell_of_year(inputs, rainfall, warnings);
   GaugeReadings shown =
       read_gauges(*inputs.open_readings(study, rainfall, warnings), inputs.network(), "");
   if (rainfall.is_event()) shown.label = rainfall.event();
   return shown;
+}
+
+void tell_of_year(const Inputs& inputs, const RainfallOptions& rainfall, Warnings& warnings) {
+  const NormalField* const normals = inputs.weighing().normals();
+  if (normals == nullptr || normals->months() == 1) return;
+  warnings.add_notice(
+      {rainfall.name(), 0,
+       "means over its steps are shown by normals of the year, which are the means of "
+       "those of the months",
+       ""});
 }
 
 std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study,
@@ -44,6 +55,14 @@ std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& networ
                  "a time is written just as in the file"});
   }
   lacking.throw_if_any();
+  const NormalField* const normals = inputs.weighing().normals();
+  for (const GaugeReadings& shown : steps) {
+    if (normals == nullptr || normals->months() == 1 || shown.month) continue;
+    throw Error({rainfall.name(), 0,
+                 "time " + quoted(shown.label, 80) +
+                     " tells no calendar month, and normals are of calendar months",
+                 "give normals of the year"});
+  }
   for (const GaugeReadings& shown : steps) {
     if (!all_silent(shown)) continue;
     warnings.add({name, 0, "no gauge reports in the time step '" + shown.label + "'", ""});

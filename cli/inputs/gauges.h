@@ -22,6 +22,9 @@ std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& networ
                                        const std::string& name, std::span<const std::string> times,
                                        Warnings& warnings);
 
+/// Says that means over all steps are shown by the year's normals, where months have their own.
+void tell_of_year(const Inputs& inputs, const RainfallOptions& rainfall, Warnings& warnings);
+
 /// What readings are called to be in: their own unit where that is known, else what `--units` says.
 /// Throws Error where it says another; `file` is for the message.
 std::string unit_shown(const std::string& known, const std::string& said, bool is_said,

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "files/normals/field_study.h"
+#include "files/normals/raster_study.h"
 #include "files/rainfall/event_readings.h"
 #include "files/rainfall/full_network.h"
 #include "files/rainfall/rainfall_file.h"
@@ -96,7 +98,13 @@ Inputs::Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, d
     : files_(std::move(files)),
       passed_over_(passed_over(*files_)),
       study_(files_, {margin, options.tolerance(), options.allow_far()}, warnings),
-      plane_error_(judge_plane(*files_, study_, static_cast<unsigned>(threads), warnings)) {}
+      plane_error_(judge_plane(*files_, study_, static_cast<unsigned>(threads), warnings)) {
+  if (options.has_normal_raster()) {
+    study_.take_normals(normals_of_raster(options.normals(), study_, *files_, warnings));
+  } else if (!options.normal_field().empty()) {
+    study_.take_normals(normals_of_fields(options.normal_field(), study_, *files_));
+  }
+}
 
 std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
                                                        const RainfallOptions& rainfall,

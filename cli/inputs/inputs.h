@@ -23,7 +23,7 @@ class Inputs {
  public:
   /// Reads stations and basins. Without basins the extent of the stations, grown by `margin`
   /// percent, is the study area. All stations are of the network. Warns of a plane that moves
-  /// weights. Throws Error.
+  /// weights. Takes the normals that the options name. Throws Error.
   Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings);
   /// The same, with the full network: the stations with at least one reading in RAINFALL. Where
   /// RAINFALL is not given, or can be read only once, all stations are, and a notice says so.

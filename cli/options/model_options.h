@@ -49,6 +49,8 @@ class WeightsModelOptions : public OptionBlock {
   const std::optional<WeightsModel>& model() const { return model_; }
   /// Whether a format is named, a table's too, so that the output may have any extension.
   bool is_named() const { return format_option_->is_given(); }
+  /// The option with what the format is called. Requires one that is named.
+  std::string name() const { return "--format " + format_option_->texts.back(); }
   /// What the command line makes of the table of weights, which no model reads.
   struct OtherTable {
     bool is_influence = false;  ///< what gauges are worth

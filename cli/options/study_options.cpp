@@ -73,6 +73,27 @@ void StudyOptions::declare_method(OptionGroup group) {
   group.add("--tolerance",
             number(tolerance_, {tolerances.low, tolerances.high, "metres from 0.001 to 1e6"}),
             "how far, in metres, a published cell edge may lie from the true one; default 0.1");
+  declare_normals(group);
+}
+
+void StudyOptions::declare_normals(OptionGroup group) {
+  normals_option_ = &group.add(
+      "--normals", file(normals_, "RASTER"),
+      "long-term means in any unit: a reading counts at a point times the normal there over the "
+      "gauge's. A raster that GDAL reads, of one band, or twelve for the calendar months; ground "
+      "without normals takes the mean of the rest of what its gauge has. weights has a column "
+      "factor "
+      "then, or factor_01 to factor_12");
+  normal_field_option_ = &group.add(
+      "--normal-field", text(normal_field_, "FIELD"),
+      "the same from a field of STATIONS and of BASINS, or twelve, FIELD_01 to FIELD_12");
+  of_basins_.push_back(normal_field_option_);
+}
+
+std::vector<std::string> StudyOptions::files() const {
+  std::vector<std::string> all{stations, basins};
+  if (has_normal_raster()) all.push_back(normals_);
+  return all;
 }
 
 void StudyOptions::declare_attributes(OptionList& options) {
@@ -89,6 +110,10 @@ void StudyOptions::declare_label(OptionList& options) {
 void StudyOptions::check() const {
   if (plane_option_->is_given() && metric_ == "geodesic") {
     throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
+  }
+  if (normals_option_->is_given() && normal_field_option_->is_given()) {
+    throw UsageError{"--normals and --normal-field both say where normals are",
+                     "leave one of them out"};
   }
   if (mend_ && !basins_option_->is_given())
     throw UsageError{mend_option_->name + " mends basins, and there are none", "give BASINS"};
@@ -116,12 +141,14 @@ StudyRequest StudyOptions::request() const {
   request.stations.skip_unplaced = skip_unplaced_;
   if (labels()) request.stations.label = label_;
   request.stations.attributes = attributes;
+  request.stations.normal_field = normal_field_;
   if (basins_option_->is_given()) {
     BasinsRequest& b = request.basins.emplace();
     b.source = {basins,         basins_layer_,  basins_where_, basins_crs_,
                 "basins_layer", "basins_where", "basins_crs",  basins_csv_.or_else(csv_.said())};
     b.source.csv.input = "basins";
     b.id = basin_id_;
+    b.normal_field = normal_field_;
   }
   request.opened = opened;
   request.opened_from = "--with";

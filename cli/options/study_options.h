@@ -30,6 +30,14 @@ class StudyOptions : public OptionBlock {
   /// What is said of how all CSV files are written.
   const CsvDialect& csv() const { return csv_.said(); }
   double tolerance() const { return tolerance_; }
+  /// The raster of normals, where has_normal_raster().
+  const std::string& normals() const { return normals_; }
+  bool has_normal_raster() const { return normals_option_->is_given(); }
+  /// The field of normals of stations and basins; empty where none is given.
+  const std::string& normal_field() const { return normal_field_; }
+  bool has_normals() const { return has_normal_raster() || !normal_field_.empty(); }
+  /// The files that are read.
+  std::vector<std::string> files() const;
   bool allow_far() const { return allow_far_; }
   /// Whether pictures name the stations.
   bool labels() const { return label_ != "none"; }
@@ -42,9 +50,11 @@ class StudyOptions : public OptionBlock {
   void declare_fields(OptionGroup group);
   void declare_layers(OptionGroup group);
   void declare_method(OptionGroup group);
+  void declare_normals(OptionGroup group);
   void check_texts() const;
 
   std::string id_, x_, y_, basin_id_, label_;
+  std::string normals_, normal_field_;
   std::string crs_, basins_crs_, plane_, metric_;
   std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
   double tolerance_ = 0.1;
@@ -56,6 +66,8 @@ class StudyOptions : public OptionBlock {
   const Option* plane_option_ = nullptr;
   const Option* label_option_ = nullptr;
   const Option* mend_option_ = nullptr;
+  const Option* normals_option_ = nullptr;
+  const Option* normal_field_option_ = nullptr;
   std::vector<const Option*> crs_options_;
   std::vector<const Option*> of_basins_;  ///< options that are about BASINS alone
 };

@@ -9,7 +9,7 @@ namespace thiessen::cli {
 std::vector<std::vector<StationCell>> cells_of(const Inputs& inputs, const GaugeReadings* readings,
                                                unsigned threads) {
   if (readings == nullptr) return cells_of_network(inputs, threads);
-  return inputs.weighing().cells(readings->reports(), threads);
+  return inputs.weighing().cells(readings->reports(), threads, readings->month);
 }
 
 std::vector<std::vector<StationCell>> cells_of_network(const Inputs& inputs, unsigned threads) {
@@ -28,6 +28,7 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
   output.file_crs = inputs.study().output_crs();
   output.tolerance = options.tolerance();
   output.made_by = provenance_of(inputs, options, readings, unit);
+  output.has_factor = inputs.weighing().normals() != nullptr;
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
       CellFeature& feature = output.cells.emplace_back();
@@ -35,8 +36,10 @@ CellsOutput cells_output(const Inputs& inputs, const std::vector<std::vector<Sta
       if (inputs.has_basins()) feature.basin = inputs.basins()[b].id;
       feature.area = cell.area * inputs.area_unit().km2;
       feature.weight = cell.weight;
-      feature.rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
-                                             : readings->readings[index(cell.station)];
+      feature.factor = cell.factor;
+      feature.rainfall = readings == nullptr
+                             ? std::numeric_limits<double>::quiet_NaN()
+                             : cell.factor * readings->readings[index(cell.station)];
       feature.attribute_row = index(cell.station);
       feature.shape = cell.shape;
     }

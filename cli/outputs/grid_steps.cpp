@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "map/raster/area_rows.h"
 #include "map/raster/step_pixels.h"
 #include "map/raster/surface_rows.h"
+#include "rainfall/normals/relative_readings.h"
 #include "rainfall/series/step_intervals.h"
 
 namespace thiessen::cli {
@@ -32,6 +34,39 @@ IsoTime required_time(const std::string& time, const WrittenTime& written,
                    " is no time of the calendar as ISO 8601 writes it, and a .nc needs one",
                takes_any});
 }
+
+/// The normals of a grid's pixels, which are found when a month first comes.
+class PixelNormals {
+ public:
+  PixelNormals(const Inputs& inputs, const PixelGrid& grid) : inputs_(inputs), grid_(grid) {}
+
+  /// The values, one for each pixel, times the normals; valid until the next call.
+  std::span<const float> times(std::span<const float> values, const NormalMonth& month) {
+    const std::vector<float>& normals = of(month);
+    values_.assign(values.begin(), values.end());
+    for (std::size_t i = 0; i < values_.size(); ++i) values_[i] *= normals[i];
+    return values_;
+  }
+
+ private:
+  const std::vector<float>& of(const NormalMonth& month) {
+    const auto [at, is_fresh] = by_month_.try_emplace(month);
+    if (!is_fresh) return at->second;
+    const auto normals = normals_in(inputs_, month);
+    const PointMapping mapping = to_study(inputs_);
+    for (int row = 0; row < grid_.rows; ++row) {
+      throw_if_interrupted();
+      for (const double normal : normals_in_row(*normals, grid_, row, mapping))
+        at->second.push_back(static_cast<float>(normal));
+    }
+    return at->second;
+  }
+
+  const Inputs& inputs_;
+  PixelGrid grid_;
+  std::map<NormalMonth, std::vector<float>> by_month_;
+  std::vector<float> values_;
+};
 
 }  // namespace
 
@@ -96,21 +131,32 @@ GridTimes times_of(const GridSteps& steps, const std::optional<StepLength>& step
   return {bounds_of(times, step, stamp), zoned != 0, stamp};
 }
 
-void write_steps(const Inputs& inputs, const GridSteps& steps, Readings& readings,
-                 const PixelGrid& grid, unsigned threads, GridFile& to,
+void write_steps(const Inputs& inputs, GridSteps& steps, Readings& readings, const PixelGrid& grid,
+                 unsigned threads, GridFile& to, const MonthOfStep& month_of,
                  const std::function<void()>& advance) {
   StepPixels pixels(
       grid, areas_of(inputs), inputs.network(), inputs.study().metric, steps.reports,
       [&] { return to_study(inputs); }, threads);
+  const NormalField* const normals = inputs.weighing().normals();
+  PixelNormals of_pixels(inputs, grid);
+  if (normals != nullptr) steps.sample = {};
   for (TimeStep step; readings.next(step); advance()) {
     throw_if_interrupted();
-    to.add(pixels.at(step.readings));
+    if (normals == nullptr) {
+      to.add(pixels.at(step.readings));
+      continue;
+    }
+    const NormalMonth month = month_of(step);
+    const std::vector<double> relative = relative_readings(normals, step.readings, month);
+    const std::span<const float> values = of_pixels.times(pixels.at(relative), month);
+    for (const float value : values) steps.sample.add(value);
+    to.add(values);
   }
 }
 
 void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readings,
                     const PixelGrid& grid, unsigned threads, GridFile& to, ValueSample& sample,
-                    const std::function<void()>& advance) {
+                    const MonthOfStep& month_of, const std::function<void()>& advance) {
   const std::size_t columns = static_cast<std::size_t>(grid.columns);
   const std::size_t pixels = columns * static_cast<std::size_t>(grid.rows);
   const AreaSpans spans = AreaRows(grid, areas_of(inputs)).rows(0, grid.rows);
@@ -126,8 +172,8 @@ void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readin
       to.add(nothing);
       continue;
     }
-    SurfaceRows surface =
-        surface_rows(inputs, step.readings, method, SurfaceRows::Beyond::nearest, grid, threads);
+    SurfaceRows surface = surface_rows(inputs, step.readings, method, month_of(step),
+                                       SurfaceRows::Beyond::nearest, grid, threads);
     const std::span<const float> values = surface.rows(0, grid.rows, is_inside);
     for (const float value : values) sample.add(value);
     to.add(values);

@@ -38,15 +38,19 @@ std::optional<StepLength> step_of(Readings& readings);
 GridTimes times_of(const GridSteps& steps, const std::optional<StepLength>& step, Stamp stamp,
                    const std::string& file, Warnings& warnings);
 
+/// The month of a step among those that normals tell apart, else the year.
+using MonthOfStep = std::function<NormalMonth(const TimeStep&)>;
+
 /// Writes the rainfall at each pixel in each step that is read. `advance` is called after each.
-void write_steps(const Inputs& inputs, const GridSteps& steps, Readings& readings,
-                 const PixelGrid& grid, unsigned threads, GridFile& to,
+/// With normals the sample of the steps becomes one of the pixels' values.
+void write_steps(const Inputs& inputs, GridSteps& steps, Readings& readings, const PixelGrid& grid,
+                 unsigned threads, GridFile& to, const MonthOfStep& month_of,
                  const std::function<void()>& advance);
 
 /// Writes the values of a surface at each pixel in each step that is read, as write_steps writes
 /// those of the nearest gauge. `sample` takes note of them.
 void write_surfaces(const Inputs& inputs, SurfaceMethod method, Readings& readings,
                     const PixelGrid& grid, unsigned threads, GridFile& to, ValueSample& sample,
-                    const std::function<void()>& advance);
+                    const MonthOfStep& month_of, const std::function<void()>& advance);
 
 }  // namespace thiessen::cli

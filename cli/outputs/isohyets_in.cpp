@@ -61,7 +61,8 @@ SurfaceRaster surface_raster(const Inputs& inputs, const GaugeReadings& readings
   SurfaceRaster raster;
   raster.grid = grid_for(inputs, size);
   SurfaceRows surface =
-      surface_rows(inputs, readings.readings, method, beyond, raster.grid, threads);
+      surface_rows(inputs, readings.readings, method, month_among(inputs, readings.month), beyond,
+                   raster.grid, threads);
   const std::span<const float> values = surface.rows(0, raster.grid.rows, {});
   raster.values.assign(values.begin(), values.end());
   const std::span<const std::uint8_t> among_gauges = surface.are_among_gauges();
@@ -78,7 +79,8 @@ std::vector<Isohyet> isohyets_on(const SurfaceRaster& raster, const Inputs& inpu
   std::vector<Isohyet> isohyets =
       isohyets_of(raster.grid, raster.values, levels_within(*raster.range, levels), shapes);
   if (isohyets.empty()) return isohyets;
-  const auto surface = surface_in(inputs, readings.readings, method);
+  const auto surface =
+      surface_in(inputs, readings.readings, method, month_among(inputs, readings.month));
   keep_among_gauges(isohyets, among_gauges_of(*surface, to_study(inputs)));
   return isohyets;
 }

@@ -39,16 +39,16 @@ std::vector<Picture> maps_of(const Inputs& inputs, std::span<const GaugeReadings
                              const StudyOptions& options, const ViewOptions& view,
                              unsigned threads) {
   const double tolerance = unseen_in(inputs, view);
-  const auto cells_of = [&](const ReportingStations& reports) {
-    return inputs.weighing().pictured_cells(reports, tolerance, threads);
+  const auto cells_of = [&](const ReportingStations& reports, const NormalMonth& month) {
+    return inputs.weighing().pictured_cells(reports, tolerance, threads, month);
   };
   std::vector<Picture> maps;
   if (steps.empty()) {
-    maps.push_back(picture_of(inputs, cells_of(inputs.all_report()), nullptr, options, view));
+    maps.push_back(picture_of(inputs, cells_of(inputs.all_report(), {}), nullptr, options, view));
     return maps;
   }
   for (const GaugeReadings& step : steps) {
-    maps.push_back(picture_of(inputs, cells_of(step.reports()), &step, options, view));
+    maps.push_back(picture_of(inputs, cells_of(step.reports(), step.month), &step, options, view));
   }
   Provenance made_by = provenance_of(inputs, options, &steps.front(), view.units);
   made_by.rainfall = labels_of(steps);

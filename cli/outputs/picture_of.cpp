@@ -71,8 +71,9 @@ Picture picture_of(const Inputs& inputs, const std::vector<std::vector<StationCe
   }
   for (std::size_t b = 0; b < cells.size(); ++b) {
     for (const StationCell& cell : cells[b]) {
-      const double rainfall = readings == nullptr ? std::numeric_limits<double>::quiet_NaN()
-                                                  : readings->readings[index(cell.station)];
+      const double rainfall = readings == nullptr
+                                  ? std::numeric_limits<double>::quiet_NaN()
+                                  : cell.factor * readings->readings[index(cell.station)];
       picture.cells.push_back({cell.shape, index(cell.station), rainfall, b});
     }
     const std::string name = inputs.has_basins() ? inputs.basins()[b].id : "";

@@ -17,6 +17,10 @@ Provenance provenance_of(const Inputs& inputs, const StudyOptions& options,
   }
   made_by.tolerance = options.tolerance();
   made_by.method = "thiessen";
+  if (const NormalField* const normals = inputs.weighing().normals(); normals != nullptr) {
+    made_by.normals = options.has_normal_raster() ? "raster" : "fields";
+    if (normals->months() > 1) made_by.normals += " of calendar months";
+  }
   if (readings == nullptr) return made_by;
   made_by.unit = unit;
   made_by.rainfall = readings->label;

@@ -17,6 +17,8 @@
 #include "map/raster/raster_grid.h"
 #include "map/raster/surface_rows.h"
 #include "map/sheet/picture.h"
+#include "rainfall/methods/normal_surface.h"
+#include "rainfall/normals/relative_readings.h"
 #include "rainfall/series/value_sample.h"
 
 namespace thiessen::cli {
@@ -83,8 +85,39 @@ PointMapping from_study(const Inputs& inputs) {
 }
 
 std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
-                                        SurfaceMethod method) {
-  return surface_of(method, inputs.network(), inputs.study().metric, readings);
+                                        SurfaceMethod method, const NormalMonth& month) {
+  const NormalField* const normals = inputs.weighing().normals();
+  auto surface = surface_of(method, inputs.network(), inputs.study().metric,
+                            relative_readings(normals, readings, month));
+  if (normals == nullptr) return surface;
+  return std::make_unique<NormalSurface>(std::move(surface), normals_in(inputs, month));
+}
+
+std::shared_ptr<const NormalsAtPoints> normals_in(const Inputs& inputs, const NormalMonth& month) {
+  const NormalField* const normals = inputs.weighing().normals();
+  if (normals == nullptr) return nullptr;
+  const double period = inputs.study().metric == Metric::geodesic ? 360 : 0;
+  return std::make_shared<const NormalsAtPoints>(*normals, inputs.basins(), month, period);
+}
+
+std::vector<double> normals_in_row(const NormalsAtPoints& normals, const PixelGrid& grid, int row,
+                                   const PointMapping& to_study) {
+  std::vector<Point> centres;
+  for (int column = 0; column < grid.columns; ++column) centres.push_back(grid.centre(column, row));
+  to_study(centres);
+  std::vector<double> found;
+  found.reserve(centres.size());
+  for (const Point p : centres) {
+    found.push_back(std::isfinite(p.x) && std::isfinite(p.y)
+                        ? normals.at(p)
+                        : std::numeric_limits<double>::quiet_NaN());
+  }
+  return found;
+}
+
+NormalMonth month_among(const Inputs& inputs, const std::optional<std::size_t>& month) {
+  const NormalField* const normals = inputs.weighing().normals();
+  return normals != nullptr && normals->months() > 1 ? month : NormalMonth();
 }
 
 std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to_study) {
@@ -97,11 +130,12 @@ std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to
 }
 
 SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,
-                         SurfaceMethod method, SurfaceRows::Beyond beyond, const PixelGrid& grid,
-                         unsigned threads) {
-  return {grid, beyond,
-          [&inputs, readings, method] { return surface_in(inputs, readings, method); },
-          [&inputs] { return to_study(inputs); }, threads};
+                         SurfaceMethod method, const NormalMonth& month, SurfaceRows::Beyond beyond,
+                         const PixelGrid& grid, unsigned threads) {
+  return {
+      grid, beyond,
+      [&inputs, readings, method, month] { return surface_in(inputs, readings, method, month); },
+      [&inputs] { return to_study(inputs); }, threads};
 }
 
 PixelGrid raster_grid(const Inputs& inputs, double resolution) {
@@ -118,10 +152,11 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
       [&] { return to_study(inputs); }, output.threads);
   const auto rows = [&](int row, int count) { return owners.rows(row, count); };
   if (readings == nullptr) return raster_of_stations(inputs, output, rows, warnings);
+  const NormalMonth month = month_among(inputs, readings->month);
   const BandText text{readings->label, shown.time, output.made_by.unit};
   if (shown.surface && reports.any()) {
     ValueSample sample;
-    SurfaceRows values = surface_rows(inputs, readings->readings, *shown.surface,
+    SurfaceRows values = surface_rows(inputs, readings->readings, *shown.surface, month,
                                       SurfaceRows::Beyond::nearest, output.grid, output.threads);
     const auto sampled_rows = [&](int row, int count) {
       const std::span<const float> some = values.rows(row, count, rows(row, count));
@@ -144,12 +179,21 @@ std::vector<EncodedFile> raster_of(const Inputs& inputs, const ShownRaster& show
   const RainfallClasses classes(values_shown, shown.classes);
   warn_of_outside(classes, true, warnings);
   const RainfallStyle style(classes, values_shown, output.made_by.unit);
-  const std::vector<float> by_number = values_by_number(readings->readings);
+  const auto normals = normals_in(inputs, month);
+  const std::vector<float> by_number =
+      values_by_number(relative_readings(inputs.weighing().normals(), readings->readings, month));
+  const PointMapping mapping = to_study(inputs);
   std::vector<float> values;
   const auto value_rows = [&](int row, int count) -> std::span<const float> {
     values.clear();
     for (const std::int32_t owner : rows(row, count))
       values.push_back(by_number[static_cast<std::size_t>(owner)]);
+    for (int r = 0; normals && r < count; ++r) {
+      const auto in_row = normals_in_row(*normals, output.grid, row + r, mapping);
+      float* const value = &values[static_cast<std::size_t>(r) * in_row.size()];
+      for (std::size_t c = 0; c < in_row.size(); ++c)
+        value[c] = static_cast<float>(static_cast<double>(value[c]) * in_row[c]);
+    }
     return values;
   };
   std::vector<EncodedFile> files =

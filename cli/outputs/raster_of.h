@@ -15,6 +15,7 @@
 #include "map/raster/surface_rows.h"
 #include "map/sheet/rainfall_classes.h"
 #include "rainfall/methods/rain_surface.h"
+#include "rainfall/normals/normals_at_points.h"
 #include "rainfall/series/gauge_readings.h"
 
 namespace thiessen::cli {
@@ -28,9 +29,17 @@ PointMapping to_study(const Inputs& inputs);
 /// A mapping the other way.
 PointMapping from_study(const Inputs& inputs);
 
-/// The surface of readings, one for each station. Requires one that reports.
+/// The surface of readings, one for each station; with normals that of relative readings times the
+/// normals of the month, or of the year. Requires one that reports.
 std::unique_ptr<RainSurface> surface_in(const Inputs& inputs, std::span<const double> readings,
-                                        SurfaceMethod method);
+                                        SurfaceMethod method, const NormalMonth& month);
+/// The normals at the points of the study, in a month or the year; null without.
+std::shared_ptr<const NormalsAtPoints> normals_in(const Inputs& inputs, const NormalMonth& month);
+/// The normals at the centres of a row of pixels; NaN where the projection ends.
+std::vector<double> normals_in_row(const NormalsAtPoints& normals, const PixelGrid& grid, int row,
+                                   const PointMapping& to_study);
+/// The month that counts among those of normals: the year where they tell none apart.
+NormalMonth month_among(const Inputs& inputs, const std::optional<std::size_t>& month);
 
 /// Whether a place in the raster's coordinates lies among the gauges of a surface, which must
 /// outlive it. For use by one thread.
@@ -39,8 +48,8 @@ std::function<bool(Point)> among_gauges_of(RainSurface& surface, PointMapping to
 /// The surface of readings at the centres of a raster's pixels. `inputs` and `readings` must
 /// outlive it.
 SurfaceRows surface_rows(const Inputs& inputs, std::span<const double> readings,
-                         SurfaceMethod method, SurfaceRows::Beyond beyond, const PixelGrid& grid,
-                         unsigned threads);
+                         SurfaceMethod method, const NormalMonth& month, SurfaceRows::Beyond beyond,
+                         const PixelGrid& grid, unsigned threads);
 
 /// The pixels over the study area. `resolution` is a pixel's side; 0 gives the longer side 2,000
 /// pixels. Throws Error where there would be too many.

@@ -8,7 +8,8 @@
 namespace thiessen::cli {
 
 /// The readings of the gauges that have ground in a basin, once each: those by which a picture's
-/// classes are laid. Cost: that of weights.
+/// classes are laid. With normals they are the means of the cells in each basin. Cost: that of
+/// weights.
 std::vector<double> shown_values(const Inputs& inputs, const GaugeReadings& readings,
                                  unsigned threads);
 

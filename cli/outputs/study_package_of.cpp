@@ -58,6 +58,7 @@ StudyPackage study_package_of(const Inputs& inputs, CellsOutput cells, const Pac
   package.layers.gauges = gauges_of(inputs, parts.readings);
   package.layers.basin_shapes = areas_of(inputs);
   package.layers.basins = basins_of(inputs, *parts.weights);
+  package.layers.has_factors = inputs.weighing().normals() != nullptr;
   package.layers.weights = weight_rows(inputs.weighing(), *parts.weights, inputs.area_unit());
   if (parts.interval > 0 && parts.readings != nullptr) {
     package.layers.isohyets =

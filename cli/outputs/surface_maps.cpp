@@ -170,7 +170,7 @@ std::string words_of(SurfaceMethod method) {
 ShownSurface shown_surface(const Inputs& inputs, const GaugeReadings& readings,
                            SurfaceMethod method, const RasterSize& size, unsigned threads) {
   return {surface_raster(inputs, readings, method, SurfaceRows::Beyond::continued, size, threads),
-          surface_in(inputs, readings.readings, method)};
+          surface_in(inputs, readings.readings, method, month_among(inputs, readings.month))};
 }
 
 /// The raster behind a picture so wide.

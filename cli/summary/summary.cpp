@@ -64,8 +64,11 @@ std::string Summary::remarks() const {
   std::string text;
   if (!shortfall_.empty()) text += "No standard errors: " + shortfall_ + ".\n";
   if (influence_.gauges.empty() && statistics_.steps() > 0) {
-    text +=
-        "The most influential gauges are told with --gaps retessellate and without --min-gauges.\n";
+    const NormalField* const normals = inputs_.weighing().normals();
+    text += normals != nullptr && normals->months() > 1
+                ? "The most influential gauges are not told with normals of calendar months.\n"
+                : "The most influential gauges are told with --gaps retessellate and without "
+                  "--min-gauges.\n";
   } else if (influence_.steps < statistics_.steps()) {
     text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
             " of the " + std::to_string(statistics_.steps()) +

@@ -169,10 +169,14 @@ double CellClipper::smallest_area() const {
   return rounding_share * whole;
 }
 
-std::vector<CellShare> CellClipper::shares(const Basin& basin) {
+CutBasin& CellClipper::cut_and_measure(const Basin& basin) {
   CutBasin& cut = overlay_.cut(basin);
   if (cut.touching) cancel_opposite_pieces(cut.pieces);
   measure(cut, box_of_basin(basin).centre().y);
+  return cut;
+}
+
+std::vector<CellShare> CellClipper::shares_of_cut() const {
   const double smallest = smallest_area();
   std::vector<CellShare> shares;
   for (const PlaceIndex place : touched_) {
@@ -180,6 +184,45 @@ std::vector<CellShare> CellClipper::shares(const Basin& basin) {
     if (area > smallest) shares.push_back({place, area});
   }
   return shares;
+}
+
+std::vector<CellShare> CellClipper::shares(const Basin& basin) {
+  cut_and_measure(basin);
+  return shares_of_cut();
+}
+
+std::vector<CellShare> CellClipper::shares(const Basin& basin, const GroundMeasure& measure,
+                                           std::vector<double>& figures) {
+  figures = figures_of(cut_and_measure(basin), measure);
+  return shares_of_cut();
+}
+
+// The figures of the cells that count, in the order of their places.
+std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMeasure& measure) {
+  const std::size_t count = measure.figures();
+  for (std::size_t i = 0; i < touched_.size(); ++i) order_[index(touched_[i])] = i;
+  std::vector<LongSum> sums(touched_.size() * count);
+  std::vector<double> edge(count);
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
+    const BoundaryPiece& piece = cut.pieces[i];
+    const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
+    if (known) {
+      for (double& figure : edge) figure = -figure;
+    } else {
+      std::fill(edge.begin(), edge.end(), 0);
+      measure.add(piece.from, piece.to, piece.bulge, edge);
+    }
+    LongSum* const sum = &sums[order_[index(piece.place)] * count];
+    for (std::size_t f = 0; f < count; ++f) sum[f].add(edge[f]);
+  }
+  const double smallest = smallest_area();
+  std::vector<double> figures;
+  for (std::size_t i = 0; i < touched_.size(); ++i) {
+    if (area_[index(touched_[i])].value() <= smallest) continue;
+    for (std::size_t f = 0; f < count; ++f) figures.push_back(sums[i * count + f].value());
+  }
+  return figures;
 }
 
 // There are millions of pieces in a basin as large as a continent: they stay where they are, and no
@@ -203,9 +246,17 @@ CellClipper::PiecesByCell CellClipper::pieces_by_cell(const CutBasin& cut) {
 }
 
 std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
-  CutBasin& cut = overlay_.cut(basin);
-  if (cut.touching) cancel_opposite_pieces(cut.pieces);
-  measure(cut, box_of_basin(basin).centre().y);
+  return cells_of(cut_and_measure(basin));
+}
+
+std::vector<ClippedCell> CellClipper::cells(const Basin& basin, const GroundMeasure& measure,
+                                            std::vector<double>& figures) {
+  const CutBasin& cut = cut_and_measure(basin);
+  figures = figures_of(cut, measure);
+  return cells_of(cut);
+}
+
+std::vector<ClippedCell> CellClipper::cells_of(const CutBasin& cut) {
   const double smallest = smallest_area();
   const PiecesByCell sorted = pieces_by_cell(cut);
   const bool has_bulges = std::any_of(cut.pieces.begin(), cut.pieces.end(),

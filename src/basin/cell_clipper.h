@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "basin/ground_measure.h"
 #include "basin/overlay.h"
 #include "diagram/surface.h"
 #include "geometry/long_sum.h"
@@ -40,12 +41,20 @@ class CellClipper {
   /// that in proportion to their areas. Requires a valid basin inside the diagram's frame. Cost: as
   /// Overlay::cut.
   std::vector<CellShare> shares(const Basin& basin);
+  /// The same, and in `figures` what `measure` says of each share's ground, one share after the
+  /// other.
+  std::vector<CellShare> shares(const Basin& basin, const GroundMeasure& measure,
+                                std::vector<double>& figures);
 
   /// The cells that have a share in the basin, with their shapes, in the order of their places.
   /// Cells side by side share their edge vertex for vertex. Requirements and accuracy are those of
   /// shares. Throws std::logic_error where an edge of the diagram ends within the basin, so that a
   /// cell's boundary does not close.
   std::vector<ClippedCell> cells(const Basin& basin);
+  /// The same, and in `figures` what `measure` says of each cell's ground, one cell after the
+  /// other.
+  std::vector<ClippedCell> cells(const Basin& basin, const GroundMeasure& measure,
+                                 std::vector<double>& figures);
 
  private:
   /// Which pieces are of which cell, in the order of `touched_`.
@@ -54,6 +63,10 @@ class CellClipper {
     std::vector<std::size_t> numbers;  ///< of all pieces, cell by cell, in their order in each
   };
   PiecesByCell pieces_by_cell(const CutBasin& cut);
+  CutBasin& cut_and_measure(const Basin& basin);
+  std::vector<CellShare> shares_of_cut() const;
+  std::vector<ClippedCell> cells_of(const CutBasin& cut);
+  std::vector<double> figures_of(const CutBasin& cut, const GroundMeasure& measure);
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
   void settle_bulges();

@@ -350,6 +350,8 @@ class StudyMaker {
     study_.stations_have_lines = stations_.has_lines;
     study_.attributes = std::move(stations_.attributes);
     study_.labels = std::move(stations_.labels);
+    study_.station_normals = std::move(stations_.normals);
+    if (basins_) study_.basin_normals = std::move(basins_->normals);
     study_.filtered_ids = std::move(stations_.filtered_ids);
     study_.stations_crs = stations_.crs;
     if (basins_) {

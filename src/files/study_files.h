@@ -36,6 +36,9 @@ struct StudyFiles : StudyParts {
   /// What the stations are called, by their ids: see StationsFile.
   std::unordered_map<std::string, std::string> labels;
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
+  /// The normals of the stations and of the basins, by their ids: see StationsFile.
+  std::unordered_map<std::string, std::vector<double>> station_normals;
+  std::unordered_map<std::string, std::vector<double>> basin_normals;
   std::vector<MultiPolygon> native_basins;  ///< the basins, mended, in `basins_crs`, with the edges
                                             ///< that the file gives them
   /// The ids of the stations whose coordinates are 0 and 0 in a known CRS, in the file's order:

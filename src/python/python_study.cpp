@@ -105,6 +105,10 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
     const auto column = column_of.find(station.id);
     if (column != column_of.end()) columns_.push_back(column->second);  // and is not opened
   }
+  if (keywords_.study.has_normals()) {
+    throw cli::UsageError{"normals are of the program, and the module does not weigh by them",
+                          "thiessen weights and thiessen rain do"};
+  }
   inputs_ = std::make_unique<cli::Inputs>(std::move(files), keywords_.study, keywords_.view.margin,
                                           keywords_.common.threads, warnings_);
 }

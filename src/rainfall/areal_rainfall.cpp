@@ -10,10 +10,10 @@ ArealRainfall::ArealRainfall(const Weighing& weighing, const ArealRainfallSettin
           std::make_shared<const CellWeigher>(
               weighing, CellWeigher::Keeping{settings.remembered_bytes, settings.counts_gauges()},
               threads),
-          settings) {}
+          settings, NormalMonth()) {}
 
 ArealRainfall::ArealRainfall(std::shared_ptr<const CellWeigher> cells,
-                             const ArealRainfallSettings& settings)
-    : WeighedRainfall(cells, settings), cells_(std::move(cells)) {}
+                             const ArealRainfallSettings& settings, const NormalMonth& month)
+    : WeighedRainfall(cells, settings, month), cells_(std::move(cells)) {}
 
 }  // namespace thiessen

@@ -28,10 +28,10 @@ double coverage(const BasinWeights& full, std::span<const double> readings) {
 }  // namespace
 
 WeighedRainfall::WeighedRainfall(std::shared_ptr<const Weigher> weigher,
-                                 const ArealRainfallSettings& settings)
+                                 const ArealRainfallSettings& settings, const NormalMonth& month)
     : settings_(settings),
       weigher_(std::move(weigher)),
-      policy_(gap_policy(settings.gaps, *weigher_)) {}
+      policy_(gap_policy(settings.gaps, *weigher_, month)) {}
 
 void WeighedRainfall::finish(std::vector<BasinRainfall>& values,
                              std::span<const double> readings) const {

@@ -20,8 +20,9 @@ struct ArealRainfallSettings {
   bool counts_gauges() const { return accounts || min_gauges > 1; }
 };
 
-/// Areal rainfall as sums of weight x reading, by one way to weigh gauges and one gap policy. This
-/// class adds what is the same for every policy: the coverage, and the least number of gauges.
+/// Areal rainfall as sums of weight x factor x reading, by one way to weigh gauges and one gap
+/// policy. This class adds what is the same for every policy: the coverage, and the least number of
+/// gauges.
 class WeighedRainfall : public StepRainfall {
  public:
   /// The weights by basin when every gauge reports.
@@ -44,7 +45,9 @@ class WeighedRainfall : public StepRainfall {
   }
 
  protected:
-  WeighedRainfall(std::shared_ptr<const Weigher> weigher, const ArealRainfallSettings& settings);
+  const ArealRainfallSettings& settings() const { return settings_; }
+  WeighedRainfall(std::shared_ptr<const Weigher> weigher, const ArealRainfallSettings& settings,
+                  const NormalMonth& month = {});
 
  private:
   void finish(std::vector<BasinRainfall>& values, std::span<const double> readings) const;

@@ -18,7 +18,9 @@ struct CellFeature {
   std::optional<std::string> basin;  ///< nothing where the run has no basins
   double area = 0;                   ///< in the unit that CellFeatures::area_column tells
   double weight = 0;
-  double rainfall = 0;  ///< NaN: no value; written where CellFeatures::has_rainfall is set
+  double factor = 1;    ///< see StationWeight; written where CellFeatures::has_factor is set
+  double rainfall = 0;  ///< mean over the cell in the basin; NaN: no value; written where
+                        ///< CellFeatures::has_rainfall is set
   std::size_t attribute_row = 0;  ///< the station's row in CellFeatures::attributes
   MultiPolygon shape;             ///< in the study's coordinates; outer rings counter-clockwise
 };
@@ -28,6 +30,7 @@ struct CellFeature {
 struct CellFeatures {
   std::vector<CellFeature> cells;
   bool has_rainfall = false;
+  bool has_factor = false;
   std::vector<Colour> colours;  ///< by cell, for formats that say them; none where there are none
   std::string area_column = "area_km2";  ///< see AreaUnit::column
   std::string rainfall_is;  ///< what the values of rainfall are: a time, or which means

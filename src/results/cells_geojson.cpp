@@ -44,6 +44,10 @@ void append_properties(std::string& out, const CellFeatures& features, const Cel
   append_number(out, cell.area);
   append_name(out, "weight");
   append_number(out, cell.weight);
+  if (features.has_factor) {
+    append_name(out, "factor");
+    append_number(out, cell.factor);
+  }
   if (features.has_rainfall) {
     append_name(out, "rainfall");
     append_number(out, cell.rainfall);

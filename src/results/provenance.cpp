@@ -14,6 +14,7 @@ std::vector<std::pair<std::string, std::string>> items_of(const Provenance& prov
   add("plane", provenance.plane);
   add("tolerance", shortest_text(provenance.tolerance));
   add("method", provenance.method);
+  add("normals", provenance.normals);
   add("unit", provenance.unit);
   add("rainfall", provenance.rainfall);
   return items;

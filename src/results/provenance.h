@@ -16,10 +16,13 @@ struct Provenance {
   std::string method;      ///< how rainfall is told between gauges: thiessen, idw ...
   std::string unit;        ///< of the rainfall; empty where there is none
   std::string rainfall;  ///< what its values are: a time, or which means; empty where there is none
+  /// Where normals are from, such as "raster" or "fields of calendar months"; empty without.
+  std::string normals = {};
 };
 
 /// What is known of how an output was made, as names and values in their order: `software`,
-/// `metric`, `plane`, `tolerance`, `method`, `unit`, `rainfall`. Empty ones are left out.
+/// `metric`, `plane`, `tolerance`, `method`, `normals`, `unit`, `rainfall`. Empty ones are left
+/// out.
 std::vector<std::pair<std::string, std::string>> items_of(const Provenance& provenance);
 
 /// What is known of how an output was made, on one line: `thiessen 0.1.0; metric: geodesic; ...`.

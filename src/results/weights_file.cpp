@@ -23,6 +23,18 @@ void append_part(std::string& row, const StationWeight& part, AreaUnit unit) {
   append_shortest(row, part.weight);
 }
 
+/// How many columns of factors there are.
+std::size_t factors_in(const Weighing& weighing,
+                       const std::vector<std::vector<BasinWeights>>& weights) {
+  return weighing.normals() == nullptr ? 0 : weights.size();
+}
+
+/// What is behind the name of a month's column, where there are several.
+std::string of_month(std::size_t month, std::size_t months) {
+  if (months == 1) return {};
+  return (month < 9 ? "_0" : "_") + std::to_string(month + 1);
+}
+
 }  // namespace
 
 std::vector<WeightRow> weight_rows(const Weighing& weighing,
@@ -32,7 +44,7 @@ std::vector<WeightRow> weight_rows(const Weighing& weighing,
     for (const StationWeight& weight : weights[b].stations) {
       rows.push_back({weighing.basins()[b].id,
                       weighing.network().stations()[index(weight.station)].id,
-                      weight.area * unit.km2, weight.weight});
+                      weight.area * unit.km2, weight.weight, weight.factor});
     }
   }
   return rows;
@@ -55,14 +67,22 @@ std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const Bas
 }
 
 void write_weights(OutputFile& file, const Weighing& weighing,
-                   const std::vector<BasinWeights>& weights, AreaUnit unit) {
-  file.append(std::string("basin,station,") + unit.column() + ",weight\n");
+                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit) {
+  std::string header = std::string("basin,station,") + unit.column() + ",weight";
+  for (std::size_t m = 0; m < factors_in(weighing, weights); ++m)
+    header += ",factor" + of_month(m, weights.size());
+  file.append(header + '\n');
   std::string row;
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    for (const StationWeight& s : weights[b].stations) {
+  for (std::size_t b = 0; b < weights.front().size(); ++b) {
+    for (std::size_t i = 0; i < weights.front()[b].stations.size(); ++i) {
+      const StationWeight& s = weights.front()[b].stations[i];
       row.clear();
       append_ids(row, weighing, b, s.station);
       append_part(row, s, unit);
+      for (std::size_t m = 0; m < factors_in(weighing, weights); ++m) {
+        row += ',';
+        append_shortest(row, weights[m][b].stations[i].factor);
+      }
       row += '\n';
       file.append(row);
     }
@@ -70,17 +90,33 @@ void write_weights(OutputFile& file, const Weighing& weighing,
 }
 
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
-                           const std::vector<BasinWeights>& before,
-                           const std::vector<BasinWeights>& after, AreaUnit unit) {
+                           const std::vector<std::vector<BasinWeights>>& before,
+                           const std::vector<std::vector<BasinWeights>>& after, AreaUnit unit) {
   const std::string area = unit.column();
-  file.append("basin,station," + area + ",weight," + area + "_after,weight_after\n");
+  std::string header = "basin,station," + area + ",weight," + area + "_after,weight_after";
+  for (std::size_t m = 0; m < factors_in(weighing, before); ++m) {
+    const std::string factor = ",factor" + of_month(m, before.size());
+    header += factor + factor + "_after";
+  }
+  file.append(header + '\n');
   std::string row;
-  for (std::size_t b = 0; b < before.size(); ++b) {
-    for (const ChangedWeight& part : changed_weights(before[b], after[b])) {
+  for (std::size_t b = 0; b < before.front().size(); ++b) {
+    // Normals change factors, and not who weighs: the rows of all months are of the same stations.
+    std::vector<std::vector<ChangedWeight>> by_month;
+    for (std::size_t m = 0; m < before.size(); ++m)
+      by_month.push_back(changed_weights(before[m][b], after[m][b]));
+    for (std::size_t i = 0; i < by_month.front().size(); ++i) {
+      const ChangedWeight& part = by_month.front()[i];
       row.clear();
       append_ids(row, weighing, b, part.before.station);
       append_part(row, part.before, unit);
       append_part(row, part.after, unit);
+      for (std::size_t m = 0; m < factors_in(weighing, before); ++m) {
+        for (const StationWeight& its : {by_month[m][i].before, by_month[m][i].after}) {
+          row += ',';
+          if (its.weight > 0) append_shortest(row, its.factor);
+        }
+      }
       row += '\n';
       file.append(row);
     }

@@ -24,6 +24,7 @@ struct WeightRow {
   std::string station;
   double area = 0;  ///< in the unit that AreaUnit::column tells
   double weight = 0;
+  double factor = 1;  ///< of the year, where months have normals of their own; 1 without normals
 };
 
 /// The weights with their names, basins in file order, then stations in file order.
@@ -41,15 +42,19 @@ std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const Bas
 
 /// Writes the table of weights: CSV `basin,station,area_km2,weight`, or with `area` where the unit
 /// is unknown, in the fewest digits that read back to the same double; basins in file order, then
-/// stations in file order.
+/// stations in file order. With normals there is a last column `factor`, by which a reading counts
+/// beside its weight; where calendar months have their own there are twelve, `factor_01` to
+/// `factor_12`: `weights` has those of each month (see Weighing::weights_by_month).
 void write_weights(OutputFile& file, const Weighing& weighing,
-                   const std::vector<BasinWeights>& weights, AreaUnit unit);
+                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit);
 
 /// Writes the table of weights before and after a change of the network: CSV
 /// `basin,station,area_km2,weight,area_km2_after,weight_after`, with the stations that have weight
-/// before or after, in the names, digits and order of write_weights.
+/// before or after, in the names, digits and order of write_weights. With normals there are columns
+/// `factor,factor_after` behind, or such a pair for each calendar month; a factor is empty where
+/// there is no weight.
 void write_changed_weights(OutputFile& file, const Weighing& weighing,
-                           const std::vector<BasinWeights>& before,
-                           const std::vector<BasinWeights>& after, AreaUnit unit);
+                           const std::vector<std::vector<BasinWeights>>& before,
+                           const std::vector<std::vector<BasinWeights>>& after, AreaUnit unit);
 
 }  // namespace thiessen

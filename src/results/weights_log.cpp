@@ -7,7 +7,8 @@ namespace thiessen {
 
 WeightsLog::WeightsLog(OutputFile& file, const Weighing& weighing)
     : file_(file), weighing_(weighing) {
-  file_.append("pattern,first_time,basin,station,weight\n");
+  file_.append("pattern,first_time,basin,station,weight");
+  file_.append(weighing.normals() == nullptr ? "\n" : ",factor\n");
 }
 
 void WeightsLog::add(std::size_t pattern, std::string_view first_time,
@@ -24,6 +25,10 @@ void WeightsLog::add(std::size_t pattern, std::string_view first_time,
       append_csv_field(rows, weighing_.network().stations()[index(s.station)].id);
       rows += ',';
       append_shortest(rows, s.weight);
+      if (weighing_.normals() != nullptr) {
+        rows += ',';
+        append_shortest(rows, s.factor);
+      }
       rows += '\n';
     }
   }

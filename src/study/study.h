@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -47,6 +48,10 @@ class Study {
   const StudyParts& parts() const { return *parts_; }
   const Network& network() const { return network_; }
   const Weighing& weighing() const { return weighing_; }
+  /// Has gauges weighed with these normals from now on; see Weighing::take_normals.
+  void take_normals(std::shared_ptr<const NormalField> normals) {
+    weighing_.take_normals(std::move(normals));
+  }
   const std::vector<Basin>& basins() const { return parts_->basins; }
   /// The nearest gauge of each basin; none where there are no basins.
   const std::vector<NearestGauge>& nearest_gauges() const { return nearest_gauges_; }

@@ -13,7 +13,7 @@ TEST(WeightsFile, has_a_row_a_weight_with_ids_as_written_and_areas_in_km2) {
   const TwoBasins study;
   const auto weights = study.weighing.weights({true, true}, 1);
   EXPECT_EQ(written([&](OutputFile& file) {
-              write_weights(file, study.weighing, weights, AreaUnit{1e-6});
+              write_weights(file, study.weighing, {weights}, AreaUnit{1e-6});
             }),
             "basin,station,area_km2,weight\n"
             "\"B,1\",\"a\"\"b\",0.000006,0.5\n"
@@ -39,7 +39,7 @@ TEST(WeightsFile, of_a_change_has_the_stations_that_weigh_before_or_after) {
   const auto before = study.weighing.weights({true, true}, 1);
   const auto after = study.weighing.weights({true, false}, 1);
   EXPECT_EQ(written([&](OutputFile& file) {
-              write_changed_weights(file, study.weighing, before, after, AreaUnit{1});
+              write_changed_weights(file, study.weighing, {before}, {after}, AreaUnit{1});
             }),
             "basin,station,area,weight,area_after,weight_after\n"
             "\"B,1\",\"a\"\"b\",6,0.5,12,1\n"

@@ -1,6 +1,8 @@
 #include "files/places/basins_file.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <unordered_set>
@@ -8,6 +10,7 @@
 
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/normals/normal_columns.h"
 #include "files/places/crs_fit.h"
 #include "files/tables/features.h"
 #include "files/tables/skipped_lines.h"
@@ -27,6 +30,7 @@ struct Candidate {
   std::size_t line = 0;
   std::string place;
   MultiPolygon polygons;
+  std::vector<double> normals;
 };
 
 class BasinsReader {
@@ -39,6 +43,7 @@ class BasinsReader {
                           features_.has_lines() ? "a CSV of basins has a column named WKT" : ""});
     }
     find_id_fields();
+    normals_.emplace(features_, request_.normal_field);
   }
 
   BasinsFile read() {
@@ -110,6 +115,11 @@ class BasinsReader {
       complaints_.add(features_.message("basin has no " + quoted(request_.id, 80)));
       return;
     }
+    if (normals_->any()) {
+      candidate.normals = normals_->read(
+          features_, candidate.ids.empty() ? "basin" : "basin " + quoted(candidate.ids[0], 80),
+          complaints_);
+    }
     candidates_.push_back(std::move(candidate));
   }
 
@@ -169,9 +179,24 @@ class BasinsReader {
         if (!candidate.place.empty()) place += " (" + candidate.place + ")";
         result_.basins.push_back({std::move(id), std::move(place), candidate.line, {}});
       }
+      if (normals_->any()) take_normals(candidate, result_.basins[at->second]);
       MultiPolygon& polygons = result_.basins[at->second].polygons;
       std::move(candidate.polygons.begin(), candidate.polygons.end(), std::back_inserter(polygons));
     }
+  }
+
+  /// The features of one basin have the same normals.
+  void take_normals(const Candidate& candidate, const RawBasin& basin) {
+    const auto [at, fresh] = result_.normals.emplace(basin.id, candidate.normals);
+    const auto is_same = [](double a, double b) {
+      return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    if (fresh || std::equal(at->second.begin(), at->second.end(), candidate.normals.begin(),
+                            candidate.normals.end(), is_same))
+      return;
+    throw Error({features_.file(), candidate.line,
+                 basin.place + " has other normals in another of its features",
+                 "the features of one basin have the same normals"});
   }
 
   const BasinsRequest& request_;
@@ -180,6 +205,7 @@ class BasinsReader {
   Complaints complaints_;
   BasinsFile result_;
   std::vector<std::size_t> fields_;
+  std::optional<NormalColumns> normals_;
   std::vector<Candidate> candidates_;
   std::size_t number_ = 0;
   bool heights_ = false;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/error.h"
@@ -16,12 +17,15 @@ namespace thiessen {
 struct BasinsRequest {
   Source source;
   std::string id;  ///< name of the field of ids; empty: found by the usual names and by its values
+  std::string normal_field;  ///< see StationsRequest
 };
 
 /// The basins of a file, in its coordinates, with the CRS that they are known to have.
 struct BasinsFile : BasinList {
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;
+  /// The normals of the basins, by their ids: see StationsFile.
+  std::unordered_map<std::string, std::vector<double>> normals;
 };
 
 /// Reads the basins: polygons of any vector file that GDAL reads, or of the column named WKT of a

@@ -8,6 +8,7 @@
 
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/normals/normal_columns.h"
 #include "files/places/crs_fit.h"
 #include "files/places/station_fields.h"
 #include "files/places/station_positions.h"
@@ -36,6 +37,7 @@ class StationsReader {
     result_.has_lines = features_.has_lines();
     fields_ = find_station_fields(features_, request_);
     positions_.emplace(features_, fields_, request_, complaints_);
+    normals_.emplace(features_, request_.normal_field);
   }
 
   StationsFile read() {
@@ -99,6 +101,10 @@ class StationsReader {
     if (placing != Placing::good) return;
     if (fields_.label && !row.fields[*fields_.label].empty())
       result_.labels.emplace(station.id, std::string(row.fields[*fields_.label]));
+    if (normals_->any()) {
+      result_.normals.emplace(
+          station.id, normals_->read(features_, "station " + quoted(station.id, 80), complaints_));
+    }
     result_.stations.push_back(std::move(station));
     if (request_.attributes) keep_attributes(row);
   }
@@ -185,6 +191,7 @@ class StationsReader {
   StationsFile result_;
   StationFields fields_;
   std::optional<StationPositions> positions_;
+  std::optional<NormalColumns> normals_;
   std::unordered_map<std::string, Known> known_;
   std::size_t read_ = 0;
   std::size_t repeated_ = 0;

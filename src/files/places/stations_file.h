@@ -20,6 +20,9 @@ struct StationsRequest {
   Source source;
   std::string id, x, y;  ///< names of fields; empty: found by usual names
   std::string label;     ///< name of the field with what stations are called; empty: none is read
+  /// The field of normals, or of which twelve fields have the name with _01 to _12 behind it;
+  /// empty: none are read.
+  std::string normal_field;
   bool attributes = false;
   bool skip_unplaced = false;  ///< stations without coordinates are passed over, with a warning
 };
@@ -29,6 +32,9 @@ struct StationsFile : StationList {  ///< positions in `crs`, or in a plane with
   Attributes attributes;             ///< read only where asked for
   /// What the stations are called, by their ids, where asked for; without those that have no name.
   std::unordered_map<std::string, std::string> labels;
+  /// The normals of the stations, by their ids, one or twelve, where asked for; NaN where one is
+  /// empty.
+  std::unordered_map<std::string, std::vector<double>> normals;
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;

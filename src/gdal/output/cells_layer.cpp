@@ -35,6 +35,7 @@ class CellRows {
     if (has_basins) fields_.push_back({"basin", FieldType::text});
     fields_.push_back({features.area_column, FieldType::real});
     fields_.push_back({"weight", FieldType::real});
+    if (features.has_factor) fields_.push_back({"factor", FieldType::real});
     if (features.has_rainfall) fields_.push_back({"rainfall", FieldType::real});
     const std::vector<FieldName> attributes = attribute_fields(features);
     const auto is_name = [](const FieldName& field) { return lower_case(field.name) == "name"; };
@@ -83,6 +84,7 @@ class CellRows {
     }
     if (name == features_.area_column) return cell.area;
     if (name == "weight") return cell.weight;
+    if (name == "factor") return cell.factor;
     return std::isfinite(cell.rainfall) ? std::optional(cell.rainfall) : std::nullopt;
   }
 

@@ -165,6 +165,10 @@ class LayersWriter {
               [&](std::size_t row) { return std::optional(weights[row].area); });
     layer.add("weight", FieldType::real,
               [&](std::size_t row) { return std::optional(weights[row].weight); });
+    if (layers_.has_factors) {
+      layer.add("factor", FieldType::real,
+                [&](std::size_t row) { return std::optional(weights[row].factor); });
+    }
     add(layer.finish(no_shape, of_series()));
   }
 

@@ -39,6 +39,7 @@ struct StudyLayers {
   std::vector<BasinSummary> basins;
   bool has_series = false;  ///< whether the summaries tell of a series, and not of areas alone
   std::vector<WeightRow> weights;
+  bool has_factors = false;  ///< whether the weights have factors, of the year
   std::optional<Rain> rain;
   std::optional<std::vector<Isohyet>> isohyets;
   std::vector<LayerStyle> styles;

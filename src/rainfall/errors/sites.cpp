@@ -1,51 +1,15 @@
 #include "rainfall/errors/sites.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "earth/nearest/in_space.h"
-#include "earth/nearest/place_tree.h"
+#include "earth/nearest/near_places.h"
 #include "geometry/hilbert.h"
 
 namespace thiessen {
-namespace {
-
-/// Keeps the nearest of the sites that it is shown, as many as are wanted.
-class Nearest {
- public:
-  explicit Nearest(std::size_t count) : count_(count) {}
-
-  void show(double square, std::uint32_t site) {
-    kept_.emplace_back(square, site);
-    std::push_heap(kept_.begin(), kept_.end());
-    if (kept_.size() <= count_) return;
-    std::pop_heap(kept_.begin(), kept_.end());
-    kept_.pop_back();
-  }
-  /// The distance beyond which no site can be among the nearest any more.
-  double reach() const {
-    return kept_.size() < count_ ? std::numeric_limits<double>::infinity()
-                                 : std::sqrt(kept_.front().first);
-  }
-  std::vector<std::uint32_t> in_order() {
-    std::sort_heap(kept_.begin(), kept_.end());
-    std::vector<std::uint32_t> sites;
-    sites.reserve(kept_.size());
-    for (const auto& [square, site] : kept_) sites.push_back(site);
-    return sites;
-  }
-
- private:
-  std::size_t count_;
-  std::vector<std::pair<double, std::uint32_t>> kept_;
-};
-
-}  // namespace
-
 Sites::Sites(std::span<const Point> places, Metric metric)
     : site_of_(places.size()), place_of_(places.size()) {
   Box box;
@@ -67,32 +31,31 @@ std::vector<std::vector<std::uint32_t>> Sites::nearest_others(std::size_t count)
   std::vector<std::vector<std::uint32_t>> all(size());
   if (size() < 2 || count == 0) return all;
   const PlaceTree tree(at_);
+  std::vector<NearPlace> near;
   for (std::uint32_t site = 0; site < size(); ++site) {
-    // The search is shorter if some near sites are known before it: sites with near numbers are a
-    // good guess.
-    const std::size_t begin = std::max<std::size_t>(site, count) - count;
-    const std::size_t end = std::min(size(), std::size_t{site} + count + 1);
-    Nearest guess(count);
-    for (std::size_t i = begin; i < end; ++i) {
-      if (i != site) guess.show(square_distance(at_[site], at_[i]), static_cast<std::uint32_t>(i));
-    }
-    const double reach = guess.reach();
-    Nearest nearest(count);
-    tree.search(
-        [&](const Ball& ball) {
-          const double nearer = std::min(reach, nearest.reach());
-          // The margin keeps a neighbour from being lost to rounding of the ball's centre and
-          // radius.
-          return length(ball.centre - at_[site]) > (nearer + ball.radius) * (1 + 1e-12);
-        },
-        [&](PlaceIndex p) {
-          if (index(p) != site)
-            nearest.show(square_distance(at_[site], at_[index(p)]),
-                         static_cast<std::uint32_t>(index(p)));
-        });
-    all[site] = nearest.in_order();
+    find_near_places(
+        tree, at_[site], count, square_within_reach(site, count),
+        [&](PlaceIndex p) { return index(p) != site; },
+        [](PlaceIndex a, PlaceIndex b) { return a < b; }, near);
+    all[site].reserve(near.size());
+    for (const NearPlace& other : near)
+      all[site].push_back(static_cast<std::uint32_t>(index(other.place)));
   }
   return all;
+}
+
+// Sites with near numbers mostly lie near, so the farthest of as many of them bounds the search.
+double Sites::square_within_reach(std::uint32_t site, std::size_t count) const {
+  const std::size_t begin = std::max<std::size_t>(site, count) - count;
+  const std::size_t end = std::min(size(), std::size_t{site} + count + 1);
+  std::vector<double> squares;
+  for (std::size_t i = begin; i < end; ++i) {
+    if (i != site) squares.push_back(square_distance(at_[site], at_[i]));
+  }
+  if (squares.size() < count) return std::numeric_limits<double>::infinity();
+  const auto last = squares.begin() + static_cast<std::ptrdiff_t>(count - 1);
+  std::nth_element(squares.begin(), last, squares.end());
+  return *last;
 }
 
 }  // namespace thiessen

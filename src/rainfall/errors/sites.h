@@ -33,6 +33,8 @@ class Sites {
   std::vector<std::vector<std::uint32_t>> nearest_others(std::size_t count) const;
 
  private:
+  double square_within_reach(std::uint32_t site, std::size_t count) const;
+
   std::vector<Direction> at_;
   std::vector<std::uint32_t> site_of_;
   std::vector<std::uint32_t> place_of_;

@@ -33,39 +33,50 @@ std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
   return result;
 }
 
-/// Sorts weights by basin, then by cell, and adds up those of the same basin and cell.
-void merge(std::vector<CellWeight>& weights) {
-  std::stable_sort(weights.begin(), weights.end(), [](const CellWeight& a, const CellWeight& b) {
-    return std::pair(a.basin, a.cell) < std::pair(b.basin, b.cell);
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < weights.size();) {
-    const CellWeight first = weights[i];
-    LongSum sum;
-    for (; i < weights.size() && weights[i].basin == first.basin && weights[i].cell == first.cell;
-         ++i) {
-      sum.add(weights[i].weight);
-    }
-    weights[kept++] = {first.basin, first.cell, sum.value()};
-  }
-  weights.resize(kept);
+/// The full network's weights as relative readings count: weight x normal.
+std::vector<CellWeight> bearing(const Handovers& handovers, std::size_t figure) {
+  std::vector<CellWeight> weights = handovers.full();
+  if (handovers.normals() == nullptr) return weights;
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    weights[i].weight = handovers.full_normals().at(i, figure);
+  return weights;
 }
 
 }  // namespace
 
-CellRetessellation::CellRetessellation(const Handovers& handovers, std::size_t remembered_bytes,
-                                       bool counts_gauges)
+CellRetessellation::CellRetessellation(const Handovers& handovers, HandoverCache& remembered,
+                                       const NormalMonth& month, bool counts_gauges)
     : handovers_(handovers),
-      remembered_(handovers, remembered_bytes),
+      remembered_(remembered),
+      month_(month),
+      figure_(place_of(handovers.normals(), month)),
       counts_gauges_(counts_gauges),
-      full_(handovers.full_weights()),
-      full_in_turn_(in_turn(handovers.full())) {}
+      full_(handovers.full_weights(month)),
+      full_in_turn_(in_turn(bearing(handovers, figure_))) {
+  if (handovers.normals() == nullptr) return;
+  std::size_t stations = 0;
+  for (std::uint32_t p = 0; p < handovers.adjacency().cells(); ++p)
+    stations += handovers.cells().stations_of(PlaceIndex{p}).size();
+  for (std::uint32_t s = 0; s < stations; ++s)
+    at_gauges_.push_back(relative_at_gauge(*handovers.normals(), StationIndex{s}, month));
+}
 
 std::vector<double> CellRetessellation::cell_readings(std::span<const double> readings) const {
   std::vector<double> of_cell(handovers_.adjacency().cells());
   for (std::uint32_t p = 0; p < of_cell.size(); ++p)
     of_cell[p] = mean_reading(handovers_.cells().stations_of(PlaceIndex{p}), readings);
   return of_cell;
+}
+
+// Without normals, and where all are the same, it is the mean reading bit for bit.
+double CellRetessellation::reading_of(std::span<const StationIndex> stations,
+                                      std::span<const double> readings) const {
+  if (at_gauges_.empty()) return mean_reading(stations, readings);
+  if (stations.size() == 1)
+    return readings[index(stations.front())] / at_gauges_[index(stations.front())];
+  std::vector<double> relative(readings.begin(), readings.end());
+  for (const StationIndex s : stations) relative[index(s)] /= at_gauges_[index(s)];
+  return mean_reading(stations, relative);
 }
 
 CellRetessellation::State CellRetessellation::state_of(std::span<const double> readings) const {
@@ -76,7 +87,7 @@ CellRetessellation::State CellRetessellation::state_of(std::span<const double> r
   for (std::uint32_t p = 0; p < state.of_cell.size(); ++p) {
     const auto stations = cells.stations_of(PlaceIndex{p});
     if (stations.empty()) continue;
-    state.of_cell[p] = mean_reading(stations, readings);
+    state.of_cell[p] = reading_of(stations, readings);
     if (std::isnan(state.of_cell[p])) {
       silent.push_back(PlaceIndex{p});
     } else {
@@ -92,33 +103,95 @@ CellRetessellation::State CellRetessellation::state_of(std::span<const double> r
 std::vector<BasinRainfall> CellRetessellation::rainfall(const State& state,
                                                         std::span<const double> readings) const {
   std::vector<LongSum> sums(full_.size());
-  for (const CellWeight& full : full_in_turn_) {
-    const double reading = state.of_cell[index(full.cell)];
-    if (!std::isnan(reading)) sums[full.basin].add(full.weight * reading);
-  }
-  for (const auto& handover : state.handovers) {
-    for (const CellWeight& share : *handover)
-      sums[share.basin].add(share.weight * state.of_cell[index(share.cell)]);
+  // Ground without normals takes the mean of the rest of what its gauge has at this very step.
+  const bool is_linear = handovers_.full_normals().covered.empty() || state.handovers.empty();
+  std::vector<CellPart> all;
+  if (counts_gauges_ || !is_linear) all = parts(state);
+  if (is_linear) {
+    add_linearly(state, sums);
+  } else {
+    add_in_parts(state, all, sums);
   }
   std::vector<BasinRainfall> result;
   result.reserve(sums.size());
   for (const LongSum& sum : sums) result.push_back({state.any ? sum.value() : no_value, 0, 0});
   if (!counts_gauges_) return result;
-  for (const CellWeight& w : weights(state))
-    result[w.basin].gauges += count_reporting(handovers_.cells().stations_of(w.cell), readings);
+  for (const CellPart& p : all) {
+    result[p.part.basin].gauges +=
+        count_reporting(handovers_.cells().stations_of(p.part.cell), readings);
+  }
   return result;
 }
 
-/// Gives the weights of the cells that report, by basin, then by cell.
-std::vector<CellWeight> CellRetessellation::weights(const State& state) const {
-  std::vector<CellWeight> weights;
-  for (const CellWeight& full : handovers_.full()) {
-    if (!std::isnan(state.of_cell[index(full.cell)])) weights.push_back(full);
+void CellRetessellation::add_linearly(const State& state, std::vector<LongSum>& sums) const {
+  for (const CellWeight& full : full_in_turn_) {
+    const double reading = state.of_cell[index(full.cell)];
+    if (!std::isnan(reading)) sums[full.basin].add(full.weight * reading);
   }
-  for (const auto& handover : state.handovers)
-    weights.insert(weights.end(), handover->begin(), handover->end());
-  merge(weights);
-  return weights;
+  for (const auto& handover : state.handovers) {
+    if (handover->weighted.months == 0) {
+      for (const CellWeight& share : *handover)
+        sums[share.basin].add(share.weight * state.of_cell[index(share.cell)]);
+      continue;
+    }
+    for (std::size_t i = 0; i < handover->size(); ++i) {
+      const CellWeight& share = (*handover)[i];
+      sums[share.basin].add(handover->weighted.at(i, figure_) * state.of_cell[index(share.cell)]);
+    }
+  }
+}
+
+double CellRetessellation::normal_of(const CellPart& part) const {
+  if (part.covered > 0) return part.normals / part.covered;
+  const NormalField& normals = *handovers_.normals();
+  return basin_normal(normals, part.part.basin, month_) / reference_normal(normals, month_);
+}
+
+void CellRetessellation::add_in_parts(const State& state, const std::vector<CellPart>& parts,
+                                      std::vector<LongSum>& sums) const {
+  for (const CellPart& p : parts)
+    sums[p.part.basin].add(p.part.weight * normal_of(p) * state.of_cell[index(p.part.cell)]);
+}
+
+CellRetessellation::CellPart CellRetessellation::part_of(const CellWeight& weight,
+                                                         const WeightedNormals& weighted,
+                                                         std::size_t number) const {
+  if (weighted.months == 0) return {weight, weight.weight, weight.weight};
+  const double covered = weighted.covered_at(number, figure_);
+  return {weight, weight.weight * covered, weighted.at(number, figure_) * covered};
+}
+
+/// Gives the parts of the cells that report, by basin, then by cell.
+std::vector<CellRetessellation::CellPart> CellRetessellation::parts(const State& state) const {
+  std::vector<CellPart> all;
+  for (std::size_t i = 0; i < handovers_.full().size(); ++i) {
+    const CellWeight& full = handovers_.full()[i];
+    if (!std::isnan(state.of_cell[index(full.cell)]))
+      all.push_back(part_of(full, handovers_.full_normals(), i));
+  }
+  for (const auto& handover : state.handovers) {
+    for (std::size_t i = 0; i < handover->size(); ++i)
+      all.push_back(part_of((*handover)[i], handover->weighted, i));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const CellPart& a, const CellPart& b) {
+    return std::pair(a.part.basin, a.part.cell) < std::pair(b.part.basin, b.part.cell);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < all.size();) {
+    const CellWeight first = all[i].part;
+    LongSum weight;
+    LongSum covered;
+    LongSum normals;
+    for (; i < all.size() && all[i].part.basin == first.basin && all[i].part.cell == first.cell;
+         ++i) {
+      weight.add(all[i].part.weight);
+      covered.add(all[i].covered);
+      normals.add(all[i].normals);
+    }
+    all[kept++] = {{first.basin, first.cell, weight.value()}, covered.value(), normals.value()};
+  }
+  all.resize(kept);
+  return all;
 }
 
 std::vector<CellWeight> CellRetessellation::change(const State& state) const {
@@ -138,10 +211,10 @@ std::vector<BasinRainfall> CellRetessellation::at(std::span<const double> readin
 
 std::vector<BasinRainfall> CellRetessellation::at(std::span<const double> readings,
                                                   CellAccount& account) const {
-  State state = state_of(readings);
+  const State state = state_of(readings);
   std::vector<BasinRainfall> result = rainfall(state, readings);
   account.change = change(state);
-  account.readings = std::move(state.of_cell);
+  account.readings = cell_readings(readings);
   return result;
 }
 
@@ -149,11 +222,15 @@ std::vector<BasinWeights> CellRetessellation::weights_at(std::span<const double>
   std::vector<BasinWeights> result(full_.size());
   for (std::size_t b = 0; b < full_.size(); ++b) result[b].area = full_[b].area;
   const auto reports = [&](StationIndex s) { return !std::isnan(readings[index(s)]); };
-  for (const CellWeight& w : weights(state_of(readings))) {
+  for (const CellPart& p : parts(state_of(readings))) {
+    const CellWeight& w = p.part;
     const auto in_cell = handovers_.cells().stations_of(w.cell);
     std::vector<StationIndex> stations;
     std::copy_if(in_cell.begin(), in_cell.end(), std::back_inserter(stations), reports);
     add_shares(result[w.basin], stations, w.weight * result[w.basin].area);
+    if (handovers_.normals() == nullptr) continue;
+    const double normal = normal_of(p) * reference_normal(*handovers_.normals(), month_);
+    set_factors(result[w.basin], stations, normal, *handovers_.normals(), month_);
   }
   for (BasinWeights& basin : result) sort_by_station(basin.stations);
   return result;

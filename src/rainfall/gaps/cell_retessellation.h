@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/long_sum.h"
 #include "rainfall/gaps/handover.h"
 #include "rainfall/gaps/handover_cache.h"
 #include "rainfall/gaps/retessellation.h"
@@ -18,9 +19,11 @@ namespace thiessen {
 /// for each component of silent cells that is not remembered, Handovers::of.
 class CellRetessellation : public Retessellation {
  public:
-  /// The handovers must outlive this object; up to `remembered_bytes` of them are remembered.
-  /// Without `counts_gauges` the values have 0 gauges, which is cheaper.
-  CellRetessellation(const Handovers& handovers, std::size_t remembered_bytes, bool counts_gauges);
+  /// The handovers and the cache of them must outlive this object; others may use the cache too.
+  /// The normals that count are those of a month, or of the year. Without `counts_gauges` the
+  /// values have 0 gauges, which is cheaper.
+  CellRetessellation(const Handovers& handovers, HandoverCache& remembered,
+                     const NormalMonth& month, bool counts_gauges);
 
   const std::vector<BasinWeights>& full_weights() const override { return full_; }
   std::vector<BasinRainfall> at(std::span<const double> readings) const override;
@@ -33,23 +36,41 @@ class CellRetessellation : public Retessellation {
  private:
   /// What the cells read at one step, and what the silent ones hand over.
   struct State {
-    std::vector<double> of_cell;  ///< by cell: the mean of its stations that report; NaN: none
+    /// By cell: the mean of its stations that report, of readings relative to normals; NaN: none.
+    std::vector<double> of_cell;
     std::vector<std::shared_ptr<const Handover>> handovers;
     bool any = false;  ///< whether any cell reports
   };
 
+  /// A cell's part in a basin at one step.
+  struct CellPart {
+    CellWeight part;
+    double covered;  ///< how much of the weight is of ground that has normals
+    double normals;  ///< that times the mean normal there
+  };
+
   State state_of(std::span<const double> readings) const;
+  double reading_of(std::span<const StationIndex> stations, std::span<const double> readings) const;
   std::vector<BasinRainfall> rainfall(const State& state, std::span<const double> readings) const;
+  void add_linearly(const State& state, std::vector<LongSum>& sums) const;
+  void add_in_parts(const State& state, const std::vector<CellPart>& parts,
+                    std::vector<LongSum>& sums) const;
+  double normal_of(const CellPart& part) const;
   std::vector<CellWeight> change(const State& state) const;
-  std::vector<CellWeight> weights(const State& state) const;
+  CellPart part_of(const CellWeight& weight, const WeightedNormals& weighted,
+                   std::size_t number) const;
+  std::vector<CellPart> parts(const State& state) const;
 
   const Handovers& handovers_;
-  mutable HandoverCache remembered_;
+  HandoverCache& remembered_;
+  NormalMonth month_;
+  std::size_t figure_;             // the month's among those of WeightedNormals
+  std::vector<double> at_gauges_;  // the normals by station; empty without
   bool counts_gauges_;
   std::vector<BasinWeights> full_;
   /// The full network's weights of cells: the first one of each basin, then the second of each, and
   /// so on. In this order an addition need not wait for the one before it, for they are to
-  /// different sums.
+  /// different sums. With normals these are weight x normal.
   std::vector<CellWeight> full_in_turn_;
 };
 

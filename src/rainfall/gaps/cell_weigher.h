@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rainfall/gaps/handover.h"
+#include "rainfall/gaps/handover_cache.h"
 #include "rainfall/gaps/weigher.h"
 
 namespace thiessen {
@@ -24,9 +25,13 @@ class CellWeigher : public Weigher {
       : weighing_(weighing), keeping_(keeping), threads_(threads) {}
 
   const Network& network() const override { return weighing_.network(); }
-  /// The weights by basin when every gauge reports. Cost: that of Weighing::weights.
-  std::vector<BasinWeights> full_weights() const override;
-  std::unique_ptr<const Retessellation> retessellation() const override;
+  const NormalField* normals() const override { return weighing_.normals(); }
+  /// The weights by basin when every gauge reports. Cost: that of Weighing::weights, once for all
+  /// months.
+  std::vector<BasinWeights> full_weights(const NormalMonth& month) const override;
+  std::unique_ptr<const Retessellation> retessellation(const NormalMonth& month) const override;
+  using Weigher::full_weights;
+  using Weigher::retessellation;
 
   /// The handovers of the network, which are made when they are first asked for.
   const Handovers& handovers() const;
@@ -37,6 +42,9 @@ class CellWeigher : public Weigher {
   unsigned threads_;
   mutable std::once_flag once_;
   mutable std::unique_ptr<const Handovers> handovers_;
+  mutable std::unique_ptr<HandoverCache> remembered_;
+  mutable std::once_flag weighed_;
+  mutable std::vector<std::vector<BasinWeights>> by_month_;
 };
 
 }  // namespace thiessen

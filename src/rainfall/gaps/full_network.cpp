@@ -18,7 +18,7 @@ FullNetwork::Reporting FullNetwork::reporting(const BasinWeights& full,
     if (std::isnan(reading)) continue;
     ++gauges;
     share.add(s.weight);
-    sum.add(s.weight * reading);
+    sum.add(s.weight * s.factor * reading);
   }
   return {gauges, gauges > 0 && gauges == full.stations.size(), share.value(), sum.value()};
 }

@@ -15,8 +15,8 @@ namespace thiessen {
 class FullNetwork : public GapPolicy {
  public:
   /// The weigher must outlive this object.
-  explicit FullNetwork(const Weigher& weigher)
-      : network_(weigher.network()), full_(weigher.full_weights()) {}
+  explicit FullNetwork(const Weigher& weigher, const NormalMonth& month = {})
+      : network_(weigher.network()), full_(weigher.full_weights(month)) {}
 
   bool leaves_silent_out() const override { return false; }
   const std::vector<BasinWeights>& full_weights() const override { return full_; }
@@ -33,7 +33,7 @@ class FullNetwork : public GapPolicy {
     std::size_t gauges;  ///< number that have weight and report
     bool complete;       ///< whether all with weight report, and there is at least one
     double share;        ///< sum of the reporting gauges' weights
-    double sum;          ///< sum of their weight x reading
+    double sum;          ///< sum of their weight x factor x reading
   };
   static Reporting reporting(const BasinWeights& full, std::span<const double> readings);
 

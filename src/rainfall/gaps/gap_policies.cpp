@@ -32,9 +32,11 @@ const char* name_of(Gaps gaps) {
                      []<typename Policy>(std::type_identity<Policy>) { return Policy::name; });
 }
 
-std::unique_ptr<const GapPolicy> gap_policy(Gaps gaps, const Weigher& weigher) {
-  return with_policy(
-      gaps, [&]<typename Policy>(std::type_identity<Policy>) { return Policy::of(weigher); });
+std::unique_ptr<const GapPolicy> gap_policy(Gaps gaps, const Weigher& weigher,
+                                            const NormalMonth& month) {
+  return with_policy(gaps, [&]<typename Policy>(std::type_identity<Policy>) {
+    return Policy::of(weigher, month);
+  });
 }
 
 }  // namespace thiessen

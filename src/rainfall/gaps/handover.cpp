@@ -48,6 +48,23 @@ std::vector<Point> bends_of(const Diagram& diagram) {
   return bends;
 }
 
+/// The measure of a basin's normals; null where there is nothing to measure.
+const GroundMeasure* measure_of(const NormalField* normals, std::size_t basin) {
+  return normals == nullptr ? nullptr : normals->in(basin).measure();
+}
+
+/// The sum of pieces of ground.
+struct GroundSum {
+  LongSum area;
+  std::vector<double> figures = {};
+
+  void add(double piece, std::span<const double> of_piece) {
+    area.add(piece);
+    figures.resize(of_piece.size());
+    for (std::size_t f = 0; f < of_piece.size(); ++f) figures[f] += of_piece[f];
+  }
+};
+
 }  // namespace
 
 Handovers::Handovers(const Weighing& weighing, unsigned threads)
@@ -57,35 +74,72 @@ Handovers::Handovers(const Weighing& weighing, unsigned threads)
       adjacency_(cells_.diagram()),
       regions_(cells_.diagram().places.size()) {
   if (!cells_.any()) return;
-  std::vector<std::vector<ClippedCell>> clipped(weighing.basins().size());
+  std::vector<Clipped> clipped(weighing.basins().size());
   std::vector<std::unique_ptr<CellClipper>> clippers(std::max(1u, threads));
   in_parallel(clipped.size(), threads, [&](std::size_t worker, std::size_t b) {
     auto& clipper = clippers[worker];
     if (!clipper) clipper = std::make_unique<CellClipper>(cells_.diagram(), weighing.surface());
-    clipped[b] = clipper->cells(weighing.basins()[b]);
+    const GroundMeasure* const measure = measure_of(weighing.normals(), b);
+    clipped[b].cells = measure == nullptr
+                           ? clipper->cells(weighing.basins()[b])
+                           : clipper->cells(weighing.basins()[b], *measure, clipped[b].figures);
   });
+  if (weighing.normals() != nullptr) add_normals(clipped);
   add_regions(std::move(clipped));
 }
 
-void Handovers::add_regions(std::vector<std::vector<ClippedCell>> clipped) {
+// The weights are those of add_regions, in its order.
+void Handovers::add_normals(const std::vector<Clipped>& clipped) {
+  const std::vector<NormalMonth> all = months_of(normals());
+  full_normals_.months = all.size();
+  for (std::size_t b = 0; b < clipped.size(); ++b) {
+    MeasuredShares ground;
+    ground.figures = clipped[b].figures;
+    for (const ClippedCell& cell : clipped[b].cells)
+      ground.shares.push_back({cell.place, cell.area});
+    std::vector<std::vector<double>> means;
+    for (const NormalMonth& month : all)
+      means.push_back(mean_normals(*normals(), b, ground, month));
+    for (std::size_t i = 0; i < ground.shares.size(); ++i) {
+      const double area = ground.shares[i].area;
+      for (std::size_t m = 0; m < all.size(); ++m) {
+        const double share = normal_over(*normals(), b, ground.figures_of(i), area, all[m]).covered;
+        full_means_.push_back(means[m][i]);
+        full_normals_.normals.push_back(area / weighing_.basin_area(b) *
+                                        (means[m][i] / reference_normal(*normals(), all[m])));
+        full_normals_.covered.push_back(share);
+        lacks_normals_ = lacks_normals_ || share < 1;
+      }
+    }
+  }
+  if (!lacks_normals_) full_normals_.covered.clear();
+}
+
+void Handovers::add_regions(std::vector<Clipped> clipped) {
   const bool on_earth = weighing_.yardstick().metric == Metric::geodesic;
   const std::vector<Point> bends = on_earth ? bends_of(cells_.diagram()) : std::vector<Point>{};
   for (std::uint32_t b = 0; b < clipped.size(); ++b) {
-    for (ClippedCell& cell : clipped[b]) {
+    for (ClippedCell& cell : clipped[b].cells) {
       full_.push_back({b, cell.place, cell.area / weighing_.basin_area(b)});
-      Region region{b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}};
+      Region region{
+          b, {{}, std::move(cell.shape), std::move(cell.bulges)}, cell.area, {}, full_.size() - 1};
       if (on_earth) region.shape.emplace(region.ground, bends, Yardstick::measuring_tolerance);
       regions_[index(cell.place)].push_back(std::move(region));
     }
   }
 }
 
-std::vector<BasinWeights> Handovers::full_weights() const {
+std::vector<BasinWeights> Handovers::full_weights(const NormalMonth& month) const {
   std::vector<BasinWeights> weights(weighing_.basins().size());
   for (std::size_t b = 0; b < weights.size(); ++b) weights[b].area = weighing_.basin_area(b);
   for (std::uint32_t cell = 0; cell < regions_.size(); ++cell) {
     for (const Region& region : regions_[cell]) {
       add_shares(weights[region.basin], cells_.stations_of(PlaceIndex{cell}), region.area);
+      if (normals() == nullptr) continue;
+      const std::size_t figure = region.number * full_normals_.months + place_of(normals(), month);
+      const double normal = full_means_[figure];
+      set_factors(weights[region.basin], cells_.stations_of(PlaceIndex{cell}), normal, *normals(),
+                  month);
     }
   }
   for (BasinWeights& basin : weights) sort_by_station(basin.stations);
@@ -115,17 +169,37 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
   std::vector<Point> positions;
   positions.reserve(heirs.size());
   for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
-  std::map<std::pair<std::uint32_t, PlaceIndex>, LongSum> areas;
-  const Take take = [&](const Region& region, const std::vector<CellShare>& shares) {
-    for (const CellShare& share : shares)
-      areas[{region.basin, heirs[index(share.place)]}].add(share.area);
+  std::map<std::pair<std::uint32_t, PlaceIndex>, GroundSum> grounds;
+  const Take take = [&](const Region& region, const MeasuredShares& taken) {
+    for (std::size_t i = 0; i < taken.shares.size(); ++i) {
+      grounds[{region.basin, heirs[index(taken.shares[i].place)]}].add(taken.shares[i].area,
+                                                                       taken.figures_of(i));
+    }
   };
   if (!share_in_chart(component, positions, take)) share(component, positions, take);
   Handover handover;
-  handover.reserve(areas.size());
-  for (const auto& [key, area] : areas)
-    handover.push_back({key.first, key.second, area.value() / weighing_.basin_area(key.first)});
+  handover.shares.reserve(grounds.size());
+  for (const auto& [key, ground] : grounds) {
+    const double area = ground.area.value();
+    const double weight = area / weighing_.basin_area(key.first);
+    handover.shares.push_back({key.first, key.second, weight});
+    add_normals(handover.weighted, key.first, {weight, area, ground.figures});
+  }
   return handover;
+}
+
+void Handovers::add_normals(WeightedNormals& weighted, std::uint32_t basin,
+                            const MeasuredGround& ground) const {
+  if (normals() == nullptr) return;
+  const std::vector<NormalMonth> all = months_of(normals());
+  weighted.months = all.size();
+  for (std::size_t m = 0; m < all.size(); ++m) {
+    const GroundNormal normal = normal_over(*normals(), basin, ground.figures, ground.area, all[m]);
+    const double mean =
+        std::isnan(normal.mean) ? basin_normal(*normals(), basin, all[m]) : normal.mean;
+    weighted.normals.push_back(ground.weight * (mean / reference_normal(*normals(), all[m])));
+    if (lacks_normals_) weighted.covered.push_back(normal.covered);
+  }
 }
 
 // Shares the component's ground in one chart, which is possible on the Earth where the ground is
@@ -154,11 +228,20 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   if (!diagram) return false;
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);
-  std::vector<std::pair<const Region*, std::vector<CellShare>>> all;
+  std::vector<std::pair<const Region*, MeasuredShares>> all;
+  std::map<std::uint32_t, std::unique_ptr<const GroundMeasure>> measures;
   bool is_right = true;
   for_each_region(component, [&](const Region& region) {
     throw_if_interrupted();
-    auto& shares = all.emplace_back(&region, clipper.shares(region.shape->in_chart(chart))).second;
+    MeasuredShares& taken = all.emplace_back(&region, MeasuredShares()).second;
+    std::vector<CellShare>& shares = taken.shares;
+    if (normals() == nullptr || normals()->in(region.basin).is_uniform()) {
+      shares = clipper.shares(region.shape->in_chart(chart));
+    } else {
+      auto& measure = measures[region.basin];
+      if (!measure) measure = normals()->in(region.basin).measure_in(chart);
+      shares = clipper.shares(region.shape->in_chart(chart), *measure, taken.figures);
+    }
     double whole = 0;
     for (const CellShare& share : shares) whole += share.area;
     is_right = is_right && std::abs(whole - region.area) <= most_astray * region.area;
@@ -166,7 +249,7 @@ bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<
   });
   // A sliver may be smaller than the rounding in a chart; then the ground is shared without one.
   if (!is_right) return false;
-  for (const auto& [region, shares] : all) take(*region, shares);
+  for (const auto& [region, taken] : all) take(*region, taken);
   return true;
 }
 
@@ -182,7 +265,11 @@ void Handovers::share(std::span<const PlaceIndex> component, std::span<const Poi
   CellClipper clipper(diagram, weighing_.surface());
   for_each_region(component, [&](const Region& region) {
     throw_if_interrupted();
-    take(region, clipper.shares(region.ground));
+    MeasuredShares taken;
+    const GroundMeasure* const measure = measure_of(normals(), region.basin);
+    taken.shares = measure == nullptr ? clipper.shares(region.ground)
+                                      : clipper.shares(region.ground, *measure, taken.figures);
+    take(region, taken);
   });
 }
 

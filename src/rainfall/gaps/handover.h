@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -12,12 +13,44 @@
 #include "rainfall/gaps/cell_adjacency.h"
 #include "rainfall/network/network_cells.h"
 #include "rainfall/network/weights.h"
+#include "rainfall/normals/mean_normals.h"
 
 namespace thiessen {
 
+/// What normals make of the weights of cells, where there are normals: for each weight in turn and
+/// for each of months_of.
+struct WeightedNormals {
+  std::size_t months = 0;  ///< figures a weight; 0 without normals
+  /// Weight x the mean normal over its ground, relative to that of the first station.
+  std::vector<double> normals;
+  /// The share of the ground that has normals; empty where all ground of all basins has.
+  std::vector<double> covered;
+
+  /// The weight of a reading that is relative to its gauge's normal. `month` is a place_of.
+  double at(std::size_t weight, std::size_t month) const {
+    return normals[weight * months + month];
+  }
+  double covered_at(std::size_t weight, std::size_t month) const {
+    return covered.empty() ? 1 : covered[weight * months + month];
+  }
+};
+
 /// The weights that the cells next to a component of silent cells take over, by basin, then by
 /// cell.
-using Handover = std::vector<CellWeight>;
+struct Handover {
+  std::vector<CellWeight> shares;
+  WeightedNormals weighted;
+
+  bool empty() const { return shares.empty(); }
+  std::size_t size() const { return shares.size(); }
+  const CellWeight& operator[](std::size_t share) const { return shares[share]; }
+  auto begin() const { return shares.begin(); }
+  auto end() const { return shares.end(); }
+  /// What a share weighs in a month: its weight without normals.
+  double bearing(std::size_t share, std::size_t month) const {
+    return weighted.months == 0 ? shares[share].weight : weighted.at(share, month);
+  }
+};
 
 /// Tells which gauges get the ground of silent ones.
 ///
@@ -36,10 +69,15 @@ class Handovers {
   const CellAdjacency& adjacency() const { return adjacency_; }
   /// The full network's weights, by basin, then by cell.
   const std::vector<CellWeight>& full() const { return full_; }
+  /// What normals make of these.
+  const WeightedNormals& full_normals() const { return full_normals_; }
+  /// The normals; null without.
+  const NormalField* normals() const { return weighing_.normals(); }
   /// Whether a cell of the full network has a part in any basin.
   bool has_ground(PlaceIndex cell) const { return !regions_[index(cell)].empty(); }
-  /// The full network's weights by station, as Weighing::weights gives them when all report.
-  std::vector<BasinWeights> full_weights() const;
+  /// The full network's weights by station, as Weighing::weights gives them when all report, with
+  /// the factors of a month or of the year.
+  std::vector<BasinWeights> full_weights(const NormalMonth& month = {}) const;
 
   /// The handover of a component, which depends on its cells alone; empty where no cell is next to
   /// it. Requires `component` in rising order. In each basin the weights add up to what the
@@ -54,9 +92,15 @@ class Handovers {
     Basin ground;
     double area;
     std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
+    std::size_t number;                // its place in full_
   };
   /// Takes the shares of a component's heirs in one of its regions; it is called region by region.
-  using Take = std::function<void(const Region&, const std::vector<CellShare>&)>;
+  using Take = std::function<void(const Region&, const MeasuredShares&)>;
+  /// The cells of each basin, and what normals' measures say of them.
+  struct Clipped {
+    std::vector<ClippedCell> cells;
+    std::vector<double> figures;
+  };
 
   template <typename Visit>
   void for_each_region(std::span<const PlaceIndex> component, Visit&& visit) const {
@@ -65,7 +109,16 @@ class Handovers {
     }
   }
   std::vector<PlaceIndex> heirs_of(std::span<const PlaceIndex> component) const;
-  void add_regions(std::vector<std::vector<ClippedCell>> clipped);
+  void add_regions(std::vector<Clipped> clipped);
+  /// A piece of ground that is handed over.
+  struct MeasuredGround {
+    double weight;
+    double area;
+    std::span<const double> figures;
+  };
+  void add_normals(const std::vector<Clipped>& clipped);
+  void add_normals(WeightedNormals& weighted, std::uint32_t basin,
+                   const MeasuredGround& ground) const;
   bool share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
                       const Take& take) const;
   void share(std::span<const PlaceIndex> component, std::span<const Point> heirs,
@@ -75,6 +128,9 @@ class Handovers {
   NetworkCells cells_;
   CellAdjacency adjacency_;
   std::vector<CellWeight> full_;
+  WeightedNormals full_normals_;
+  std::vector<double> full_means_;            // the mean normals of full_, as full_normals_
+  bool lacks_normals_ = false;                // whether some ground has none
   std::vector<std::vector<Region>> regions_;  // by cell, in the order of the basins
 };
 

@@ -11,7 +11,10 @@ namespace {
 constexpr std::size_t bytes_of_an_entry = 160;
 
 std::size_t bytes_of(std::span<const PlaceIndex> component, const Handover& handover) {
-  return bytes_of_an_entry + component.size_bytes() + handover.capacity() * sizeof(CellWeight);
+  return bytes_of_an_entry + component.size_bytes() +
+         handover.shares.capacity() * sizeof(CellWeight) +
+         (handover.weighted.normals.capacity() + handover.weighted.covered.capacity()) *
+             sizeof(double);
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace thiessen {
 class Renormalisation : public FullNetwork {
  public:
   static constexpr const char* name = "renormalise";
-  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher) {
-    return std::make_unique<const Renormalisation>(weigher);
+  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher, const NormalMonth& month) {
+    return std::make_unique<const Renormalisation>(weigher, month);
   }
 
   using FullNetwork::FullNetwork;

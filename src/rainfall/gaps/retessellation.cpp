@@ -4,8 +4,9 @@
 
 namespace thiessen {
 
-std::unique_ptr<const GapPolicy> Retessellation::of(const Weigher& weigher) {
-  return weigher.retessellation();
+std::unique_ptr<const GapPolicy> Retessellation::of(const Weigher& weigher,
+                                                    const NormalMonth& month) {
+  return weigher.retessellation(month);
 }
 
 }  // namespace thiessen

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "rainfall/gaps/gap_policy.h"
+#include "rainfall/normals/normal_field.h"
 
 namespace thiessen {
 
@@ -14,7 +15,7 @@ class Weigher;
 class Retessellation : public GapPolicy {
  public:
   static constexpr const char* name = "retessellate";
-  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher);
+  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher, const NormalMonth& month);
 
   bool leaves_silent_out() const final { return true; }
 };

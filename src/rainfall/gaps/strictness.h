@@ -13,8 +13,8 @@ namespace thiessen {
 class Strictness : public FullNetwork {
  public:
   static constexpr const char* name = "strict";
-  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher) {
-    return std::make_unique<const Strictness>(weigher);
+  static std::unique_ptr<const GapPolicy> of(const Weigher& weigher, const NormalMonth& month) {
+    return std::make_unique<const Strictness>(weigher, month);
   }
 
   using FullNetwork::FullNetwork;

@@ -6,6 +6,7 @@
 #include "rainfall/gaps/retessellation.h"
 #include "rainfall/network/network.h"
 #include "rainfall/network/weights.h"
+#include "rainfall/normals/normal_field.h"
 
 namespace thiessen {
 
@@ -19,11 +20,16 @@ class Weigher {
   virtual ~Weigher() = default;
 
   virtual const Network& network() const = 0;
-  /// The weights by basin when every gauge reports.
-  virtual std::vector<BasinWeights> full_weights() const = 0;
-  /// Makes the policy that weighs the gauges of each step that report, whichever they are. The
-  /// weigher must outlive it.
-  virtual std::unique_ptr<const Retessellation> retessellation() const = 0;
+  /// The normals; null without.
+  virtual const NormalField* normals() const = 0;
+  /// The weights by basin when every gauge reports, with the factors of a month or of the year.
+  virtual std::vector<BasinWeights> full_weights(const NormalMonth& month) const = 0;
+  /// Makes the policy that weighs the gauges of each step that report, whichever they are, for the
+  /// steps of a month, or for all with the normals of the year. The weigher must outlive it.
+  virtual std::unique_ptr<const Retessellation> retessellation(const NormalMonth& month) const = 0;
+
+  std::vector<BasinWeights> full_weights() const { return full_weights({}); }
+  std::unique_ptr<const Retessellation> retessellation() const { return retessellation({}); }
 };
 
 }  // namespace thiessen

@@ -37,7 +37,7 @@ void CellReadings::take_up(std::size_t step, std::span<const double> readings) {
     LongSum above_first;  // so that equal readings have exactly their own mean
     std::size_t count = 0;
     for (const StationIndex s : stations) {
-      const double reading = readings[index(s)];
+      const double reading = relative(s, readings[index(s)]);
       if (std::isnan(reading)) continue;
       if (count == 0) first = reading;
       above_first.add(reading - first);

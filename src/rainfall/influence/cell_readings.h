@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "rainfall/gaps/cell_adjacency.h"
@@ -18,6 +19,12 @@ class CellReadings {
   /// The cells and their adjacency must outlive this object.
   CellReadings(const NetworkCells& cells, const CellAdjacency& adjacency)
       : cells_(cells), adjacency_(adjacency) {}
+  /// Has readings count relative to their gauges' normals, one for each station.
+  void take_normals(std::vector<double> at_gauges) { at_gauges_ = std::move(at_gauges); }
+  /// What a reading of a station counts as.
+  double relative(StationIndex station, double reading) const {
+    return at_gauges_.empty() ? reading : reading / at_gauges_[index(station)];
+  }
 
   /// Takes up a block in place of the one before. The rows are not looked at after this call. Cost:
   /// the stations of every step, and the neighbours of silent cells.
@@ -46,6 +53,7 @@ class CellReadings {
 
   const NetworkCells& cells_;
   const CellAdjacency& adjacency_;
+  std::vector<double> at_gauges_;  // empty without normals
   std::vector<Step> steps_;
   std::vector<double> values_;            // by cell, then by step
   std::vector<std::uint32_t> component_;  // by cell, then by step; only for silent cells

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 
@@ -12,15 +13,29 @@ Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, u
     : handovers_(handovers),
       remembered_(handovers, remembered_bytes),
       threads_(std::max(1u, threads)),
+      month_(place_of(handovers.normals(), {})),
       full_(handovers.full_weights()),
       readings_(handovers.cells(), handovers.adjacency()),
       cells_(handovers.adjacency().cells()),
       benches_(threads_) {
-  for (const CellWeight& full : handovers.full()) {
+  if (handovers.normals() != nullptr) take_normals();
+  for (std::size_t i = 0; i < handovers.full().size(); ++i) {
+    const CellWeight& full = handovers.full()[i];
     Part& part = part_of(full.cell, full.basin);
-    part.weight = full.weight;
+    part.weight =
+        handovers.normals() == nullptr ? full.weight : handovers.full_normals().at(i, month_);
     for (Sums& sums : part.sums) sums.weighs = true;
   }
+}
+
+void Influence::take_normals() {
+  std::size_t stations = 0;
+  for (std::uint32_t c = 0; c < cells_.size(); ++c)
+    stations += handovers_.cells().stations_of(PlaceIndex{c}).size();
+  std::vector<double> at_gauges;
+  for (std::uint32_t s = 0; s < stations; ++s)
+    at_gauges.push_back(relative_at_gauge(*handovers_.normals(), StationIndex{s}, {}));
+  readings_.take_normals(std::move(at_gauges));
 }
 
 Influence::Part& Influence::part_of(PlaceIndex cell, std::uint32_t basin) {
@@ -83,13 +98,13 @@ void Influence::take_steps_without_gaps(PlaceIndex cell, Bench& bench) {
   if (none) return;
   const Handover& handover = handover_of(cell);
   const double* const own = readings_.of(cell).data();
-  for (auto share = handover.begin(); share != handover.end();) {
-    const std::uint32_t basin = share->basin;
+  for (std::size_t share = 0; share < handover.size();) {
+    const std::uint32_t basin = handover[share].basin;
     bench.change.assign(steps, 0);
     double* const change = bench.change.data();
-    for (; share != handover.end() && share->basin == basin; ++share) {
-      const double weight = share->weight;
-      const double* const heir = readings_.of(share->cell).data();
+    for (; share < handover.size() && handover[share].basin == basin; ++share) {
+      const double weight = handover.bearing(share, month_);
+      const double* const heir = readings_.of(handover[share].cell).data();
       for (std::size_t step = 0; step < steps; ++step)
         change[step] += weight * (heir[step] - own[step]);
     }
@@ -146,15 +161,17 @@ void Influence::find_moments(PlaceIndex cell, Bench& bench) const {
     if (part.weight > 0) bench.moments.push_back({part.basin, part.weight, 0});
   }
   for (const auto& handover : bench.handed_over) {
-    for (const CellWeight& share : *handover) {
+    for (std::size_t i = 0; i < handover->size(); ++i) {
+      const CellWeight& share = (*handover)[i];
       if (share.cell != cell) continue;
+      const double weight = handover->bearing(i, month_);
       const auto at = std::lower_bound(
           bench.moments.begin(), bench.moments.end(), share.basin,
           [](const Moment& moment, std::uint32_t basin) { return moment.basin < basin; });
       if (at != bench.moments.end() && at->basin == share.basin) {
-        at->weight += share.weight;
+        at->weight += weight;
       } else {
-        bench.moments.insert(at, {share.basin, share.weight, 0});
+        bench.moments.insert(at, {share.basin, weight, 0});
       }
     }
   }
@@ -164,11 +181,13 @@ void Influence::find_changes(PlaceIndex cell, std::size_t step, Bench& bench) {
   const double own = readings_.of(cell)[step];
   const auto add = [&](const Handover& handover, double sign) {
     auto moment = bench.moments.begin();
-    for (const CellWeight& share : handover) {
+    for (std::size_t i = 0; i < handover.size(); ++i) {
+      const CellWeight& share = handover[i];
       while (moment != bench.moments.end() && moment->basin < share.basin) ++moment;
       if (moment == bench.moments.end()) return;
       if (moment->basin == share.basin)
-        moment->change += sign * share.weight * (readings_.of(share.cell)[step] - own);
+        moment->change +=
+            sign * handover.bearing(i, month_) * (readings_.of(share.cell)[step] - own);
     }
   };
   if (bench.beside.empty()) return add(handover_of(cell), 1);
@@ -185,7 +204,9 @@ void Influence::find_changes(PlaceIndex cell, std::size_t step, Bench& bench) {
 void Influence::share(PlaceIndex cell, std::size_t step, const Moment& moment,
                       const std::vector<std::size_t>& here) {
   const auto stations = handovers_.cells().stations_of(cell);
-  const auto reading = [&](std::size_t i) { return rows_[step][index(stations[i])]; };
+  const auto reading = [&](std::size_t i) {
+    return readings_.relative(stations[i], rows_[step][index(stations[i])]);
+  };
   const auto count = static_cast<double>(here.size());
   for (const std::size_t i : here) {
     double shift = 0;

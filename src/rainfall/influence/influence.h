@@ -46,8 +46,8 @@ struct GaugeInfluence {
 /// Memory: the block of steps, and 48 bytes for each basin and gauge that weighs in it.
 class Influence {
  public:
-  /// The handovers must outlive this object. `remembered_bytes` bounds the handovers that are
-  /// remembered.
+  /// The handovers must outlive this object. Where there are normals the year's count.
+  /// `remembered_bytes` bounds the handovers that are remembered.
   Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads);
 
   /// Takes the next steps of the series.
@@ -73,7 +73,7 @@ class Influence {
   /// The part of a cell in one basin, over all steps.
   struct Part {
     std::uint32_t basin;
-    double weight;           ///< in the full network
+    double weight;           ///< in the full network; with normals weight x normal
     std::vector<Sums> sums;  ///< by station of the cell
   };
   struct Cell {
@@ -97,6 +97,7 @@ class Influence {
     std::vector<std::size_t> here;  // positions in the cell of its stations that report
   };
 
+  void take_normals();
   void count_alone();
   void take(PlaceIndex cell, Bench& bench);
   void find_gaps(PlaceIndex cell, Bench& bench) const;
@@ -113,6 +114,7 @@ class Influence {
   const Handovers& handovers_;
   HandoverCache remembered_;
   unsigned threads_;
+  std::size_t month_;  // the place of the year among the months of the normals
   std::vector<BasinWeights> full_;
   CellReadings readings_;
   StepRows rows_;  // of the block at hand

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "rainfall/network/reporting.h"
+#include "rainfall/normals/normal_field.h"
 #include "tessellation/place.h"
 
 namespace thiessen {
@@ -11,11 +12,15 @@ namespace thiessen {
 struct PlaceWeight {
   PlaceIndex place;
   double weight;
+  /// The mean normal of where the place weighs, each point as much as the place does there,
+  /// relative to that of the first station; 1 without normals.
+  double normal = 1;
 
   friend bool operator==(const PlaceWeight&, const PlaceWeight&) = default;
 };
 
-/// A way to weigh gauges in basins; areal rainfall is then the sum of weight x reading. Gauges at
+/// A way to weigh gauges in basins; areal rainfall is then the sum of weight x factor x
+/// reading. Gauges at
 /// one place count as one, with the mean reading of those that report.
 class AreaMethod {
  public:
@@ -24,9 +29,11 @@ class AreaMethod {
   using Weights = std::vector<std::vector<PlaceWeight>>;
 
   virtual ~AreaMethod() = default;
-  /// The weights when exactly these places report. `reports` has one entry for each place, and the
-  /// result depends on it alone. Safe for several threads at once.
-  virtual Weights weights(const ReportingPlaces& reports) const = 0;
+  /// The weights when exactly these places report, with the normals of a month or of the year.
+  /// `reports` has one entry for each place, and the result depends on it and the month alone. Safe
+  /// for several threads at once.
+  virtual Weights weights(const ReportingPlaces& reports, const NormalMonth& month) const = 0;
+  Weights weights(const ReportingPlaces& reports) const { return weights(reports, {}); }
 };
 
 }  // namespace thiessen

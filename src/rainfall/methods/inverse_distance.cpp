@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
+#include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
 namespace {
@@ -23,15 +24,15 @@ class Shares {
     nearest_[count_++] = neighbour;
     total_ += static_cast<double>(neighbour.weight);
   }
-  void add_to(WeightSums& sums) const {
+  void add_to(WeightSums& sums, double normal) const {
     if (total_ == static_cast<double>(at_the_point)) {
       for (std::size_t i = 0; i < count_; ++i) {
-        if (nearest_[i].weight == at_the_point) return sums.add(nearest_[i].place, 1);
+        if (nearest_[i].weight == at_the_point) return sums.add(nearest_[i].place, 1, normal);
       }
     }
     const double scale = 1 / total_;
     for (std::size_t i = 0; i < count_; ++i)
-      sums.add(nearest_[i].place, scale * static_cast<double>(nearest_[i].weight));
+      sums.add(nearest_[i].place, scale * static_cast<double>(nearest_[i].weight), normal);
   }
 
  private:
@@ -55,7 +56,11 @@ InverseDistance::InverseDistance(const Weighing& weighing, std::size_t points, u
     points_[b].at = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     keep_neighbours(points_[b]);
     WeightSums sums(places.size());
-    points_[b].full = weights_of(points_[b], ReportingPlaces(places.size(), true), sums);
+    points_[b].normals = point_normals(weighing.normals(), b, points_[b].at);
+    for (std::size_t m = 0; m < std::max<std::size_t>(1, points_[b].normals.size()); ++m) {
+      points_[b].full.push_back(
+          weights_of(points_[b], m, ReportingPlaces(places.size(), true), sums));
+    }
   });
 }
 
@@ -87,7 +92,7 @@ void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
   }
 }
 
-std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
+std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points, std::size_t month,
                                                      const ReportingPlaces& reports,
                                                      WeightSums& sums) const {
   std::vector<NearestGauges::Near> near;
@@ -106,20 +111,22 @@ std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points,
       shares = {};
       for (std::size_t k = 0; k < near.size(); ++k) shares.add(others[k]);
     }
-    shares.add_to(sums);
+    shares.add_to(sums, points.normals.empty() ? 1 : points.normals[month][i]);
   }
   return sums.take();
 }
 
-AreaMethod::Weights InverseDistance::weights(const ReportingPlaces& reports) const {
+AreaMethod::Weights InverseDistance::weights(const ReportingPlaces& reports,
+                                             const NormalMonth& month) const {
   Weights weights(points_.size());
   if (!reports.any()) return weights;
   WeightSums sums(reports.size());
+  const std::size_t m = place_of(weighing_.normals(), month);
   for (std::size_t b = 0; b < points_.size(); ++b) {
-    const auto& full = points_[b].full;
+    const auto& full = points_[b].full[m];
     const bool is_full = std::all_of(full.begin(), full.end(),
                                      [&](const PlaceWeight& w) { return reports[w.place]; });
-    weights[b] = is_full ? full : weights_of(points_[b], reports, sums);
+    weights[b] = is_full ? full : weights_of(points_[b], m, reports, sums);
   }
   return weights;
 }

@@ -33,7 +33,8 @@ class InverseDistance : public AreaMethod {
 
   /// The weighing must outlive this object.
   InverseDistance(const Weighing& weighing, std::size_t points, unsigned threads);
-  Weights weights(const ReportingPlaces& reports) const override;
+  Weights weights(const ReportingPlaces& reports, const NormalMonth& month) const override;
+  using AreaMethod::weights;
 
  private:
   static constexpr std::size_t kept = 24;
@@ -46,15 +47,16 @@ class InverseDistance : public AreaMethod {
   /// The points of a basin and the gauges near them.
   struct Points {
     std::vector<Point> at;
-    std::vector<Neighbour> near;  ///< kept_ for each point, the nearest first
-    std::vector<PlaceWeight> full;
+    std::vector<Neighbour> near;                 ///< kept_ for each point, the nearest first
+    std::vector<std::vector<double>> normals;    ///< see point_normals
+    std::vector<std::vector<PlaceWeight>> full;  ///< by month, as the normals
   };
 
   void keep_neighbours(Points& points) const;
   void weigh(Point at, std::span<const NearestGauges::Near> near,
              std::span<Neighbour> weighed) const;
-  std::vector<PlaceWeight> weights_of(const Points& points, const ReportingPlaces& reports,
-                                      WeightSums& sums) const;
+  std::vector<PlaceWeight> weights_of(const Points& points, std::size_t month,
+                                      const ReportingPlaces& reports, WeightSums& sums) const;
   std::span<const Neighbour> kept_at(const Points& points, std::size_t i) const {
     return std::span(points.near).subspan(i * kept_, kept_);
   }

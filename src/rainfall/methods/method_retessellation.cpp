@@ -25,12 +25,18 @@ void append(std::vector<CellWeight>& cells, const AreaMethod::Weights& weights, 
 }  // namespace
 
 MethodRetessellation::MethodRetessellation(const MethodWeigher& weigher, const AreaMethod& method,
-                                           std::size_t remembered_bytes)
+                                           const NormalMonth& month, std::size_t remembered_bytes)
     : weigher_(weigher),
-      full_places_(weigher.full_places()),
-      full_(weigher.by_station(full_places_,
-                               ReportingStations(weigher.network().stations().size(), true))),
-      remembered_(method, remembered_bytes) {}
+      month_(month),
+      at_gauges_(weigher.network().stations().size(), 1),
+      full_places_(weigher.full_places(month)),
+      full_(weigher.by_station(
+          full_places_, ReportingStations(weigher.network().stations().size(), true), month)),
+      remembered_(method, remembered_bytes, month) {
+  if (weigher.normals() == nullptr) return;
+  for (std::uint32_t s = 0; s < at_gauges_.size(); ++s)
+    at_gauges_[s] = relative_at_gauge(*weigher.normals(), StationIndex{s}, month);
+}
 
 MethodRetessellation::StepWeights MethodRetessellation::weights_of(
     std::span<const double> readings) const {
@@ -41,6 +47,8 @@ std::vector<BasinRainfall> MethodRetessellation::rainfall(const AreaMethod::Weig
                                                           std::span<const double> readings) const {
   const Network& network = weigher_.network();
   std::vector<PlaceReading> known(network.places().size());
+  std::vector<double> relative(readings.begin(), readings.end());
+  for (std::size_t s = 0; s < relative.size(); ++s) relative[s] /= at_gauges_[s];
   std::vector<BasinRainfall> result;
   result.reserve(weights.size());
   for (const auto& basin : weights) {
@@ -50,9 +58,9 @@ std::vector<BasinRainfall> MethodRetessellation::rainfall(const AreaMethod::Weig
       PlaceReading& place = known[index(w.place)];
       if (place.reporting == 0) {
         const auto stations = network.stations_at(w.place);
-        place = {mean_reading(stations, readings), count_reporting(stations, readings)};
+        place = {mean_reading(stations, relative), count_reporting(stations, readings)};
       }
-      sum.add(w.weight * place.mean);
+      sum.add(w.weight * w.normal * place.mean);
       gauges += place.reporting;
     }
     const double none = std::numeric_limits<double>::quiet_NaN();
@@ -76,7 +84,7 @@ std::vector<BasinRainfall> MethodRetessellation::at(std::span<const double> read
 }
 
 std::vector<BasinWeights> MethodRetessellation::weights_at(std::span<const double> readings) const {
-  return weigher_.by_station(*weights_of(readings), reporting_stations(readings));
+  return weigher_.by_station(*weights_of(readings), reporting_stations(readings), month_);
 }
 
 std::vector<CellWeight> MethodRetessellation::full_cells() const {

@@ -19,7 +19,7 @@ class MethodRetessellation : public Retessellation {
  public:
   /// The weigher and the method must outlive this object.
   MethodRetessellation(const MethodWeigher& weigher, const AreaMethod& method,
-                       std::size_t remembered_bytes);
+                       const NormalMonth& month, std::size_t remembered_bytes);
 
   const std::vector<BasinWeights>& full_weights() const override { return full_; }
   std::vector<BasinRainfall> at(std::span<const double> readings) const override;
@@ -38,6 +38,8 @@ class MethodRetessellation : public Retessellation {
                                       std::span<const double> readings) const;
 
   const MethodWeigher& weigher_;
+  NormalMonth month_;
+  std::vector<double> at_gauges_;  // the normals by station; 1 without
   AreaMethod::Weights full_places_;
   std::vector<BasinWeights> full_;
   mutable WeightsCache remembered_;

@@ -6,24 +6,27 @@
 
 namespace thiessen {
 
-MethodWeigher::MethodWeigher(const Weighing& weighing, std::unique_ptr<const AreaMethod> method,
+MethodWeigher::MethodWeigher(const Weighing& weighing, std::shared_ptr<const AreaMethod> method,
                              std::size_t remembered_bytes)
     : weighing_(weighing), method_(std::move(method)), remembered_bytes_(remembered_bytes) {}
 
-AreaMethod::Weights MethodWeigher::full_places() const {
-  return method_->weights(ReportingPlaces(network().places().size(), true));
+AreaMethod::Weights MethodWeigher::full_places(const NormalMonth& month) const {
+  return method_->weights(ReportingPlaces(network().places().size(), true), month);
 }
 
-std::vector<BasinWeights> MethodWeigher::full_weights() const {
-  return by_station(full_places(), ReportingStations(network().stations().size(), true));
+std::vector<BasinWeights> MethodWeigher::full_weights(const NormalMonth& month) const {
+  return by_station(full_places(month), ReportingStations(network().stations().size(), true),
+                    month);
 }
 
-std::unique_ptr<const Retessellation> MethodWeigher::retessellation() const {
-  return std::make_unique<const MethodRetessellation>(*this, *method_, remembered_bytes_);
+std::unique_ptr<const Retessellation> MethodWeigher::retessellation(
+    const NormalMonth& month) const {
+  return std::make_unique<const MethodRetessellation>(*this, *method_, month, remembered_bytes_);
 }
 
-std::vector<BasinWeights> MethodWeigher::by_station(
-    const AreaMethod::Weights& weights, const ReportingStations& stations_report) const {
+std::vector<BasinWeights> MethodWeigher::by_station(const AreaMethod::Weights& weights,
+                                                    const ReportingStations& stations_report,
+                                                    const NormalMonth& month) const {
   std::vector<BasinWeights> result(weights.size());
   std::vector<StationIndex> reporting;
   for (std::size_t b = 0; b < weights.size(); ++b) {
@@ -37,6 +40,9 @@ std::vector<BasinWeights> MethodWeigher::by_station(
       const double weight = w.weight / static_cast<double>(reporting.size());
       for (const StationIndex s : reporting)
         basin.stations.push_back({s, weight * basin.area, weight});
+      if (normals() == nullptr) continue;
+      set_factors(basin, reporting, w.normal * reference_normal(*normals(), month), *normals(),
+                  month);
     }
     sort_by_station(basin.stations);
   }

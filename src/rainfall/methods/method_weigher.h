@@ -16,23 +16,27 @@ class MethodWeigher : public Weigher {
  public:
   /// The weighing must outlive this object. `remembered_bytes` bounds the weights that are
   /// remembered.
-  MethodWeigher(const Weighing& weighing, std::unique_ptr<const AreaMethod> method,
+  MethodWeigher(const Weighing& weighing, std::shared_ptr<const AreaMethod> method,
                 std::size_t remembered_bytes);
 
   const Network& network() const override { return weighing_.network(); }
-  std::vector<BasinWeights> full_weights() const override;
-  std::unique_ptr<const Retessellation> retessellation() const override;
+  const NormalField* normals() const override { return weighing_.normals(); }
+  std::vector<BasinWeights> full_weights(const NormalMonth& month) const override;
+  std::unique_ptr<const Retessellation> retessellation(const NormalMonth& month) const override;
+  using Weigher::full_weights;
+  using Weigher::retessellation;
 
   /// The method's weights when every place reports.
-  AreaMethod::Weights full_places() const;
+  AreaMethod::Weights full_places(const NormalMonth& month) const;
   /// Divides the weight of each place in equal shares among its stations that report.
   /// `stations_report` has one entry for each station.
   std::vector<BasinWeights> by_station(const AreaMethod::Weights& weights,
-                                       const ReportingStations& stations_report) const;
+                                       const ReportingStations& stations_report,
+                                       const NormalMonth& month = {}) const;
 
  private:
   const Weighing& weighing_;
-  std::unique_ptr<const AreaMethod> method_;
+  std::shared_ptr<const AreaMethod> method_;
   std::size_t remembered_bytes_;
 };
 

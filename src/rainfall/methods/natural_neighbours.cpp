@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
+#include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
 namespace {
@@ -48,7 +49,7 @@ class NaturalNeighbours::Workplace {
   /// hull. Requires that at least one place reports, and that the tessellation is of those that
   /// report.
   bool find(const ChartPoint& at, Point position, const ReportingPlaces& reports,
-            std::vector<PlaceWeight>& weights) {
+            std::vector<Neighbour>& weights) {
     weights.clear();
     const bool is_inside = afresh_ ? afresh_->natural.find(afresh_->chart.at(position), gauges_)
                                    : natural_.find(at, gauges_);
@@ -105,7 +106,7 @@ class NaturalNeighbours::Workplace {
   }
 
   void add_places(const NaturalWeight& w, const ReportingPlaces& reports,
-                  std::vector<PlaceWeight>& weights) const {
+                  std::vector<Neighbour>& weights) const {
     const std::size_t first = weights.size();
     for (const PlaceIndex p : (afresh_ ? *afresh_ : all_.full_).places_of[index(w.gauge)]) {
       if (reports[p]) weights.push_back({p, w.weight});
@@ -134,6 +135,7 @@ NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t point
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
     points_[b].positions = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     points_[b].at = charted(points_[b].positions, full_.chart);
+    points_[b].normals = point_normals(weighing.normals(), b, points_[b].positions);
     auto workplace = borrow();
     shares_outside_[b] =
         static_cast<double>(keep_neighbours(points_[b], *workplace)) / static_cast<double>(points);
@@ -146,7 +148,7 @@ NaturalNeighbours::~NaturalNeighbours() = default;
 // Returns how many points are outside the hull.
 std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workplace) const {
   const ReportingPlaces reports(weighing_.network().places().size(), true);
-  std::vector<PlaceWeight> weights;
+  std::vector<Neighbour> weights;
   std::size_t outside = 0;
   workplace.begin_anew();
   for (std::size_t i = 0; i < points.at.size(); ++i) {
@@ -155,40 +157,44 @@ std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workpl
     points.first.push_back(static_cast<std::uint32_t>(points.neighbours.size()));
   }
   points.neighbours.shrink_to_fit();
-  for (const PlaceWeight& w : points.neighbours) points.all.push_back(w.place);
+  for (const Neighbour& w : points.neighbours) points.all.push_back(w.place);
   std::sort(points.all.begin(), points.all.end());
   points.all.erase(std::unique(points.all.begin(), points.all.end()), points.all.end());
   points.all.shrink_to_fit();
-  points.full = weights_of(points, reports, workplace);
+  for (std::size_t m = 0; m < std::max<std::size_t>(1, points.normals.size()); ++m)
+    points.full.push_back(weights_of(points, m, reports, workplace));
   return outside;
 }
 
-std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points,
+std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points, std::size_t month,
                                                        const ReportingPlaces& reports,
                                                        Workplace& workplace) const {
-  std::vector<PlaceWeight> found;
+  std::vector<Neighbour> found;
   for (std::size_t i = 0; i < points.at.size(); ++i) {
     const auto first = points.neighbours.begin() + points.first[i];
     const auto end = points.neighbours.begin() + points.first[i + 1];
     const bool as_ever =
-        std::all_of(first, end, [&](const PlaceWeight& w) { return reports[w.place]; });
+        std::all_of(first, end, [&](const Neighbour& w) { return reports[w.place]; });
+    const double normal = points.normals.empty() ? 1 : points.normals[month][i];
     if (as_ever) {
-      for (auto w = first; w != end; ++w) workplace.sums.add(w->place, w->weight);
+      for (auto w = first; w != end; ++w) workplace.sums.add(w->place, w->weight, normal);
     } else {
       workplace.find(points.at[i], points.positions[i], reports, found);
-      for (const PlaceWeight& w : found) workplace.sums.add(w.place, w.weight);
+      for (const Neighbour& w : found) workplace.sums.add(w.place, w.weight, normal);
     }
   }
   return workplace.sums.take();
 }
 
-AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports) const {
+AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports,
+                                               const NormalMonth& month) const {
+  const std::size_t m = place_of(weighing_.normals(), month);
   Weights weights(points_.size());
   if (!reports.any()) return weights;
   std::vector<std::size_t> changed;
   for (std::size_t b = 0; b < points_.size(); ++b) {
     if (all_report(points_[b].all, reports)) {
-      weights[b] = points_[b].full;
+      weights[b] = points_[b].full[m];
     } else {
       changed.push_back(b);
     }
@@ -196,7 +202,7 @@ AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports) c
   if (changed.empty()) return weights;
   auto workplace = borrow();
   workplace->with(reports, [&] {
-    for (const std::size_t b : changed) weights[b] = weights_of(points_[b], reports, *workplace);
+    for (const std::size_t b : changed) weights[b] = weights_of(points_[b], m, reports, *workplace);
   });
   give_back(std::move(workplace));
   return weights;

@@ -33,19 +33,26 @@ class NaturalNeighbours : public AreaMethod {
   /// The weighing must outlive this object.
   NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads);
   ~NaturalNeighbours() override;
-  Weights weights(const ReportingPlaces& reports) const override;
+  Weights weights(const ReportingPlaces& reports, const NormalMonth& month) const override;
+  using AreaMethod::weights;
 
   /// The share of each basin's points that lie outside the full network's hull.
   const std::vector<double>& shares_outside() const { return shares_outside_; }
 
  private:
+  /// What a place weighs at a point.
+  struct Neighbour {
+    PlaceIndex place;
+    double weight;
+  };
   /// The points of a basin. The neighbours of the i-th point begin at first[i] in `neighbours`.
   struct Points {
     std::vector<Point> positions;
     std::vector<ChartPoint> at;
     std::vector<std::uint32_t> first{0};
-    std::vector<PlaceWeight> neighbours;
-    std::vector<PlaceWeight> full;
+    std::vector<Neighbour> neighbours;
+    std::vector<std::vector<double>> normals;    ///< see point_normals
+    std::vector<std::vector<PlaceWeight>> full;  ///< by month, as the normals
     std::vector<PlaceIndex> all;  ///< places that are a neighbour of any of the points
   };
   /// The tessellation of some places, by its numbers: a number stands for one place, or for several
@@ -62,8 +69,8 @@ class NaturalNeighbours : public AreaMethod {
   class Workplace;
 
   std::size_t keep_neighbours(Points& points, Workplace& workplace) const;
-  std::vector<PlaceWeight> weights_of(const Points& points, const ReportingPlaces& reports,
-                                      Workplace& workplace) const;
+  std::vector<PlaceWeight> weights_of(const Points& points, std::size_t month,
+                                      const ReportingPlaces& reports, Workplace& workplace) const;
   std::unique_ptr<Workplace> borrow() const;
   void give_back(std::unique_ptr<Workplace> workplace) const;
 

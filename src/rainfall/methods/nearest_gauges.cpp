@@ -15,11 +15,6 @@ NearestGauges::NearestGauges(std::span<const Point> places, Metric metric)
   tree_ = std::make_unique<const PlaceTree>(std::move(there));
 }
 
-bool NearestGauges::comes_before(const Near& a, const Near& b) const {
-  if (a.square != b.square) return a.square < b.square;
-  return places_[index(a.place)] < places_[index(b.place)];
-}
-
 void NearestGauges::find(Point from, std::size_t count, const ReportingPlaces& reports,
                          std::vector<Near>& near) const {
   const Direction at = in_space(from, metric_);
@@ -35,28 +30,9 @@ void NearestGauges::find(Point from, std::size_t count, const ReportingPlaces& r
     farthest = 0;
     for (std::size_t i = 0; i < count; ++i) farthest = std::max(farthest, square_to(near[i].place));
   }
-  near.clear();
-  const auto before = [&](const Near& a, const Near& b) { return comes_before(a, b); };
-  constexpr double rounding = 1e-14;
-  tree_->search(
-      [&](const Ball& ball) {
-        const Direction way = ball.centre - at;
-        const double distance = std::sqrt(dot(way, way));
-        const double gap = distance - ball.radius - rounding * (distance + ball.radius);
-        return gap > 0 && gap * gap > farthest;
-      },
-      [&](PlaceIndex p) {
-        const double square = square_to(p);
-        if (square > farthest || !is_wanted(p)) return;
-        near.push_back({p, square});
-        std::push_heap(near.begin(), near.end(), before);
-        if (near.size() > count) {
-          std::pop_heap(near.begin(), near.end(), before);
-          near.pop_back();
-        }
-        if (near.size() == count) farthest = std::min(farthest, near.front().square);
-      });
-  std::sort_heap(near.begin(), near.end(), before);
+  find_near_places(
+      *tree_, at, count, farthest, is_wanted,
+      [&](PlaceIndex a, PlaceIndex b) { return places_[index(a)] < places_[index(b)]; }, near);
 }
 
 }  // namespace thiessen

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "earth/nearest/near_places.h"
 #include "earth/nearest/place_tree.h"
 #include "earth/yardstick.h"
 #include "rainfall/network/reporting.h"
@@ -22,10 +23,7 @@ class NearestGauges {
   /// Requires at least one place, and all places different.
   NearestGauges(std::span<const Point> places, Metric metric);
 
-  struct Near {
-    PlaceIndex place;
-    double square;  ///< square of the distance
-  };
+  using Near = NearPlace;
 
   /// Finds up to `count` of the places that report, the nearest first. `reports` has one entry for
   /// each place; if it is empty, all report. `near` receives the result; if it holds what was found
@@ -35,8 +33,6 @@ class NearestGauges {
             std::vector<Near>& near) const;
 
  private:
-  bool comes_before(const Near& a, const Near& b) const;
-
   std::vector<Point> places_;
   Metric metric_;
   std::unique_ptr<const PlaceTree> tree_;

@@ -1,6 +1,7 @@
 #include "rainfall/methods/rain_methods.h"
 
 #include <algorithm>
+#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -31,12 +32,58 @@ void warn_of_hull(const std::vector<double>& outside, const std::vector<Basin>& 
   warnings.add({"", 0, "natural neighbours: " + text, ""});
 }
 
-std::unique_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, std::size_t points,
+std::shared_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, std::size_t points,
                                                      unsigned threads, Warnings& warnings) {
-  auto method = std::make_unique<const NaturalNeighbours>(weighing, points, threads);
+  auto method = std::make_shared<const NaturalNeighbours>(weighing, points, threads);
   warn_of_hull(method->shares_outside(), weighing.basins(), warnings);
   return method;
 }
+
+/// Makes the rainfall by one method for a month's normals, or the year's.
+using OfMonth = std::function<std::unique_ptr<const StepRainfall>(const NormalMonth&)>;
+
+/// Makes methods. What a method finds out of the gauges serves all months.
+struct MethodMaker {
+  const Weighing& weighing;
+  const PointSettings& points;
+  const ArealRainfallSettings& settings;
+  unsigned threads;
+
+  OfMonth by(std::shared_ptr<const AreaMethod> method) const {
+    return [*this, method = std::move(method)](const NormalMonth& month) {
+      return std::make_unique<const MethodRainfall>(weighing, method, settings, month);
+    };
+  }
+  OfMonth by_cells() const {
+    auto year = std::make_shared<std::unique_ptr<const ArealRainfall>>(
+        std::make_unique<const ArealRainfall>(weighing, settings, threads));
+    return [year](const NormalMonth& month) -> std::unique_ptr<const StepRainfall> {
+      if (month) return (*year)->of_month(*month);
+      return std::move(*year);
+    };
+  }
+  OfMonth by_isohyets(OfMonth natural) const {
+    return [*this, natural = std::move(natural)](const NormalMonth& month) {
+      return std::make_unique<const IsohyetalRainfall>(weighing, natural(month), points.points,
+                                                       points.interval, threads, month);
+    };
+  }
+  OfMonth rainfall(RainMethod method, Warnings& warnings) const {
+    switch (method) {
+      case RainMethod::thiessen:
+        return by_cells();
+      case RainMethod::arithmetic:
+        return by(std::make_shared<const ArithmeticMean>(weighing));
+      case RainMethod::idw:
+        return by(std::make_shared<const InverseDistance>(weighing, points.points, threads));
+      case RainMethod::natural:
+        return by(natural_neighbours(weighing, points.points, threads, warnings));
+      case RainMethod::isohyetal:
+        return by_isohyets(by(natural_neighbours(weighing, points.points, threads, warnings)));
+    }
+    throw std::logic_error("not a method");
+  }
+};
 
 }  // namespace
 
@@ -84,31 +131,22 @@ std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& m
                                                 const PointSettings& points,
                                                 const ArealRainfallSettings& settings,
                                                 unsigned threads, Warnings& warnings) {
-  const auto by = [&](std::unique_ptr<const AreaMethod> method) {
-    return std::make_unique<const MethodRainfall>(weighing, std::move(method), settings);
+  const MethodMaker maker{weighing, points, settings, threads};
+  std::vector<OfMonth> all;
+  all.reserve(methods.size());
+  for (const RainMethod method : methods) all.push_back(maker.rainfall(method, warnings));
+  const auto in = [&](const NormalMonth& month) -> std::unique_ptr<const StepRainfall> {
+    if (all.size() == 1) return all.front()(month);
+    std::vector<std::unique_ptr<const StepRainfall>> several;
+    several.reserve(all.size());
+    for (const OfMonth& rainfall : all) several.push_back(rainfall(month));
+    return std::make_unique<const SeveralMethods>(std::move(several));
   };
-  const auto rainfall = [&](RainMethod method) -> std::unique_ptr<const StepRainfall> {
-    switch (method) {
-      case RainMethod::thiessen:
-        return std::make_unique<const ArealRainfall>(weighing, settings, threads);
-      case RainMethod::arithmetic:
-        return by(std::make_unique<const ArithmeticMean>(weighing));
-      case RainMethod::idw:
-        return by(std::make_unique<const InverseDistance>(weighing, points.points, threads));
-      case RainMethod::natural:
-        return by(natural_neighbours(weighing, points.points, threads, warnings));
-      case RainMethod::isohyetal:
-        return std::make_unique<const IsohyetalRainfall>(
-            weighing, by(natural_neighbours(weighing, points.points, threads, warnings)),
-            points.points, points.interval, threads);
-    }
-    throw std::logic_error("not a method");
-  };
-  if (methods.size() == 1) return rainfall(methods.front());
-  std::vector<std::unique_ptr<const StepRainfall>> several;
-  several.reserve(methods.size());
-  for (const RainMethod method : methods) several.push_back(rainfall(method));
-  return std::make_unique<const SeveralMethods>(std::move(several));
+  const NormalField* const normals = weighing.normals();
+  if (normals == nullptr || normals->months() == 1) return in({});
+  std::vector<std::unique_ptr<const StepRainfall>> months;
+  for (std::size_t m = 0; m < normals->months(); ++m) months.push_back(in(m));
+  return std::make_unique<const MonthlyRainfall>(std::move(months), in({}));
 }
 
 }  // namespace thiessen

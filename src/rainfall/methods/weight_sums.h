@@ -12,14 +12,17 @@ namespace thiessen {
 /// number of places that weigh.
 class WeightSums {
  public:
-  explicit WeightSums(std::size_t places) : sum_(places, 0), is_touched_(places, false) {}
+  explicit WeightSums(std::size_t places)
+      : sum_(places, 0), of_normals_(places, 0), is_touched_(places, false) {}
 
-  void add(PlaceIndex place, double weight) {
+  /// Adds what a place weighs at a point that has this normal; 1 without normals.
+  void add(PlaceIndex place, double weight, double normal = 1) {
     if (!is_touched_[index(place)]) {
       is_touched_[index(place)] = true;
       touched_.push_back(place);
     }
     sum_[index(place)] += weight;
+    of_normals_[index(place)] += weight * normal;
   }
 
   /// Gives the basin's weights, scaled to add up to 1, and begins the next basin. Weights of 1e-14
@@ -32,8 +35,9 @@ class WeightSums {
     std::vector<PlaceWeight> weights;
     for (const PlaceIndex p : touched_) {
       const double weight = sum_[index(p)] / total;
-      if (weight > rounding) weights.push_back({p, weight});
+      if (weight > rounding) weights.push_back({p, weight, of_normals_[index(p)] / sum_[index(p)]});
       sum_[index(p)] = 0;
+      of_normals_[index(p)] = 0;
       is_touched_[index(p)] = false;
     }
     touched_.clear();
@@ -42,6 +46,7 @@ class WeightSums {
 
  private:
   std::vector<double> sum_;
+  std::vector<double> of_normals_;  // the sums of weight x normal
   std::vector<char> is_touched_;
   std::vector<PlaceIndex> touched_;
 };

@@ -20,7 +20,7 @@ std::shared_ptr<const AreaMethod::Weights> WeightsCache::of(const ReportingPlace
     const std::lock_guard lock(mutex_);
     if (auto found = find(reports)) return found;
   }
-  auto weights = std::make_shared<const AreaMethod::Weights>(method_.weights(reports));
+  auto weights = std::make_shared<const AreaMethod::Weights>(method_.weights(reports, month_));
   const std::lock_guard lock(mutex_);
   keep(reports, weights);
   return weights;

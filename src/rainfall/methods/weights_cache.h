@@ -11,13 +11,14 @@
 
 namespace thiessen {
 
-/// Remembers a method's weights for the sets of reporting places that were asked for lately, within
-/// a bound of memory. Safe for several threads at once; the result depends on the set alone.
+/// Remembers a method's weights, with the normals of a month or of the year, for the sets of
+/// reporting places that were asked for lately, within a bound of memory. Safe for several threads
+/// at once; the result depends on the set alone.
 class WeightsCache {
  public:
   /// The method must outlive this object.
-  WeightsCache(const AreaMethod& method, std::size_t bytes)
-      : method_(method), generation_bytes_(bytes / 2) {}
+  WeightsCache(const AreaMethod& method, std::size_t bytes, const NormalMonth& month = {})
+      : method_(method), month_(month), generation_bytes_(bytes / 2) {}
 
   std::shared_ptr<const AreaMethod::Weights> of(const ReportingPlaces& reports);
 
@@ -30,6 +31,7 @@ class WeightsCache {
             const std::shared_ptr<const AreaMethod::Weights>& weights);
 
   const AreaMethod& method_;
+  NormalMonth month_;
   std::size_t generation_bytes_;
   std::mutex mutex_;
   // When the young generation is full it becomes the old one, and the old one is forgotten except

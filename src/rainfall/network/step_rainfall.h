@@ -11,7 +11,8 @@ namespace thiessen {
 
 /// The areal rainfall of one basin at one time.
 struct BasinRainfall {
-  double rainfall;     ///< sum of weight x reading, in the readings' unit; NaN where there is none
+  double rainfall;  ///< sum of weight x factor x reading, in the readings' unit; NaN where there is
+                    ///< none
   std::size_t gauges;  ///< number of gauges that weigh in the value
   double coverage;     ///< share of the basin that the full network gives to gauges that report
   /// The standard error of the rainfall, if it was asked for (see RainfallError) and there is one;
@@ -28,8 +29,14 @@ class StepRainfall {
   /// `readings` has one entry for each station, NaN where it is silent.
   virtual std::vector<BasinRainfall> at(std::span<const double> readings) const = 0;
   /// The weights that the values of a step are made with, one set for each series; a series without
-  /// a value has no weights. To rounding, the value is the sum of weight x reading.
+  /// a value has no weights. To rounding, the value is the sum of weight x factor x
+  /// reading.
   virtual std::vector<BasinWeights> weights_at(std::span<const double> readings) const = 0;
+  /// Whether calendar months have normals of their own. What this says itself is then by the
+  /// year's.
+  virtual bool tells_months() const { return false; }
+  /// The rainfall of the steps of a calendar month, from 0; this where months are not told apart.
+  virtual const StepRainfall& in_month(std::size_t /*month*/) const { return *this; }
 };
 
 }  // namespace thiessen

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "rainfall/network/network_cells.h"
+#include "rainfall/normals/mean_normals.h"
 
 namespace thiessen {
 namespace {
@@ -31,12 +33,33 @@ bool take_areas(std::vector<ClippedCell>& cells, const std::vector<CellShare>& s
   return true;
 }
 
+/// Gives the cells the factors of their gauges' weights. Both are in the order of the stations.
+void take_factors(std::vector<std::vector<StationCell>>& cells,
+                  const std::vector<BasinWeights>& weights) {
+  for (std::size_t b = 0; b < cells.size(); ++b) {
+    auto weight = weights[b].stations.begin();
+    for (StationCell& cell : cells[b]) {
+      while (weight != weights[b].stations.end() && weight->station < cell.station) ++weight;
+      if (weight != weights[b].stations.end() && weight->station == cell.station)
+        cell.factor = weight->factor;
+    }
+  }
+}
+
 }  // namespace
 
 void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area) {
   const double share = area / static_cast<double>(stations.size());
   for (const StationIndex s : stations)
     basin.stations.push_back({s, share, std::min(share / basin.area, 1.0)});
+}
+
+void set_factors(BasinWeights& basin, std::span<const StationIndex> stations, double normal,
+                 const NormalField& normals, const NormalMonth& month) {
+  for (std::size_t i = basin.stations.size() - stations.size(); i < basin.stations.size(); ++i) {
+    StationWeight& part = basin.stations[i];
+    part.factor = normal / normal_at_gauge(normals, part.station, month);
+  }
 }
 
 Weighing::Weighing(const Network& network, const std::vector<Basin>& basins,
@@ -74,6 +97,10 @@ class Weighing::Clipping {
   std::vector<CellShare> shares(std::size_t worker, std::size_t basin) {
     return clipper(worker).shares(basins_[basin]);
   }
+  std::vector<CellShare> shares(std::size_t worker, std::size_t basin, const GroundMeasure& measure,
+                                std::vector<double>& figures) {
+    return clipper(worker).shares(basins_[basin], measure, figures);
+  }
   std::vector<ClippedCell> cells(std::size_t worker, std::size_t basin) {
     return clipper(worker).cells(basins_[basin]);
   }
@@ -93,20 +120,59 @@ class Weighing::Clipping {
 
 std::vector<BasinWeights> Weighing::weights(const ReportingStations& reports,
                                             unsigned threads) const {
-  std::vector<BasinWeights> all(basins_.size());
-  for (std::size_t b = 0; b < basins_.size(); ++b) all[b].area = areas_[b];
+  return weights_in_month(reports, threads, {});
+}
+
+std::vector<BasinWeights> Weighing::weights_in_month(const ReportingStations& reports,
+                                                     unsigned threads,
+                                                     const NormalMonth& month) const {
+  const bool tells_months = normals_ != nullptr && normals_->months() > 1;
+  return std::move(weights_in({tells_months ? month : NormalMonth()}, reports, threads).front());
+}
+
+std::vector<std::vector<BasinWeights>> Weighing::weights_by_month(const ReportingStations& reports,
+                                                                  unsigned threads) const {
+  std::vector<NormalMonth> months;
+  for (std::size_t m = 0; normals_ != nullptr && m < normals_->months(); ++m)
+    months.emplace_back(m);
+  if (months.size() < 2) months = {NormalMonth()};
+  return weights_in(months, reports, threads);
+}
+
+std::vector<std::vector<BasinWeights>> Weighing::weights_in(const std::vector<NormalMonth>& months,
+                                                            const ReportingStations& reports,
+                                                            unsigned threads) const {
+  std::vector<std::vector<BasinWeights>> all(months.size());
+  for (std::vector<BasinWeights>& weights : all) {
+    weights.resize(basins_.size());
+    for (std::size_t b = 0; b < basins_.size(); ++b) weights[b].area = areas_[b];
+  }
   Clipping measured(*this, reports, threads, Edges::measured);
   if (!measured.any()) return all;
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
-    for (const CellShare& share : measured.shares(worker, b))
-      add_shares(all[b], measured.stations_of(share.place), share.area);
-    sort_by_station(all[b].stations);
+    const GroundMeasure* const measure = normals_ == nullptr ? nullptr : normals_->in(b).measure();
+    MeasuredShares ground;
+    ground.shares = measure == nullptr ? measured.shares(worker, b)
+                                       : measured.shares(worker, b, *measure, ground.figures);
+    for (std::size_t m = 0; m < months.size(); ++m) {
+      BasinWeights& basin = all[m][b];
+      const std::vector<double> means = normals_ == nullptr
+                                            ? std::vector<double>()
+                                            : mean_normals(*normals_, b, ground, months[m]);
+      for (std::size_t i = 0; i < ground.shares.size(); ++i) {
+        const auto stations = measured.stations_of(ground.shares[i].place);
+        add_shares(basin, stations, ground.shares[i].area);
+        if (normals_ != nullptr) set_factors(basin, stations, means[i], *normals_, months[m]);
+      }
+      sort_by_station(basin.stations);
+    }
   });
   return all;
 }
 
 std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& reports,
-                                                      unsigned threads) const {
+                                                      unsigned threads,
+                                                      const NormalMonth& month) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
   Clipping measured(*this, reports, threads, Edges::measured);
   if (!measured.any()) return all;
@@ -119,6 +185,7 @@ std::vector<std::vector<StationCell>> Weighing::cells(const ReportingStations& r
       clipped = measured.cells(worker, b);
     all[b] = by_station(clipped, measured, b);
   });
+  if (normals_ != nullptr) take_factors(all, weights_in_month(reports, threads, month));
   return all;
 }
 
@@ -137,8 +204,8 @@ std::vector<StationCell> Weighing::by_station(const std::vector<ClippedCell>& ce
 }
 
 std::vector<std::vector<StationCell>> Weighing::pictured_cells(const ReportingStations& reports,
-                                                               double tolerance,
-                                                               unsigned threads) const {
+                                                               double tolerance, unsigned threads,
+                                                               const NormalMonth& month) const {
   std::vector<std::vector<StationCell>> all(basins_.size());
   Yardstick yardstick = yardstick_;
   yardstick.tolerance = tolerance;
@@ -147,6 +214,7 @@ std::vector<std::vector<StationCell>> Weighing::pictured_cells(const ReportingSt
   in_parallel(basins_.size(), threads, [&](std::size_t worker, std::size_t b) {
     all[b] = by_station(drawn.cells(worker, b), drawn, b);
   });
+  if (normals_ != nullptr) take_factors(all, weights_in_month(reports, threads, month));
   return all;
 }
 

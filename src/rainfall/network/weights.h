@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "basin/basin.h"
@@ -10,6 +11,7 @@
 #include "earth/yardstick.h"
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
+#include "rainfall/normals/normal_field.h"
 
 namespace thiessen {
 
@@ -18,6 +20,9 @@ struct StationWeight {
   StationIndex station;
   double area;    ///< of its cell within the basin; square metres, or the plane's unit squared
   double weight;  ///< that area's share of the basin, in (0, 1]
+  /// By what a reading counts more on that ground than at the gauge: the mean normal there divided
+  /// by the gauge's. It is 1 without normals.
+  double factor = 1;
 };
 
 /// The positive weights of one basin, in the order of the stations. They add up to 1 within 2e-13.
@@ -28,6 +33,10 @@ struct BasinWeights {
 
 /// Adds a cell's area to a basin, in equal shares for the stations that share the cell.
 void add_shares(BasinWeights& basin, std::span<const StationIndex> stations, double area);
+/// Sets the factors of the stations that were added last, as many as share a cell, by the mean
+/// normal over the cell's ground in the basin.
+void set_factors(BasinWeights& basin, std::span<const StationIndex> stations, double normal,
+                 const NormalField& normals, const NormalMonth& month);
 
 template <typename Part>
 void sort_by_station(std::vector<Part>& parts) {
@@ -41,6 +50,7 @@ struct StationCell {
   double area;
   double weight;
   MultiPolygon shape;
+  double factor = 1;  ///< see StationWeight
 };
 
 /// Tessellates a network, or those of its gauges that report, and weighs the gauges in the basins.
@@ -55,6 +65,12 @@ class Weighing {
   Weighing(const Network& network, const std::vector<Basin>& basins,
            const std::vector<Basin>& drawn, const Yardstick& yardstick);
 
+  /// Has gauges weighed with these normals from now on. It is to be called before anything is
+  /// computed, and by one thread alone.
+  void take_normals(std::shared_ptr<const NormalField> normals) { normals_ = std::move(normals); }
+  /// The normals; null where there are none.
+  const NormalField* normals() const { return normals_.get(); }
+
   const Network& network() const { return network_; }
   const std::vector<Basin>& basins() const { return basins_; }
   const Yardstick& yardstick() const { return yardstick_; }
@@ -64,23 +80,35 @@ class Weighing {
 
   /// The weights of the reporting gauges, by basin. `reports` has one entry for each station; where
   /// only some of a place's stations report, the place belongs to those. Where no gauge reports the
-  /// weights are empty. Cost: n log n for the tessellation, and that of CellClipper for each basin.
+  /// weights are empty. Factors are those of the year's normals. Cost: n log n for the
+  /// tessellation, and that of CellClipper for each basin.
   std::vector<BasinWeights> weights(const ReportingStations& reports, unsigned threads) const;
+  /// The same with the factors of a calendar month.
+  std::vector<BasinWeights> weights_in_month(const ReportingStations& reports, unsigned threads,
+                                             const NormalMonth& month) const;
+  /// The same with the factors of each calendar month in turn, where months have normals of their
+  /// own; else the weights alone.
+  std::vector<std::vector<BasinWeights>> weights_by_month(const ReportingStations& reports,
+                                                          unsigned threads) const;
 
   /// The cells of the reporting gauges with their shapes, by basin, in the order of the stations.
   /// Stations at one place each have the whole shape and their share of its area. Areas and weights
-  /// are those of weights(). Where a cell with area has no shape at the tolerance, as a sliver that
-  /// is narrower, or the other way round, the basin's cells have the edges that they are measured
-  /// with.
-  std::vector<std::vector<StationCell>> cells(const ReportingStations& reports,
-                                              unsigned threads) const;
+  /// are those of weights(), and factors those of the month, or of the year. Where a cell with area
+  /// has no shape at the tolerance, as a sliver that is narrower, or the other way round, the
+  /// basin's cells have the edges that they are measured with.
+  std::vector<std::vector<StationCell>> cells(const ReportingStations& reports, unsigned threads,
+                                              const NormalMonth& month = {}) const;
   /// The same cells for a picture: on the Earth edges are drawn within `tolerance` metres, and
   /// areas and weights are those of what is drawn.
   std::vector<std::vector<StationCell>> pictured_cells(const ReportingStations& reports,
-                                                       double tolerance, unsigned threads) const;
+                                                       double tolerance, unsigned threads,
+                                                       const NormalMonth& month = {}) const;
 
  private:
   class Clipping;
+  std::vector<std::vector<BasinWeights>> weights_in(const std::vector<NormalMonth>& months,
+                                                    const ReportingStations& reports,
+                                                    unsigned threads) const;
   std::vector<StationCell> by_station(const std::vector<ClippedCell>& cells,
                                       const Clipping& clipping, std::size_t basin) const;
 
@@ -91,6 +119,7 @@ class Weighing {
   std::unique_ptr<Surface> surface_;
   Box frame_;
   std::vector<double> areas_;
+  std::shared_ptr<const NormalField> normals_;
 };
 
 }  // namespace thiessen

@@ -17,7 +17,7 @@ std::uint64_t mixed(std::uint64_t bits) {
 
 }  // namespace
 
-GaugePatterns::Pattern GaugePatterns::of(std::span<const double> readings) {
+GaugePatterns::Pattern GaugePatterns::of(std::span<const double> readings, std::size_t month) {
   constexpr std::size_t word_bits = 64;
   Hash hash{readings.size(), ~std::uint64_t{readings.size()}};
   for (std::size_t first = 0; first < readings.size(); first += word_bits) {
@@ -28,6 +28,7 @@ GaugePatterns::Pattern GaugePatterns::of(std::span<const double> readings) {
     hash[0] = mixed(hash[0] ^ word);
     hash[1] = mixed((hash[1] ^ word) * 0x9E3779B97F4A7C15u + 1);
   }
+  if (month > 0) hash = {mixed(hash[0] ^ month), mixed(hash[1] + month)};
   const auto [at, is_fresh] = number_.emplace(hash, number_.size() + 1);
   return {at->second, is_fresh};
 }

@@ -18,8 +18,9 @@ class GaugePatterns {
     bool is_fresh;  ///< not seen before
   };
   /// Gives the number of a step's set. `readings` has one entry for each station, NaN where it is
-  /// silent.
-  Pattern of(std::span<const double> readings);
+  /// silent. Sets of different months are different where months have normals of their own; else
+  /// the month is 0.
+  Pattern of(std::span<const double> readings, std::size_t month = 0);
 
  private:
   using Hash = std::array<std::uint64_t, 2>;

@@ -8,6 +8,7 @@
 #include "base/interrupt.h"
 #include "base/iso_time.h"
 #include "rainfall/network/mean_reading.h"
+#include "rainfall/series/step_months.h"
 
 namespace thiessen {
 namespace {
@@ -91,7 +92,9 @@ std::vector<GaugeReadings> read_steps(Readings& readings, const Network& network
     throw_if_interrupted();
     intervals.note(calendar_time(step.time, step.written));
     for (std::size_t i = 0; i < times.size(); ++i) {
-      if (step.time == times[i]) steps[i] = {values_of(network, step.readings), step.time, {}};
+      if (step.time != times[i]) continue;
+      steps[i] = {values_of(network, step.readings), step.time, {}};
+      steps[i].month = month_of(step.time, step.written, readings.stamp().value_or(Stamp::begin));
     }
   }
   for (GaugeReadings& shown : steps) {

@@ -26,6 +26,8 @@ struct GaugeReadings {
   std::optional<StepLength> step =
       {};                 ///< how long a value's rain fell; nothing where that is not known
   std::string unit = {};  ///< what the values are in; empty where that is not known
+  /// The calendar month of a time, from 0; nothing for means, and where the time tells none.
+  std::optional<std::size_t> month = {};
 
   ReportingStations reports() const { return reporting_stations(readings); }
 };

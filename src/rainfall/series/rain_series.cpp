@@ -87,6 +87,11 @@ class BlockReader {
 
 }  // namespace
 
+const StepRainfall& rainfall_at(const StepRainfall& rainfall, const RainStep& step,
+                                const SeriesWork& work) {
+  return rainfall.tells_months() ? rainfall.in_month(work.month_of(step)) : rainfall;
+}
+
 std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, const SeriesWork& work,
                           const std::function<void(RainStep&)>& prepare,
                           const std::function<void(const RainStep&)>& take) {
@@ -99,7 +104,7 @@ std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, cons
   const auto compute = [&] {
     const auto begin = Clock::now();
     in_parallel(block.count(), work.threads, [&](std::size_t, std::size_t i) {
-      block[i].basins = rainfall.at(block[i].readings);
+      block[i].basins = rainfall_at(rainfall, block[i], work).at(block[i].readings);
       prepare(block[i]);
     });
     if (Clock::now() - begin >= worth_telling) return;

@@ -29,7 +29,15 @@ struct SeriesWork {
   /// or so, whether others come or not. Where it is empty steps are handed on in whole blocks,
   /// however long these are in coming.
   std::function<void()> when_handed_on = {};
+  /// The calendar month of a step, from 0, by which normals are chosen where months have their own;
+  /// then it is to be given.
+  std::function<std::size_t(const RainStep&)> month_of = {};
 };
+
+/// What computes a step: the rainfall itself, or that of its calendar month where months are told
+/// apart.
+const StepRainfall& rainfall_at(const StepRainfall& rainfall, const RainStep& step,
+                                const SeriesWork& work);
 
 /// Reads the steps of a series, computes each and calls `prepare` for it on several threads, then
 /// hands them on to `take` in their order. Returns the number of steps. With more than one thread

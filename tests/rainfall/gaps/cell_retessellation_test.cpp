@@ -15,7 +15,8 @@ TEST(CellRetessellation, weights_are_those_of_the_cells_of_the_gauges_that_repor
   for (std::uint64_t round = 0; round < Seeded::rounds(5); ++round) {
     const gappy::Study study = gappy::random_study(seeded);
     const Handovers handovers(study.weighing, 1);
-    const CellRetessellation policy(handovers, std::size_t{1} << 20, true);
+    HandoverCache cache_of_policy(handovers, std::size_t{1} << 20);
+    const CellRetessellation policy(handovers, cache_of_policy, {}, true);
     for (const double share : {0.05, 0.4, 0.9}) {
       const auto readings = gappy::readings_of(seeded, study, share);
       const auto expected = study.weighing.weights(reporting_stations(readings), 1);
@@ -37,8 +38,10 @@ TEST(CellRetessellation, remembering_nothing_changes_no_bit) {
   Seeded seeded;
   const gappy::Study study = gappy::random_study(seeded);
   const Handovers handovers(study.weighing, 1);
-  const CellRetessellation remembering(handovers, std::size_t{1} << 20, true);
-  const CellRetessellation forgetting(handovers, 0, true);
+  HandoverCache cache_of_remembering(handovers, std::size_t{1} << 20);
+  const CellRetessellation remembering(handovers, cache_of_remembering, {}, true);
+  HandoverCache cache_of_forgetting(handovers, 0);
+  const CellRetessellation forgetting(handovers, cache_of_forgetting, {}, true);
   for (int round = 0; round < 20; ++round) {
     const auto readings = gappy::readings_of(seeded, study, 0.2);
     for (int again = 0; again < 2; ++again) {
@@ -53,8 +56,10 @@ TEST(CellRetessellation, counting_no_gauges_changes_no_value) {
   Seeded seeded;
   const gappy::Study study = gappy::random_study(seeded);
   const Handovers handovers(study.weighing, 1);
-  const CellRetessellation counting(handovers, std::size_t{1} << 20, true);
-  const CellRetessellation not_counting(handovers, std::size_t{1} << 20, false);
+  HandoverCache cache_of_counting(handovers, std::size_t{1} << 20);
+  const CellRetessellation counting(handovers, cache_of_counting, {}, true);
+  HandoverCache cache_of_not_counting(handovers, std::size_t{1} << 20);
+  const CellRetessellation not_counting(handovers, cache_of_not_counting, {}, false);
   const auto readings = gappy::readings_of(seeded, study, 0.2);
   const auto a = counting.at(readings);
   const auto b = not_counting.at(readings);
@@ -69,7 +74,8 @@ TEST(CellRetessellation, silence_of_one_of_two_gauges_at_a_place_leaves_the_cell
   Seeded seeded;
   const gappy::Study study = gappy::random_study(seeded);
   const Handovers handovers(study.weighing, 1);
-  const CellRetessellation policy(handovers, 0, true);
+  HandoverCache cache_of_policy(handovers, 0);
+  const CellRetessellation policy(handovers, cache_of_policy, {}, true);
   auto readings = gappy::readings_of(seeded, study, 0);
   readings.back() = gappy::silent;  // the twin of 3
   CellAccount account;

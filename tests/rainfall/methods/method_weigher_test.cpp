@@ -17,7 +17,7 @@ using namespace by_method;
 /// second basin none does.
 class ByNumber : public AreaMethod {
  public:
-  Weights weights(const ReportingPlaces& reports) const override {
+  Weights weights(const ReportingPlaces& reports, const NormalMonth&) const override {
     Weights weights(2);
     double sum = 0;
     for (std::uint32_t p = 0; p < reports.size(); ++p) {

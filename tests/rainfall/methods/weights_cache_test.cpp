@@ -13,7 +13,8 @@ namespace {
 /// One basin, all places alike; counts how often it is asked.
 class Counting : public AreaMethod {
  public:
-  Weights weights(const ReportingPlaces& reports) const override {
+  using AreaMethod::weights;
+  Weights weights(const ReportingPlaces& reports, const NormalMonth&) const override {
     ++asked;
     Weights weights(1);
     for (std::uint32_t i = 0; i < reports.size(); ++i) {

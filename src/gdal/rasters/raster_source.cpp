@@ -1,0 +1,219 @@
+#include "gdal/rasters/raster_source.h"
+
+#include <cpl_conv.h>
+#include <gdal_priv.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/interrupt.h"
+#include "gdal/crs/crs_definition.h"
+#include "gdal/drivers.h"
+#include "gdal/gdal_errors.h"
+
+namespace thiessen {
+namespace {
+
+/// Drivers that ask other machines.
+constexpr std::array<std::string_view, 12> of_networks = {
+    "WMS",   "WCS",    "WMTS", "HTTP", "PLMOSAIC", "EEDA",
+    "EEDAI", "OGCAPI", "DAAS", "NGW",  "TileDB",   "PostGISRaster"};
+
+void register_rasters() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    start_gdal();
+    // Nothing is fetched, whatever a file of virtual pixels names.
+    CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_FILENAME", "/vsicurl/none");
+    GDALAllRegister();
+  });
+}
+
+std::vector<const char*> local_drivers() {
+  std::vector<const char*> drivers;
+  for (int i = 0; i < GDALGetDriverCount(); ++i) {
+    GDALDriverH driver = GDALGetDriver(i);
+    const char* const name = GDALGetDriverShortName(driver);
+    if (GDALGetMetadataItem(driver, GDAL_DCAP_RASTER, nullptr) == nullptr) continue;
+    if (std::find(of_networks.begin(), of_networks.end(), name) != of_networks.end()) continue;
+    drivers.push_back(name);
+  }
+  drivers.push_back(nullptr);
+  return drivers;
+}
+
+[[noreturn]] void refuse(const std::string& file, std::string text, Wording hint = {}) {
+  throw Error(Message{file, 0, std::move(text), std::move(hint)});
+}
+
+bool is_on_disk(const std::string& file) {
+  struct stat status {};
+  return stat(file.c_str(), &status) == 0;
+}
+
+/// The name by which GDAL opens a file: not to be taken for a connection.
+std::string name_for_gdal(const std::string& file) {
+  if (is_on_disk(file)) return file.starts_with('/') ? file : "./" + file;
+  const bool is_archive =
+      file.starts_with("/vsizip/") || file.starts_with("/vsigzip/") || file.starts_with("/vsitar/");
+  const bool is_part = file.find(':') != std::string::npos && file.find("://") == std::string::npos;
+  if (is_archive || (is_part && !file.starts_with("/vsi"))) return file;
+  refuse(file, file.empty() ? "the file's name is empty" : std::strerror(ENOENT));
+}
+
+/// Refuses a file of several rasters, and names them.
+[[noreturn]] void refuse_parts(const std::string& file, GDALDataset& dataset) {
+  std::string names;
+  char** const parts = dataset.GetMetadata("SUBDATASETS");
+  for (char** part = parts; part != nullptr && *part != nullptr; ++part) {
+    const std::string_view item = *part;
+    const std::size_t equals = item.find("_NAME=");
+    if (equals == std::string_view::npos) continue;
+    names += (names.empty() ? "" : ", ") + std::string(item.substr(equals + 6));
+  }
+  if (names.empty()) refuse(file, "is no raster: it has no bands");
+  refuse(file, "holds several rasters", "name one of them: " + names);
+}
+
+/// Whether the last band only tells which pixels count.
+bool has_alpha(GDALDataset& dataset) {
+  const int bands = dataset.GetRasterCount();
+  return bands > 1 && dataset.GetRasterBand(bands)->GetColorInterpretation() == GCI_AlphaBand;
+}
+
+/// A band, and what its stored numbers stand for.
+struct Band {
+  GDALRasterBand* band = nullptr;
+  double scale = 1;
+  double offset = 0;
+  double no_value = 0;
+  bool has_no_value = false;
+  bool has_mask = false;
+};
+
+Band band_of(GDALDataset& dataset, int number) {
+  Band found;
+  found.band = dataset.GetRasterBand(number);
+  int is_set = FALSE;
+  found.scale = found.band->GetScale(&is_set);
+  if (is_set == FALSE) found.scale = 1;
+  found.offset = found.band->GetOffset(&is_set);
+  if (is_set == FALSE) found.offset = 0;
+  found.no_value = found.band->GetNoDataValue(&is_set);
+  found.has_no_value = is_set != FALSE;
+  const int flags = found.band->GetMaskFlags();
+  found.has_mask = (flags & (GMF_ALL_VALID | GMF_NODATA)) == 0;
+  return found;
+}
+
+}  // namespace
+
+struct RasterSource::Held {
+  std::unique_ptr<GDALDataset> dataset;
+  std::vector<Band> bands;
+};
+
+RasterSource::~RasterSource() = default;
+RasterSource::RasterSource(RasterSource&&) noexcept = default;
+RasterSource& RasterSource::operator=(RasterSource&&) noexcept = default;
+
+RasterSource::RasterSource(const std::string& file) : file_(file), held_(std::make_unique<Held>()) {
+  register_rasters();
+  const std::string name = name_for_gdal(file);
+  const GdalErrors errors;
+  const std::vector<const char*> drivers = local_drivers();
+  held_->dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
+                                         drivers.data(), nullptr, nullptr));
+  if (!held_->dataset) {
+    refuse(file, "is no raster that GDAL reads" + (errors.failed() ? ": " + errors.text() : ""));
+  }
+  GDALDataset& dataset = *held_->dataset;
+  if (dataset.GetRasterCount() == 0) refuse_parts(file, dataset);
+  const int bands = dataset.GetRasterCount() - (has_alpha(dataset) ? 1 : 0);
+  for (int b = 1; b <= bands; ++b) {
+    held_->bands.push_back(band_of(dataset, b));
+    if (GDALDataTypeIsComplex(held_->bands.back().band->GetRasterDataType()) != FALSE)
+      refuse(file, "holds complex numbers");
+  }
+  if (dataset.GetGeoTransform(transform_.data()) != CE_None) {
+    refuse(file, "does not tell where its pixels lie: it has no geotransform",
+           "gdal_translate -a_ullr gives it one, and gdalwarp makes one of control points");
+  }
+  if (transform_[1] * transform_[5] - transform_[2] * transform_[4] == 0)
+    refuse(file, "has pixels without area");
+  const OGRSpatialReference* const system = dataset.GetSpatialRef();
+  if (system == nullptr || system->IsEmpty()) return;
+  OGRSpatialReference flat = *system;
+  flat.StripVertical();
+  flat.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  crs_ = crs_from_system(flat, file);
+}
+
+std::size_t RasterSource::columns() const {
+  return static_cast<std::size_t>(held_->dataset->GetRasterXSize());
+}
+
+std::size_t RasterSource::rows() const {
+  return static_cast<std::size_t>(held_->dataset->GetRasterYSize());
+}
+
+std::size_t RasterSource::bands() const {
+  return held_->bands.size();
+}
+
+bool RasterSource::is_wide() const {
+  return std::any_of(held_->bands.begin(), held_->bands.end(), [](const Band& band) {
+    switch (band.band->GetRasterDataType()) {
+      case GDT_Byte:
+      case GDT_UInt16:
+      case GDT_Int16:
+      case GDT_Float32:
+        return band.scale != 1 || band.offset != 0;
+      default:
+        return true;
+    }
+  });
+}
+
+void RasterSource::read(const RasterPart& part, WindowValues& values, std::size_t at) const {
+  const GdalErrors errors;
+  const auto fail = [&] { refuse(file_, "cannot be read: " + errors.text()); };
+  std::vector<double> row(part.columns);
+  std::vector<unsigned char> mask(part.columns);
+  for (std::size_t b = 0; b < held_->bands.size(); ++b) {
+    const Band& band = held_->bands[b];
+    const bool is_narrow = band.band->GetRasterDataType() == GDT_Float32;
+    const double no_value =
+        is_narrow ? static_cast<double>(static_cast<float>(band.no_value)) : band.no_value;
+    for (std::size_t r = 0; r < part.rows; ++r) {
+      throw_if_interrupted();
+      const int column = static_cast<int>(part.column);
+      const int line = static_cast<int>(part.row + r);
+      const int count = static_cast<int>(part.columns);
+      if (band.band->RasterIO(GF_Read, column, line, count, 1, row.data(), count, 1, GDT_Float64, 0,
+                              0, nullptr) != CE_None)
+        fail();
+      if (band.has_mask &&
+          band.band->GetMaskBand()->RasterIO(GF_Read, column, line, count, 1, mask.data(), count, 1,
+                                             GDT_Byte, 0, 0, nullptr) != CE_None)
+        fail();
+      for (std::size_t c = 0; c < part.columns; ++c) {
+        const double value = row[c];
+        const bool is_there = !(band.has_no_value && value == no_value) &&
+                              !(band.has_mask && mask[c] == 0) && !std::isnan(value);
+        if (is_there) values.set(b, r, at + c, band.scale * value + band.offset);
+      }
+    }
+  }
+}
+
+}  // namespace thiessen
