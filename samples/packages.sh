@@ -6,7 +6,7 @@
 set -eu
 
 # libopencv-dev alone tells CMake where OpenCV is; its freetype module comes with it.
-build='g++ cmake make libgdal-dev libgeos-dev libgeographiclib-dev libopencv-dev libcli11-dev libtomlplusplus-dev libfontconfig-dev
+build='g++ cmake make libeigen3-dev libgdal-dev libgeos-dev libgeographiclib-dev libopencv-dev libcli11-dev libtomlplusplus-dev libfontconfig-dev
   libfribidi-dev libexpat1-dev libhowardhinnant-date-dev libedit-dev libpq-dev libssl-dev libsqlite3-dev libnetcdf-dev zlib1g-dev fonts-dejavu-core fonts-unifont'
 tests='ninja-build libgtest-dev libbenchmark-dev libcgal-dev clang libclang-rt-dev clang-format
   clang-tidy shellcheck mandoc gdal-bin python3 python3-xarray python3-netcdf4 locales git'

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -201,6 +202,18 @@ DistanceClasses distance_classes(const StepSample& sample, const Sites& sites, u
   // and a constant.
   if (largest < 1e-12) return {{}, "all gauges read alike at all steps"};
   return result;
+}
+
+std::vector<DistanceClass> distance_classes(std::span<const double> values, const Sites& sites) {
+  std::vector<std::uint32_t> gauges(values.size());
+  std::iota(gauges.begin(), gauges.end(), 0u);
+  std::vector<Pair> pairs = pairs_of(gauges);
+  for (Pair& pair : pairs) {
+    const double difference = values[pair.a] - values[pair.b];
+    pair.semivariance = difference * difference / 2;
+    pair.counts = true;
+  }
+  return classes_of(pairs, sites);
 }
 
 }  // namespace thiessen

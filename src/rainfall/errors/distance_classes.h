@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,5 +38,9 @@ inline constexpr std::size_t least_steps = 10;
 /// sites, 20,000 at most: so all distances occur, and near ones more often. Cost: 1 nanosecond for
 /// each pair and step of the sample.
 DistanceClasses distance_classes(const StepSample& sample, const Sites& sites, unsigned threads);
+
+/// The same for one value a site: the semivariance of a class is half the mean square difference of
+/// the values, in the square of their unit. Empty where there are fewer than two sites.
+std::vector<DistanceClass> distance_classes(std::span<const double> values, const Sites& sites);
 
 }  // namespace thiessen

@@ -67,7 +67,8 @@ constexpr double largest_exponent = 2;
 Fit best_of_window(const Window& window, VariogramModel::Shape shape,
                    const std::vector<Weighted>& classes) {
   Fit best;
-  const int exponents = shape == VariogramModel::Shape::stable ? exponent_steps : 0;
+  const bool varies = window.low_exponent < window.high_exponent;
+  const int exponents = shape == VariogramModel::Shape::stable && varies ? exponent_steps : 0;
   for (int i = 0; i <= range_steps; ++i) {
     VariogramModel model{shape};
     model.range = window.low_range * std::pow(window.high_range / window.low_range,
@@ -89,26 +90,32 @@ Window round_best(const Window& window, const VariogramModel& best) {
           std::min(largest_exponent, best.exponent + width)};
 }
 
-Fit best_of_shape(VariogramModel::Shape shape, const std::vector<Weighted>& classes) {
+/// What a model may be.
+struct Family {
+  VariogramModel::Shape shape;
+  double low_exponent = least_exponent;
+  double high_exponent = largest_exponent;
+};
+
+Fit best_of_family(const Family& family, const std::vector<Weighted>& classes) {
   double least = std::numeric_limits<double>::infinity();
   double largest = 0;
   for (const Weighted& c : classes) {
     if (c.distance > 0) least = std::min(least, c.distance);
     largest = std::max(largest, c.distance);
   }
-  Window window{least / 3, largest * 10, least_exponent, largest_exponent};
+  Window window{least / 3, largest * 10, family.low_exponent, family.high_exponent};
   Fit best;
   for (int laid = 0; laid <= 3; ++laid) {
-    const Fit fit = best_of_window(window, shape, classes);
+    const Fit fit = best_of_window(window, family.shape, classes);
     if (fit.misfit < best.misfit) best = fit;
     window = round_best(window, best.model);
   }
   return best;
 }
 
-}  // namespace
-
-VariogramModel fit_variogram(std::span<const DistanceClass> classes) {
+/// The model of these families that fits best.
+VariogramModel fit(std::span<const DistanceClass> classes, std::span<const Family> families) {
   double largest = 0;
   for (const DistanceClass& c : classes) largest = std::max(largest, c.semivariance);
   // The first round weighs a class by its own semivariance. The next rounds take the model's value,
@@ -122,13 +129,26 @@ VariogramModel fit_variogram(std::span<const DistanceClass> classes) {
     weighted.push_back({c.distance, c.semivariance, weight(c, c.semivariance + 0.05 * largest)});
   Fit best;
   for (int round = 0; round < 3; ++round) {
-    const Fit stable = best_of_shape(VariogramModel::Shape::stable, weighted);
-    const Fit spherical = best_of_shape(VariogramModel::Shape::spherical, weighted);
-    best = spherical.misfit < stable.misfit ? spherical : stable;
+    best = {};
+    for (const Family& family : families) {
+      const Fit its = best_of_family(family, weighted);
+      if (its.misfit < best.misfit) best = its;
+    }
     for (std::size_t i = 0; i < classes.size(); ++i)
       weighted[i].weight = weight(classes[i], best.model(classes[i].distance));
   }
   return best.model;
+}
+
+}  // namespace
+
+VariogramModel fit_variogram(std::span<const DistanceClass> classes) {
+  using Shape = VariogramModel::Shape;
+  return fit(classes, std::array{Family{Shape::stable}, Family{Shape::spherical}});
+}
+
+VariogramModel fit_exponential(std::span<const DistanceClass> classes) {
+  return fit(classes, std::array{Family{VariogramModel::Shape::stable, 1, 1}});
 }
 
 }  // namespace thiessen

@@ -20,4 +20,7 @@ namespace thiessen {
 /// number of classes, 2 milliseconds.
 VariogramModel fit_variogram(std::span<const DistanceClass> classes);
 
+/// The same with an exponential model: the stable shape with the exponent 1.
+VariogramModel fit_exponential(std::span<const DistanceClass> classes);
+
 }  // namespace thiessen

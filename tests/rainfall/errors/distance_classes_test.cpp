@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -138,6 +139,23 @@ TEST(DistanceClasses, say_what_is_missing) {
   }
   EXPECT_EQ(shortfall(never_together, 6),
             "0 pairs of gauges share 10 steps at which both report: 10 are needed");
+}
+
+// By hand: places at 0, 1 and 4 on a line with values 2, 5 and 5. Pairs at 1 (half of 9), at 3 (0)
+// and at 4 (half of 9); 3 and 4 are two classes.
+TEST(DistanceClasses, of_one_value_a_place) {
+  const std::vector<Point> places = {{0, 0}, {1, 0}, {4, 0}};
+  const Sites sites(places, Metric::planar);
+  std::vector<double> values(3);
+  for (std::size_t place = 0; place < 3; ++place)
+    values[sites.of_place(place)] = std::array{2.0, 5.0, 5.0}[place];
+  const std::vector<DistanceClass> classes = distance_classes(values, sites);
+  double pairs = 0;
+  for (const DistanceClass& c : classes) {
+    pairs += c.pairs;
+    EXPECT_NEAR(c.semivariance, std::abs(c.distance - 3) < 0.4 ? 0 : 4.5, 1e-12) << c.distance;
+  }
+  EXPECT_EQ(pairs, 3);
 }
 
 }  // namespace

@@ -68,5 +68,17 @@ TEST(VariogramFit, takes_one_class_and_distances_of_any_size) {
   }
 }
 
+TEST(VariogramFit, of_an_exponential_model_keeps_to_it) {
+  const VariogramModel truth{Shape::stable, 0.1, 0.8, 20, 1};
+  const VariogramModel fit = fit_exponential(classes_of(truth));
+  EXPECT_EQ(fit.exponent, 1);
+  for (double distance = 1; distance < 200; distance *= 1.7)
+    EXPECT_NEAR(fit(distance), truth(distance), 4e-3 * truth(distance));
+  const VariogramModel other{Shape::spherical, 0.1, 0.8, 60, 1};
+  const VariogramModel near = fit_exponential(classes_of(other));
+  EXPECT_EQ(near.shape, Shape::stable);
+  EXPECT_EQ(near.exponent, 1);
+}
+
 }  // namespace
 }  // namespace thiessen
