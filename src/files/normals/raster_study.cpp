@@ -413,6 +413,7 @@ class RasterReader {
   /// Complains of values in the basin that are not above 0.
   void complain_of_values(std::size_t b, const WindowValues& values, const Framed& window,
                           Complaints& complaints) const {
+    if (values.least() > 0 && std::isfinite(values.largest())) return;
     std::optional<WindowValues> bad;
     for (std::size_t band = 0; band < values.bands(); ++band) {
       for (std::size_t r = 0; r < values.rows(); ++r) {
@@ -420,7 +421,7 @@ class RasterReader {
           const double value = values.at(band, r, c);
           if (std::isnan(value) || is_good(value)) continue;
           if (!bad) bad.emplace(values.columns(), values.rows(), 1, false);
-          bad->set(0, r, c, 1);
+          if (std::isnan(bad->at(0, r, c))) bad->set(0, r, c, 1);
         }
       }
     }

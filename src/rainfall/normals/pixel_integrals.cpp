@@ -19,13 +19,8 @@ PixelIntegrals::PixelIntegrals(WindowValues values, std::vector<double> referenc
     : values_(std::move(values)),
       references_(std::move(references)),
       areas_(std::move(areas)),
-      blocks_(values_.columns() / block_columns + 1) {
-  for (std::size_t band = 0; band < bands() && is_complete_; ++band) {
-    for (std::size_t row = 0; row < values_.rows() && is_complete_; ++row) {
-      for (std::size_t column = 0; column < values_.columns(); ++column)
-        is_complete_ = is_complete_ && !std::isnan(values_.at(band, row, column));
-    }
-  }
+      blocks_(values_.columns() / block_columns + 1),
+      is_complete_(values_.is_complete()) {
   sum_up();
 }
 

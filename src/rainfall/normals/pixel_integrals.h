@@ -72,7 +72,7 @@ class PixelIntegrals {
   std::vector<double> references_;
   std::unique_ptr<const PixelAreas> areas_;
   std::size_t blocks_;
-  bool is_complete_ = true;  // whether every pixel has a value in every band
+  bool is_complete_;  // whether every pixel has a value in every band
   // By band, row and block of columns: the sums over all columns before the block.
   std::vector<double> excess_before_;
   std::vector<double> covered_before_;  // empty where all pixels have values

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -21,11 +22,22 @@ class WindowValues {
   std::size_t columns() const { return columns_; }
   std::size_t rows() const { return rows_; }
   std::size_t bands() const { return bands_; }
+  /// Whether every pixel has a value in every band.
+  bool is_complete() const { return given_ == columns_ * rows_ * bands_; }
+  /// The least of all values, and the largest; the one is infinite where there are none, and the
+  /// other below all.
+  double least() const { return least_; }
+  double largest() const { return largest_; }
   double at(std::size_t band, std::size_t row, std::size_t column) const {
     const std::size_t i = (band * rows_ + row) * columns_ + column;
     return wide_.empty() ? static_cast<double>(narrow_[i]) : wide_[i];
   }
+  /// Gives a pixel its value; each is to be given one once at most.
   void set(std::size_t band, std::size_t row, std::size_t column, double value) {
+    if (std::isnan(value)) return;
+    ++given_;
+    least_ = std::min(least_, value);
+    largest_ = std::max(largest_, value);
     const std::size_t i = (band * rows_ + row) * columns_ + column;
     if (wide_.empty()) {
       narrow_[i] = static_cast<float>(value);
@@ -38,6 +50,9 @@ class WindowValues {
   std::size_t columns_;
   std::size_t rows_;
   std::size_t bands_;
+  std::size_t given_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double largest_ = -std::numeric_limits<double>::infinity();
   std::vector<float> narrow_;
   std::vector<double> wide_;
 };
