@@ -171,6 +171,12 @@ std::optional<std::size_t> whole_time(const LayoutFinder& finder, const Table& t
   return found;
 }
 
+/// Whether a text is a date with a clock, in ISO 8601 or any form that is known.
+bool is_whole_time(std::string_view text) {
+  const ParsedTime time = parse_iso_time(trimmed(text));
+  return is_date_with_clock(text) || (time && time.time.precision == TimePrecision::instant);
+}
+
 /// The same of a long table: of columns of such names one whose first text is a date with a clock,
 /// before one that holds a date or a clock alone.
 std::optional<std::size_t> wholest_time(const LayoutFinder& finder, const Table& table) {
@@ -186,7 +192,7 @@ std::optional<std::size_t> wholest_time(const LayoutFinder& finder, const Table&
   }
   if (columns.size() < 2) return found;
   const std::vector<std::string> row = first_row(table);
-  const auto is_whole = [&](std::size_t i) { return is_date_with_clock(row[i]); };
+  const auto is_whole = [&](std::size_t i) { return is_whole_time(row[i]); };
   if (row.empty() || is_whole(*found)) return found;
   const auto whole = std::ranges::find_if(columns, is_whole);
   return whole == columns.end() ? found : *whole;
@@ -239,7 +245,9 @@ TimeColumns time_of_long(const LayoutFinder& finder, const Table& table,
                      finder.column_or_none(options.value_field, known::values, true)});
   const auto parts = time_in_parts(candidates);
   if (whole && !(parts && parts->has(*whole))) {
-    const Wording meant = time_fields_meant(candidates, *whole);
+    const std::vector<std::string> row = first_row(table);
+    const bool is_enough = *whole < row.size() && is_whole_time(row[*whole]);
+    const Wording meant = is_enough ? Wording() : time_fields_meant(candidates, *whole);
     if (!meant.empty()) throw time_in_more_columns(table, *whole, meant);
     return *whole;
   }
