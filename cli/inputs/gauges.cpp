@@ -40,8 +40,18 @@ void tell_of_year(const Inputs& inputs, const RainfallOptions& rainfall, Warning
 std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study,
                                        const RainfallOptions& rainfall,
                                        std::span<const std::string> times, Warnings& warnings) {
-  return shown_steps(*inputs.open_readings(study, rainfall, warnings), inputs.network(),
-                     rainfall.name(), times, warnings);
+  std::vector<GaugeReadings> steps =
+      shown_steps(*inputs.open_readings(study, rainfall, warnings), inputs.network(),
+                  rainfall.name(), times, warnings);
+  const NormalField* const normals = inputs.weighing().normals();
+  for (const GaugeReadings& shown : steps) {
+    if (normals == nullptr || normals->months() == 1 || shown.month) continue;
+    throw Error({rainfall.name(), 0,
+                 "time " + quoted(shown.label, 80) +
+                     " tells no calendar month, and normals are of calendar months",
+                 "give normals of the year"});
+  }
+  return steps;
 }
 
 std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& network,
@@ -55,14 +65,6 @@ std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& networ
                  "a time is written just as in the file"});
   }
   lacking.throw_if_any();
-  const NormalField* const normals = inputs.weighing().normals();
-  for (const GaugeReadings& shown : steps) {
-    if (normals == nullptr || normals->months() == 1 || shown.month) continue;
-    throw Error({rainfall.name(), 0,
-                 "time " + quoted(shown.label, 80) +
-                     " tells no calendar month, and normals are of calendar months",
-                 "give normals of the year"});
-  }
   for (const GaugeReadings& shown : steps) {
     if (!all_silent(shown)) continue;
     warnings.add({name, 0, "no gauge reports in the time step '" + shown.label + "'", ""});

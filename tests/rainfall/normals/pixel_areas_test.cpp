@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "earth/area/ellipsoid_area.h"
+#include "earth/area/earth_area.h"
 
 namespace thiessen {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 // The whole Earth in pixels of one degree.
 TEST(PixelsInDegrees, of_the_whole_earth_are_its_area) {
   const PixelsInDegrees pixels(90, -1, 1, 180);
-  EXPECT_NEAR(360 * pixels.ordinate(180), earth_area(), 1e-13 * earth_area());
+  EXPECT_NEAR(360 * pixels.ordinate(180), earth_area, 1e-13 * earth_area);
   EXPECT_NEAR(pixels.ordinate(90), pixels.ordinate(180) / 2, 1e-13 * pixels.ordinate(180));
 }
 
