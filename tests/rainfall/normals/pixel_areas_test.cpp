@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "earth/area/earth_area.h"
+#include "earth/area/ellipsoid_area.h"
 
 namespace thiessen {
 namespace {
