@@ -136,7 +136,7 @@ std::optional<TimeColumns> named_time(const LayoutFinder& finder, const Readings
 TimeCandidates candidates_in(const LayoutFinder& finder, const Table& table,
                              std::vector<std::size_t> others) {
   return {table.header(), [&table] { return first_row(table); },
-          [&finder, others](std::size_t column) {
+          [&finder, others = std::move(others)](std::size_t column) {
             return std::ranges::find(others, column) == others.end() && !finder.is_station(column);
           }};
 }
