@@ -10,9 +10,9 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "readings/first_row.h"
-#include "readings/rain_unit.h"
 #include "readings/times/time_parts.h"
 #include "readings/times/time_shape.h"
+#include "readings/units/rain_unit.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
