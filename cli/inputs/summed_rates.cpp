@@ -5,7 +5,7 @@
 #include "base/interrupt.h"
 #include "files/rainfall/rainfall_file.h"
 #include "rainfall/series/step_intervals.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
 namespace {

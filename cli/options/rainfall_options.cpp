@@ -7,7 +7,7 @@
 
 #include "cli/options/option_values.h"
 #include "cli/options/usage_error.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
 

@@ -5,7 +5,7 @@
 
 #include "base/number.h"
 #include "cli/outputs/plane_report.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
-#include "readings/converted_readings.h"
 #include "readings/dly/dly_files.h"
+#include "readings/units/converted_readings.h"
 
 namespace thiessen {
 namespace {

@@ -10,9 +10,9 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "readings/first_row.h"
-#include "readings/rain_unit.h"
 #include "readings/times/time_parts.h"
 #include "readings/times/time_shape.h"
+#include "readings/units/rain_unit.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -136,7 +136,7 @@ std::optional<TimeColumns> named_time(const LayoutFinder& finder, const Readings
 TimeCandidates candidates_in(const LayoutFinder& finder, const Table& table,
                              std::vector<std::size_t> others) {
   return {table.header(), [&table] { return first_row(table); },
-          [&finder, others](std::size_t column) {
+          [&finder, others = std::move(others)](std::size_t column) {
             return std::ranges::find(others, column) == others.end() && !finder.is_station(column);
           }};
 }

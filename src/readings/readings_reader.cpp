@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "readings/converted_readings.h"
 #include "readings/readings_layout.h"
 #include "readings/readings_long.h"
 #include "readings/readings_wide.h"
@@ -14,7 +13,8 @@
 #include "readings/steps/fresh_readings.h"
 #include "readings/times/time_columns.h"
 #include "readings/times/time_reader.h"
-#include "readings/unit_column.h"
+#include "readings/units/converted_readings.h"
+#include "readings/units/unit_column.h"
 #include "readings/value_columns.h"
 #include "text/csv_form.h"
 #include "text/field_names.h"

@@ -11,8 +11,8 @@
 #include "rainfall/network/network.h"
 #include "rainfall/series/readings.h"
 #include "rainfall/series/stamp.h"
-#include "readings/rain_unit.h"
 #include "readings/readings_grammar.h"
+#include "readings/units/rain_unit.h"
 #include "text/table.h"
 
 namespace thiessen {

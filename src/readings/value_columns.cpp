@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/utf8.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 #include "text/csv_form.h"
 #include "text/field_names.h"
 #include "text/known_names.h"

@@ -15,7 +15,6 @@
 #include "files/tables/netcdf_unit.h"
 #include "files/tables/packed_file.h"
 #include "files/tables/table_file.h"
-#include "readings/converted_readings.h"
 #include "readings/published/arcswat_files.h"
 #include "readings/published/headerless_formats.h"
 #include "readings/published/hourly_order.h"
@@ -26,8 +25,9 @@
 #include "readings/published/swat_files.h"
 #include "readings/published/text_beginning.h"
 #include "readings/published/usgs_rdb.h"
-#include "readings/rain_unit.h"
 #include "readings/readings_layout.h"
+#include "readings/units/converted_readings.h"
+#include "readings/units/rain_unit.h"
 #include "text/csv_form.h"
 #include "text/field_names.h"
 

@@ -25,6 +25,7 @@ OGRFieldType ogr_type(FieldType type) {
 std::string fields_in_words(const std::string& fault, const std::vector<FieldName>& fields) {
   if (fault.find("not recognised as an available field") == std::string::npos) return {};
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const FieldName& field : fields) names.push_back(field.name);
   return "; the fields are " + listed(names);
 }

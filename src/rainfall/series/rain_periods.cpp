@@ -46,7 +46,7 @@ std::int64_t count_within(std::int64_t low, std::int64_t high, std::int64_t anch
 }  // namespace
 
 RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
-    : totalling_(totalling), file_(std::move(file)), take_(std::move(take)) {}
+    : totalling_(std::move(totalling)), file_(std::move(file)), take_(std::move(take)) {}
 
 void RainPeriods::add(const RainStep& step) {
   const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line, step.written);

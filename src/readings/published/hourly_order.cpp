@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t seconds_an_hour = 3'600;
 /// Every month has a row of a station that reports, if only to say that its first hour is dry.
-constexpr std::int64_t longest_without_a_row = 31 * 24;
+constexpr std::int64_t longest_without_a_row = std::int64_t{31} * 24;
 constexpr std::string_view measurement = "Measurement Flag";
 
 /// The hour of a time such as 20100101 01:00, counted from 1970 on; nothing where it is none.

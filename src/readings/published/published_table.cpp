@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/utf8.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 #include "text/field_names.h"
 
 namespace thiessen {

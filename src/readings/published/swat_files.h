@@ -58,7 +58,8 @@ class SwatRainfall : public Table {
   std::unique_ptr<Table> again() const override;
 
  private:
-  static constexpr std::size_t steps_a_line = 24 * 60;  ///< rows of steps that may be numbered
+  static constexpr std::size_t steps_a_line =
+      std::size_t{24} * 60;  ///< rows of steps that may be numbered
 
   void find_clocks();
   std::size_t row_number();

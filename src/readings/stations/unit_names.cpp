@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "readings/rain_unit.h"
 #include "readings/readings_layout.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen {
 namespace {

@@ -79,7 +79,7 @@ class PartFinder {
 
   /// The text of the first row; empty where it is not known.
   std::string_view first(std::size_t field) const {
-    return field < first_row_.size() ? first_row_[field] : "";
+    return field < first_row_.size() ? std::string_view(first_row_[field]) : std::string_view();
   }
 
   bool hold_such_parts(const std::vector<Column>& columns) const {

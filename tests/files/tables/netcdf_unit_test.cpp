@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen {
 namespace {

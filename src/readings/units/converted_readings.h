@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "rainfall/series/readings.h"
 #include "rainfall/series/stamp.h"
-#include "readings/rain_unit.h"
 #include "readings/readings_reader.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen {
 

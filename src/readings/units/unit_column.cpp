@@ -1,4 +1,4 @@
-#include "readings/unit_column.h"
+#include "readings/units/unit_column.h"
 
 #include <chrono>
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "base/utf8.h"
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 #include "text/csv_form.h"
 #include "text/field_names.h"
 #include "text/known_names.h"

@@ -1,4 +1,4 @@
-#include "readings/converted_readings.h"
+#include "readings/units/converted_readings.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "readings/rain_unit.h"
+#include "readings/units/rain_unit.h"
 
 #include <algorithm>
 #include <array>
