@@ -177,6 +177,11 @@ bool is_whole_time(std::string_view text) {
   return is_date_with_clock(text) || (time && time.time.precision == TimePrecision::instant);
 }
 
+bool holds_whole_times(const Table& table, std::size_t column) {
+  const std::vector<std::string> row = first_row(table);
+  return column < row.size() && is_whole_time(row[column]);
+}
+
 /// The same of a long table: of columns of such names one whose first text is a date with a clock,
 /// before one that holds a date or a clock alone.
 std::optional<std::size_t> wholest_time(const LayoutFinder& finder, const Table& table) {
@@ -245,10 +250,9 @@ TimeColumns time_of_long(const LayoutFinder& finder, const Table& table,
                      finder.column_or_none(options.value_field, known::values, true)});
   const auto parts = time_in_parts(candidates);
   if (whole && !(parts && parts->has(*whole))) {
-    const std::vector<std::string> row = first_row(table);
-    const bool is_enough = *whole < row.size() && is_whole_time(row[*whole]);
-    const Wording meant = is_enough ? Wording() : time_fields_meant(candidates, *whole);
-    if (!meant.empty()) throw time_in_more_columns(table, *whole, meant);
+    const Wording meant = time_fields_meant(candidates, *whole);
+    if (!meant.empty() && !holds_whole_times(table, *whole))
+      throw time_in_more_columns(table, *whole, meant);
     return *whole;
   }
   if (parts) return *parts;

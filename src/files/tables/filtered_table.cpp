@@ -41,7 +41,7 @@ std::vector<FieldType> types_of(const Table& table, const FilteredTable::Filter&
 
 FilteredTable::FilteredTable(std::unique_ptr<Table> table, Filter filter,
                              std::vector<FieldName> fields, Warnings* warnings)
-    : table_(std::move(table)),
+    : TableOver(std::move(table)),
       filter_(std::move(filter)),
       fields_(std::move(fields)),
       keeps_(filter_.where, filter_.its_setting, table_->file(), fields_),
@@ -73,8 +73,7 @@ bool FilteredTable::next_row(Row& row) {
   }
 }
 
-std::unique_ptr<Table> FilteredTable::filtered(std::unique_ptr<Table> table) const {
-  if (!table) return nullptr;
+std::unique_ptr<Table> FilteredTable::over(std::unique_ptr<Table> table) const {
   return std::make_unique<FilteredTable>(std::move(table), filter_, fields_, nullptr);
 }
 

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "gdal/layers/attribute_filter.h"
 #include "text/attributes.h"
-#include "text/table.h"
+#include "text/table_over.h"
 
 namespace thiessen {
 
@@ -18,7 +18,7 @@ namespace thiessen {
 /// A table of texts states no types. A field that holds numbers alone in the first 64 kB is one of
 /// numbers, and any other is text. Where the filter asks a field of numbers and a later row holds
 /// something else in it, that is an error, for a comparison would be wrong in silence.
-class FilteredTable : public Table {
+class FilteredTable : public TableOver {
  public:
   /// What is to be kept, and what the filter is called in messages.
   struct Filter {
@@ -32,26 +32,14 @@ class FilteredTable : public Table {
   FilteredTable(std::unique_ptr<Table> table, Filter filter, std::vector<FieldName> fields,
                 Warnings* warnings);
 
-  const std::string& file() const override { return table_->file(); }
-  const std::vector<std::string>& header() const override { return table_->header(); }
-  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
-  std::string unit(std::size_t field) const override { return table_->unit(field); }
-  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
-  std::size_t header_line() const override { return table_->header_line(); }
   bool next(Row& row) override;
-  double share_read() const override { return table_->share_read(); }
-  bool numbers_rows() const override { return table_->numbers_rows(); }
-  RowPlace place(std::size_t number) const override { return table_->place(number); }
-  std::unique_ptr<Table> again() const override { return filtered(table_->again()); }
-  std::unique_ptr<Table> first_rows() const override { return filtered(table_->first_rows()); }
 
  private:
-  std::unique_ptr<Table> filtered(std::unique_ptr<Table> table) const;
+  std::unique_ptr<Table> over(std::unique_ptr<Table> table) const override;
   bool next_row(Row& row);
   bool has_types(const Row& row);
   void conclude();
 
-  std::unique_ptr<Table> table_;
   Filter filter_;
   std::vector<FieldName> fields_;
   AttributeFilter keeps_;

@@ -38,7 +38,7 @@ std::string counted(std::size_t count, const char* one, const char* several) {
 
 PublishedTable::PublishedTable(std::unique_ptr<Table> table, const PublishedFormat& format,
                                const ReadingsOptions& options, Warnings& warnings)
-    : table_(std::move(table)),
+    : TableOver(std::move(table)),
       format_(format),
       warnings_(warnings),
       value_(published_column(header(), format.value).value()),
@@ -57,7 +57,7 @@ PublishedTable::PublishedTable(std::unique_ptr<Table> table, const PublishedForm
 }
 
 PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table)
-    : table_(std::move(table)),
+    : TableOver(std::move(table)),
       format_(other.format_),
       warnings_(other.warnings_),
       value_(other.value_),
@@ -70,8 +70,7 @@ PublishedTable::PublishedTable(const PublishedTable& other, std::unique_ptr<Tabl
       requires_whole_(other.requires_whole_),
       told_(other.told_) {}
 
-std::unique_ptr<Table> PublishedTable::of(std::unique_ptr<Table> table) const {
-  if (!table) return nullptr;
+std::unique_ptr<Table> PublishedTable::over(std::unique_ptr<Table> table) const {
   return std::unique_ptr<Table>(new PublishedTable(*this, std::move(table)));
 }
 

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "readings/published/published_format.h"
 #include "readings/readings_reader.h"
-#include "text/table.h"
+#include "text/table_over.h"
 
 namespace thiessen {
 
@@ -21,25 +21,14 @@ namespace thiessen {
 /// unless they are kept, and amounts of several days are empty; how many there are is told once the
 /// last row has been read, and of how many it is told that they are a model's or have a mark.
 /// Throws Error where a value shows that it is in another unit.
-class PublishedTable : public Table {
+class PublishedTable : public TableOver {
  public:
   /// Requires a table of this format. `warnings` must outlive the table.
   PublishedTable(std::unique_ptr<Table> table, const PublishedFormat& format,
                  const ReadingsOptions& options, Warnings& warnings);
 
-  const std::string& file() const override { return table_->file(); }
-  const std::vector<std::string>& header() const override { return table_->header(); }
-  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
-  std::string unit(std::size_t field) const override { return table_->unit(field); }
-  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
-  std::size_t header_line() const override { return table_->header_line(); }
-  bool numbers_rows() const override { return table_->numbers_rows(); }
-  RowPlace place(std::size_t number) const override { return table_->place(number); }
   bool next(Row& row) override;
   bool is_waiting(std::chrono::milliseconds patience) override;
-  double share_read() const override { return table_->share_read(); }
-  std::unique_ptr<Table> again() const override { return of(table_->again()); }
-  std::unique_ptr<Table> first_rows() const override { return of(table_->first_rows()); }
 
  private:
   /// What all readers of the file have together.
@@ -48,7 +37,7 @@ class PublishedTable : public Table {
   };
 
   PublishedTable(const PublishedTable& other, std::unique_ptr<Table> table);
-  std::unique_ptr<Table> of(std::unique_ptr<Table> table) const;
+  std::unique_ptr<Table> over(std::unique_ptr<Table> table) const override;
   bool takes(Row& row);
   bool has_flag(const Row& row) const;
   bool is_of_days(const Row& row) const;
@@ -58,7 +47,6 @@ class PublishedTable : public Table {
   void tell();
   void tell_marks();
 
-  std::unique_ptr<Table> table_;
   const PublishedFormat& format_;
   Warnings& warnings_;
   std::size_t value_;

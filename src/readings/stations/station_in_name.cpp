@@ -9,6 +9,7 @@
 #include "base/utf8.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
+#include "text/table_over.h"
 
 namespace thiessen {
 namespace {
@@ -48,39 +49,27 @@ bool lies_in(const Part& inner, const Part& outer) {
 }
 
 /// A table with one more column, which holds the same text in each row.
-class TableOfStation : public Table {
+class TableOfStation : public TableOver {
  public:
   TableOfStation(std::unique_ptr<Table> table, const std::string& id)
-      : table_(std::move(table)), header_(table_->header()), id_(id) {
+      : TableOver(std::move(table)), header_(table_->header()), id_(id) {
     header_.emplace_back(station_of_name);
     padded_ = id_ + std::string(number_padding, '\0');
   }
 
-  const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return header_; }
   std::size_t columns_in_file() const override { return table_->columns_in_file(); }
-  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
-  std::string unit(std::size_t field) const override { return table_->unit(field); }
-  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
-  std::size_t header_line() const override { return table_->header_line(); }
-  bool numbers_rows() const override { return table_->numbers_rows(); }
-  RowPlace place(std::size_t number) const override { return table_->place(number); }
   bool next(Row& row) override {
     if (!table_->next(row)) return false;
     row.fields.push_back(std::string_view(padded_).substr(0, id_.size()));
     return true;
   }
-  double share_read() const override { return table_->share_read(); }
-  std::unique_ptr<Table> again() const override { return with_station(table_->again()); }
-  std::unique_ptr<Table> first_rows() const override { return with_station(table_->first_rows()); }
 
  private:
-  std::unique_ptr<Table> with_station(std::unique_ptr<Table> table) const {
-    if (!table) return nullptr;
+  std::unique_ptr<Table> over(std::unique_ptr<Table> table) const override {
     return std::make_unique<TableOfStation>(std::move(table), id_);
   }
 
-  std::unique_ptr<Table> table_;
   std::vector<std::string> header_;
   std::string id_;
   std::string padded_;  ///< the id, with bytes behind it as Row::padded wants them

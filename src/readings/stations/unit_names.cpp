@@ -13,11 +13,12 @@
 #include "base/utf8.h"
 #include "readings/readings_layout.h"
 #include "readings/units/rain_unit.h"
+#include "text/table_over.h"
 
 namespace thiessen {
 namespace {
 
-class UnitNames : public Table {
+class UnitNames : public TableOver {
  public:
   /// What the columns are called, and the unit of each; empty where its name has none.
   struct Columns {
@@ -26,19 +27,9 @@ class UnitNames : public Table {
   };
 
   UnitNames(std::unique_ptr<Table> table, Columns columns)
-      : table_(std::move(table)), columns_(std::move(columns)) {}
+      : TableOver(std::move(table)), columns_(std::move(columns)) {}
 
-  const std::string& file() const override { return table_->file(); }
   const std::vector<std::string>& header() const override { return columns_.names; }
-  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
-  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
-  std::size_t header_line() const override { return table_->header_line(); }
-  bool numbers_rows() const override { return table_->numbers_rows(); }
-  RowPlace place(std::size_t number) const override { return table_->place(number); }
-  bool next(Row& row) override { return table_->next(row); }
-  double share_read() const override { return table_->share_read(); }
-  std::unique_ptr<Table> again() const override { return of(table_->again()); }
-  std::unique_ptr<Table> first_rows() const override { return of(table_->first_rows()); }
   bool is_waiting(std::chrono::milliseconds patience) override {
     return table_->is_waiting(patience);
   }
@@ -47,12 +38,10 @@ class UnitNames : public Table {
   }
 
  private:
-  std::unique_ptr<Table> of(std::unique_ptr<Table> table) const {
-    if (!table) return nullptr;
+  std::unique_ptr<Table> over(std::unique_ptr<Table> table) const override {
     return std::make_unique<UnitNames>(std::move(table), columns_);
   }
 
-  std::unique_ptr<Table> table_;
   Columns columns_;
 };
 

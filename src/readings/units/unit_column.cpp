@@ -13,11 +13,12 @@
 #include "text/csv_form.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
+#include "text/table_over.h"
 
 namespace thiessen {
 namespace {
 
-class UnitColumn : public Table {
+class UnitColumn : public TableOver {
  public:
   struct Columns {
     std::size_t unit;
@@ -25,21 +26,11 @@ class UnitColumn : public Table {
   };
 
   UnitColumn(std::unique_ptr<Table> table, Columns columns, std::string text, bool is_believed)
-      : table_(std::move(table)),
+      : TableOver(std::move(table)),
         columns_(columns),
         text_(std::move(text)),
         is_believed_(is_believed) {}
 
-  const std::string& file() const override { return table_->file(); }
-  const std::vector<std::string>& header() const override { return table_->header(); }
-  DecimalMark decimal_mark() const override { return table_->decimal_mark(); }
-  std::vector<std::string> lines_above() const override { return table_->lines_above(); }
-  std::size_t header_line() const override { return table_->header_line(); }
-  bool numbers_rows() const override { return table_->numbers_rows(); }
-  RowPlace place(std::size_t number) const override { return table_->place(number); }
-  double share_read() const override { return table_->share_read(); }
-  std::unique_ptr<Table> again() const override { return of(table_->again()); }
-  std::unique_ptr<Table> first_rows() const override { return of(table_->first_rows()); }
   bool is_waiting(std::chrono::milliseconds patience) override {
     return table_->is_waiting(patience);
   }
@@ -54,8 +45,7 @@ class UnitColumn : public Table {
   }
 
  private:
-  std::unique_ptr<Table> of(std::unique_ptr<Table> table) const {
-    if (!table) return nullptr;
+  std::unique_ptr<Table> over(std::unique_ptr<Table> table) const override {
     return std::make_unique<UnitColumn>(std::move(table), columns_, text_, is_believed_);
   }
 
@@ -85,7 +75,6 @@ class UnitColumn : public Table {
     return "\"" + name + "\"='" + std::string(text) + "'";
   }
 
-  std::unique_ptr<Table> table_;
   Columns columns_;
   std::string text_;  ///< what the first rows say; empty where they are not known
   std::string same_;  ///< another text for the same unit
