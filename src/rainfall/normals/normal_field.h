@@ -39,6 +39,9 @@ class BasinNormals {
   virtual GroundNormal whole(std::size_t month) const = 0;
   /// The normal at a point of the basin; NaN where there is none.
   virtual double at(Point p, std::size_t month) const = 0;
+  /// The variance of the logarithm of the basin's mean normal: 0 where normals are given, and so
+  /// taken as known.
+  virtual double log_variance(std::size_t /*month*/) const { return 0; }
 };
 
 /// Normals: long-term means of rainfall over the ground and at the gauges, for the whole year or
@@ -56,6 +59,11 @@ class NormalField {
   virtual std::size_t months() const = 0;
   /// The normal at a station, in a month from 0; above 0.
   virtual double at_gauge(StationIndex station, std::size_t month) const = 0;
+  /// The normal at a station as it is told without the station's own readings: the same where
+  /// normals are given.
+  virtual double without(StationIndex station, std::size_t month) const {
+    return at_gauge(station, month);
+  }
   virtual const BasinNormals& in(std::size_t basin) const = 0;
 };
 
