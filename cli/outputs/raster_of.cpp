@@ -103,6 +103,7 @@ std::shared_ptr<const NormalsAtPoints> normals_in(const Inputs& inputs, const No
 std::vector<double> normals_in_row(const NormalsAtPoints& normals, const PixelGrid& grid, int row,
                                    const PointMapping& to_study) {
   std::vector<Point> centres;
+  centres.reserve(static_cast<std::size_t>(grid.columns));
   for (int column = 0; column < grid.columns; ++column) centres.push_back(grid.centre(column, row));
   to_study(centres);
   std::vector<double> found;

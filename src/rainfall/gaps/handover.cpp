@@ -98,6 +98,7 @@ void Handovers::add_normals(const std::vector<Clipped>& clipped) {
     for (const ClippedCell& cell : clipped[b].cells)
       ground.shares.push_back({cell.place, cell.area});
     std::vector<std::vector<double>> means;
+    means.reserve(all.size());
     for (const NormalMonth& month : all)
       means.push_back(mean_normals(*normals(), b, ground, month));
     for (std::size_t i = 0; i < ground.shares.size(); ++i) {

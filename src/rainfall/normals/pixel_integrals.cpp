@@ -125,7 +125,8 @@ void PixelIntegrals::add_edge(Point from, Point to, std::span<double> figures) c
   const double end = std::min(lower.y, static_cast<double>(values_.rows()));
   if (!(begin < end)) return;
   const double slope = (lower.x - upper.x) / (lower.y - upper.y);
-  const auto [west, east] = std::minmax(upper.x, lower.x);
+  const double west = std::min(upper.x, lower.x);
+  const double east = std::max(upper.x, lower.x);
   const auto at = [&](double row) {
     if (row == upper.y) return upper;
     if (row == lower.y) return lower;
