@@ -32,7 +32,7 @@
 #include "cli/terminal/progress.h"
 #include "files/basin_centroids.h"
 #include "files/rainfall/rainfall_file.h"
-#include "rainfall/errors/rainfall_error.h"
+#include "rainfall/errors/errors_of_series.h"
 #include "rainfall/series/gauge_patterns.h"
 #include "rainfall/series/step_months.h"
 #include "results/weights_log.h"
@@ -114,8 +114,7 @@ class RainCommand : public Command {
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     RainFormat format = table_format();
-    std::unique_ptr<const ArealRainfall> values;
-    const auto rainfall = step_rainfall(inputs, format, values, warnings);
+    const auto rainfall = step_rainfall(inputs, format, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     periods_.settle_stamp(readings->stamp(), rainfall_.name());
     std::optional<Totalling> totalling = totals(is_fed);
@@ -178,9 +177,11 @@ class RainCommand : public Command {
         "--error", flag(errors_),
         "the standard error of each value, in columns BASIN_se after all others, or with "
         "--long in a column se: 1.96 of them to each side are a 95 % bar (widened where "
-        "few gauges report) for the true mean of a field alike everywhere; README has what "
-        "was measured for rain that is not. RAINFALL is read twice, all of it; empty where "
-        "fewer than five gauges report or all that do read the same; 10 steps are needed");
+        "few gauges report) for the true mean of a field alike everywhere, or with normals of "
+        "one that they lift; without them bars are too narrow in mountains, and README has "
+        "what was measured. Of any method that weighs gauges. RAINFALL is read twice, all of "
+        "it; empty where fewer than five gauges report or all that do read the same; 10 steps "
+        "are needed");
   }
 
   void declare_account() {
@@ -203,10 +204,6 @@ class RainCommand : public Command {
   void check_errors_can_be_had() const {
     if (!errors_) return;
     method_.check_errors();
-    if (study_.has_normals()) {
-      throw UsageError{"--error is of weights, and normals make factors beside them",
-                       "leave one of them out"};
-    }
     periods_.check_errors();
     if (rainfall_.is_standard_input()) {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
@@ -268,18 +265,27 @@ class RainCommand : public Command {
     return totalling;
   }
 
-  /// What computes each step. Standard errors are of `values`, which has to outlive them.
+  /// What computes each step.
   std::unique_ptr<const StepRainfall> step_rainfall(Inputs& inputs, const RainFormat& format,
-                                                    std::unique_ptr<const ArealRainfall>& values,
-                                                    Warnings& warnings) const {
+                                                    Warnings& warnings) {
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format.rows_for_basins && !periods_.totalling();
-    if (!errors_) {
-      return rainfall_by(method_.methods(), inputs.weighing(), method_.points(), settings,
-                         threads(), warnings);
+    std::optional<ErrorsOfSeries> errors;
+    std::string shortfall;
+    AroundRainfall around;
+    if (errors_) {
+      read_for_errors(inputs, errors.emplace(inputs.weighing()));
+      around = [&](std::unique_ptr<const WeighedRainfall> values, const NormalMonth& month) {
+        auto error = errors->of(std::move(values), month, threads());
+        shortfall = error->shortfall();
+        return error;
+      };
     }
-    values = std::make_unique<const ArealRainfall>(inputs.weighing(), settings, threads());
-    return fit_errors(inputs, *values, warnings);
+    auto rainfall = rainfall_by(method_.methods(), inputs.weighing(), method_.points(), settings,
+                                threads(), warnings, around);
+    if (!shortfall.empty())
+      warnings.add({rainfall_.name(), 0, "no standard errors: " + shortfall, ""});
+    return rainfall;
   }
 
   /// Whether rows are handed over as they are computed, for RAINFALL is a pipe and they go where
@@ -315,24 +321,21 @@ class RainCommand : public Command {
 
   /// Reads RAINFALL for its variogram. Its warnings are dropped here, as they are given when it is
   /// read again.
-  std::unique_ptr<const RainfallError> fit_errors(Inputs& inputs, const ArealRainfall& values,
-                                                  Warnings& warnings) const {
+  void read_for_errors(Inputs& inputs, ErrorsOfSeries& errors) {
     Warnings told_later;
     const auto readings = inputs.open_readings(study_, rainfall_, told_later, std::nullopt);
-    const std::size_t stations = inputs.network().stations().size();
-    StepSample sample(stations, steps_for_errors(stations));
+    periods_.settle_stamp(readings->stamp(), rainfall_.name());
+    const StepMonths months(rainfall_.name(), periods_.stamp());
+    const NormalField* const normals = inputs.weighing().normals();
+    const bool tells_months = normals != nullptr && normals->months() > 1;
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
     for (TimeStep step; readings->next(step); progress.advance()) {
       throw_if_interrupted();
-      sample.add(step.readings);
+      NormalMonth month;
+      if (tells_months) month = months.of(step.time, step.written, step.line);
+      errors.add(step.readings, month);
     }
-    auto error = std::make_unique<const RainfallError>(values, inputs.weighing(), sample,
-                                                       static_cast<unsigned>(common_.threads));
-    if (!error->shortfall().empty()) {
-      warnings.add({rainfall_.name(), 0, "no standard errors: " + error->shortfall(), ""});
-    }
-    return error;
   }
 
   StudyOptions study_;

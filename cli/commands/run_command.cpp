@@ -43,6 +43,12 @@
 namespace thiessen::cli {
 namespace {
 
+/// Whether calendar months have normals of their own.
+bool tells_months(const Inputs& inputs) {
+  const NormalField* const normals = inputs.weighing().normals();
+  return normals != nullptr && normals->months() > 1;
+}
+
 /// What a run gathers while the steps pass.
 class RunSeries {
  public:
@@ -53,29 +59,24 @@ class RunSeries {
         rainfall_(rainfall),
         table_(table),
         error_(rainfall, inputs.weighing()),
-        has_normals_(inputs.weighing().normals() != nullptr),
-        tells_months_(has_normals_ && inputs.weighing().normals()->months() > 1) {
+        tells_months_(tells_months(inputs)) {
     table.tell(
         [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
   }
   RunSeries(const RunSeries&) = delete;
   RunSeries& operator=(const RunSeries&) = delete;
 
-  void add(const RainStep& step) {
+  void add(const RainStep& step, const NormalMonth& month) {
     table_.add(step);
     means.add(step.readings);
     means.note(step.time, calendar_time(step.time, step.written));
-    if (!has_normals_) error_.add(step.readings);
+    error_.add(step.readings, step.basins, month);
     summary.add(step);
     report.add(step);
   }
   void finish(unsigned threads) {
     if (rainfall_.leaves_silent_out() && !tells_months_)
       summary.find_most_influential(rainfall_, threads);
-    if (has_normals_) {
-      summary.set_errors_of_mean({}, "they are of weights, and normals make factors beside them");
-      return;
-    }
     std::vector<double> errors = error_.result(threads);
     summary.set_errors_of_mean(std::move(errors), error_.shortfall());
   }
@@ -89,7 +90,6 @@ class RunSeries {
   const ArealRainfall& rainfall_;
   RainTable& table_;
   MeanError error_;
-  bool has_normals_;
   bool tells_months_;
 };
 
@@ -164,7 +164,7 @@ class RunCommand : public Command {
           *readings, by_month ? static_cast<const StepRainfall&>(*by_month) : rainfall, work,
           [&](RainStep& step) { table.prepare(step); },
           [&](const RainStep& step) {
-            series.add(step);
+            series.add(step, by_month ? NormalMonth(work.month_of(step)) : NormalMonth());
             progress.advance();
           });
     }
@@ -197,10 +197,6 @@ class RunCommand : public Command {
     if (tells_months(inputs))
       return inputs.weighing().weights_by_month(inputs.all_report(), threads());
     return {rainfall.full_weights()};
-  }
-  static bool tells_months(const Inputs& inputs) {
-    const NormalField* const normals = inputs.weighing().normals();
-    return normals != nullptr && normals->months() > 1;
   }
   /// The rainfall of each calendar month, where months have normals of their own; else null.
   static std::unique_ptr<const MonthlyRainfall> monthly(const Inputs& inputs,

@@ -83,9 +83,9 @@ void MethodOptions::check(const GapOptions& gaps) const {
 }
 
 void MethodOptions::check_errors() const {
-  if (methods_ == std::vector{RainMethod::thiessen}) return;
-  throw UsageError{"--error is of Thiessen's weights, and --method wants others",
-                   "leave one of them out"};
+  if (!has_isohyets()) return;
+  throw UsageError{"--error is of methods that weigh gauges, and isohyets do not",
+                   "give one of thiessen, arithmetic, idw and natural"};
 }
 
 bool MethodOptions::has_isohyets() const {

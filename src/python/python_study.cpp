@@ -13,7 +13,7 @@
 #include "cli/outputs/cell_features.h"
 #include "files/rainfall/full_network.h"
 #include "rainfall/areal_rainfall.h"
-#include "rainfall/errors/rainfall_error.h"
+#include "rainfall/errors/errors_of_series.h"
 #include "rainfall/gaps/handover.h"
 #include "rainfall/influence/step_blocks.h"
 #include "rainfall/methods/rain_methods.h"
@@ -217,28 +217,43 @@ std::optional<Totalling> PythonStudy::totals(const Readings& opened,
   return totalling;
 }
 
-std::unique_ptr<const StepRainfall> PythonStudy::errors_of(const ArealRainfall& values,
-                                                           const HeldRows* rows,
-                                                           const SeriesKeywords& keywords,
-                                                           Warnings& warnings) {
-  StepSample sample(columns_.size(), steps_for_errors(columns_.size()));
+void PythonStudy::read_for_errors(const HeldRows* rows, const SeriesKeywords& keywords,
+                                  ErrorsOfSeries& errors) {
   if (rows != nullptr) {
     std::vector<double> buffer;
-    for (std::size_t step = 0; step < rows->size(); ++step) sample.add(rows->row(step, buffer));
-  } else {
-    Warnings told_later;  // when the files are read again
-    const auto readings =
-        inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt);
-    for (TimeStep step; readings->next(step);) {
-      throw_if_interrupted();
-      sample.add(step.readings);
-    }
+    for (std::size_t step = 0; step < rows->size(); ++step) errors.add(rows->row(step, buffer), {});
+    return;
   }
-  auto errors =
-      std::make_unique<const RainfallError>(values, inputs_->weighing(), sample, threads());
-  if (!errors->shortfall().empty())
-    warnings.add({"", 0, "no standard errors: " + errors->shortfall(), ""});
-  return errors;
+  Warnings told_later;  // when the files are read again
+  const auto readings =
+      inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt);
+  for (TimeStep step; readings->next(step);) {
+    throw_if_interrupted();
+    errors.add(step.readings, {});
+  }
+}
+
+/// What computes each step, with its errors where these are wanted.
+std::unique_ptr<const StepRainfall> PythonStudy::step_rainfall(const HeldRows* rows,
+                                                               const SeriesKeywords& keywords,
+                                                               Warnings& warnings) {
+  ArealRainfallSettings settings = keywords.gaps.settings();
+  settings.accounts = false;
+  std::optional<ErrorsOfSeries> errors;
+  std::string shortfall;
+  AroundRainfall around;
+  if (keywords.errors) {
+    read_for_errors(rows, keywords, errors.emplace(inputs_->weighing()));
+    around = [&](std::unique_ptr<const WeighedRainfall> values, const NormalMonth& month) {
+      auto error = errors->of(std::move(values), month, threads());
+      shortfall = error->shortfall();
+      return error;
+    };
+  }
+  auto rainfall = rainfall_by(keywords.method.methods(), inputs_->weighing(),
+                              keywords.method.points(), settings, threads(), warnings, around);
+  if (!shortfall.empty()) warnings.add({"", 0, "no standard errors: " + shortfall, ""});
+  return rainfall;
 }
 
 Series PythonStudy::series_with_names(const SeriesKeywords& keywords) const {
@@ -284,17 +299,8 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
     check_readings(readings->matrix, given_ids_);
     rows.emplace(readings->matrix, columns_);
   }
-  ArealRainfallSettings settings = keywords.gaps.settings();
-  settings.accounts = false;
-  std::unique_ptr<const ArealRainfall> values;  // has to outlive its errors
-  std::unique_ptr<const StepRainfall> rainfall;
-  if (keywords.errors) {
-    values = std::make_unique<const ArealRainfall>(inputs_->weighing(), settings, threads());
-    rainfall = errors_of(*values, rows ? &*rows : nullptr, keywords, warnings);
-  } else {
-    rainfall = rainfall_by(keywords.method.methods(), inputs_->weighing(), keywords.method.points(),
-                           settings, threads(), warnings);
-  }
+  const std::unique_ptr<const StepRainfall> rainfall =
+      step_rainfall(rows ? &*rows : nullptr, keywords, warnings);
   if (rows && !keywords.range.times()) {
     compute(*rows, *rainfall, keywords.errors, series, progress);
     return series;

@@ -13,6 +13,7 @@
 #include "python/keywords.h"
 #include "python/progress.h"
 #include "rainfall/areal_rainfall.h"
+#include "rainfall/errors/errors_of_series.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/series/gauge_readings.h"
 #include "rainfall/series/rain_periods.h"
@@ -81,8 +82,11 @@ class PythonStudy {
   const Warnings& warnings() const { return warnings_; }
 
  private:
-  std::unique_ptr<const StepRainfall> errors_of(const ArealRainfall& values, const HeldRows* rows,
-                                                const SeriesKeywords& keywords, Warnings& warnings);
+  void read_for_errors(const HeldRows* rows, const SeriesKeywords& keywords,
+                       ErrorsOfSeries& errors);
+  std::unique_ptr<const StepRainfall> step_rainfall(const HeldRows* rows,
+                                                    const SeriesKeywords& keywords,
+                                                    Warnings& warnings);
   Series series_with_names(const SeriesKeywords& keywords) const;
   void compute(const HeldRows& rows, const StepRainfall& rainfall, bool errors, Series& series,
                Progress& progress) const;

@@ -13,6 +13,7 @@
 
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
+#include "rainfall/areal_rainfall.h"
 #include "rainfall/errors/gaussian_field.h"
 #include "rainfall/errors/rainfall_error.h"
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <span>
 #include <unordered_map>
@@ -44,6 +45,12 @@ class BasinError {
   /// outlive this object. Cost: the number of weights and points, times the number of points.
   BasinError(std::vector<SiteWeight> full, std::vector<Direction> points, double side_of_point,
              const Sites& sites, const Variogram& variogram);
+  /// The same basin by other weights of the full network. Cost: what the gauges cost that are not
+  /// in the first weights, and the square of the number of weights.
+  BasinError(const BasinError& like, std::vector<SiteWeight> full);
+
+  /// How many points stand for the basin.
+  std::size_t points() const { return points_->size(); }
 
   /// The mean square error once `change` is added to the full network's weights and all are divided
   /// by their sum. Requires a change in the order of its sites, each site once. The result is never
@@ -59,13 +66,16 @@ class BasinError {
   };
 
   Terms terms_of(std::uint32_t site) const;
+  double with_weights(std::uint32_t site) const;
+  double with_points(std::uint32_t site) const;
+  void sum_up();
   std::vector<Terms> terms_of(std::span<const SiteWeight> change) const;
   double within_points(double side_of_point) const;
 
   const Sites& sites_;
   const Variogram& variogram_;
   std::vector<SiteWeight> full_;
-  std::vector<Direction> points_;
+  std::shared_ptr<const std::vector<Direction>> points_;
   std::vector<Terms> terms_;  // of the full network's gauges, in the order of full_
   double weights_weights_ = 0;
   double weights_points_ = 0;

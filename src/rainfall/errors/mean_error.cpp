@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "rainfall/errors/rainfall_error.h"
+#include "rainfall/normals/relative_readings.h"
 
 namespace thiessen {
 namespace {
@@ -21,7 +22,8 @@ MeanError::MeanError(const ArealRainfall& rainfall, const Weighing& weighing)
       weighing_(weighing),
       sites_(weighing.network().places(), weighing.yardstick().metric),
       sample_(weighing.network().stations().size(),
-              steps_for_errors(weighing.network().stations().size())) {
+              steps_for_errors(weighing.network().stations().size())),
+      of_normals_(weighing.basins().size()) {
   add_pairs();
 }
 
@@ -35,13 +37,13 @@ void MeanError::add_pairs() {
   }
 }
 
-void MeanError::add(std::span<const double> readings) {
-  sample_.add(readings);
+void MeanError::add(std::span<const double> readings, std::span<const BasinRainfall> values,
+                    const NormalMonth& month) {
+  const std::vector<double> of_field = relative_readings(weighing_.normals(), readings, month);
+  sample_.add(of_field);
   ++steps_;
-  const std::vector<double> of_cell = rainfall_.cell_readings(readings);
-  std::vector<double> of_site(of_cell.size());
-  for (std::uint32_t site = 0; site < of_site.size(); ++site)
-    of_site[site] = of_cell[sites_.place_of(site)];
+  add_normals(values, month);
+  const std::vector<double> of_site = by_site(sites_, rainfall_.cell_readings(of_field));
   for (Pair& pair : pairs_) {
     const double difference = of_site[pair.b] - of_site[pair.a];
     if (std::isnan(difference)) continue;
@@ -49,6 +51,21 @@ void MeanError::add(std::span<const double> readings) {
     pair.squares += difference * difference;
     ++pair.steps;
   }
+}
+
+void MeanError::add_normals(std::span<const BasinRainfall> values, const NormalMonth& month) {
+  if (weighing_.normals() == nullptr) return;
+  for (std::size_t b = 0; b < values.size(); ++b) {
+    if (std::isnan(values[b].rainfall)) continue;
+    of_normals_[b].sum +=
+        values[b].rainfall * std::sqrt(log_variance(*weighing_.normals(), b, month));
+    ++of_normals_[b].values;
+  }
+}
+
+double MeanError::error_of_normal(std::size_t basin) const {
+  const OfNormals& of = of_normals_[basin];
+  return of.values == 0 ? 0 : of.sum / static_cast<double>(of.values);
 }
 
 MeanError::Variance MeanError::variance(const StepVariance& of_field) const {
@@ -77,7 +94,7 @@ MeanError::Squares MeanError::squares(const RainfallError& error, unsigned threa
   std::vector<std::vector<BasinRainfall>> values(steps);
   std::vector<std::vector<double>> at_step(steps);
   in_parallel(steps, threads, [&](std::size_t, std::size_t i) {
-    values[i] = rainfall_.at(sample_[i * sample_.steps() / steps], accounts[i]);
+    values[i] = error.parts().at(sample_[i * sample_.steps() / steps], accounts[i]);
     at_step[i] = error.mean_squares(accounts[i].change);
   });
   std::vector<double> count(basins, 0);
@@ -106,10 +123,13 @@ std::vector<double> MeanError::result(unsigned threads) {
   const RainfallError error(rainfall_, weighing_, sample_, threads);
   shortfall_ = error.shortfall();
   if (!shortfall_.empty()) return errors;
-  const Variance field = variance(error.variance());
+  Variance field = variance(error.model().variance());
   if (std::isnan(field.whole.variance)) {
-    shortfall_ = "too few gauges report together, or their means are all the same";
-    return errors;
+    if (!field.whole.is_even || !error.parts().has_normals()) {
+      shortfall_ = "too few gauges report together, or their means are all the same";
+      return errors;
+    }
+    field = {{0, field.whole.degrees, field.whole.gauges}, 0};
   }
   const double passing = std::isnan(field.passing) ? 0 : field.passing;
   const double lasting = field.whole.variance - passing;
@@ -117,7 +137,9 @@ std::vector<double> MeanError::result(unsigned threads) {
   const Squares weights = squares(error, threads);
   for (std::size_t b = 0; b < errors.size(); ++b) {
     const double square = passing * weights.mean[b] + lasting * weights.of_mean[b];
-    if (!std::isnan(square)) errors[b] = widening * std::sqrt(std::max(0.0, square));
+    if (std::isnan(square)) continue;
+    const double of_field = error.parts().normal(b) * widening * std::sqrt(std::max(0.0, square));
+    errors[b] = of_normals_[b].values == 0 ? of_field : std::hypot(of_field, error_of_normal(b));
   }
   return errors;
 }

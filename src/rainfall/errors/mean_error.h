@@ -9,6 +9,7 @@
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/errors/sites.h"
 #include "rainfall/errors/step_variance.h"
+#include "rainfall/network/step_rainfall.h"
 #include "rainfall/network/weights.h"
 #include "rainfall/series/step_sample.h"
 
@@ -31,15 +32,25 @@ class RainfallError;
 /// weights: where one gauge is silent now and another then, a gauge's lasting error cancels in
 /// part.
 ///
+/// With normals the field is that of readings divided by normals (FieldParts), whose errors count
+/// times the basin's mean normal; and the error of that normal, which lasts as a share of each
+/// value, is added. Where normals are fitted to the same series all gauges' means of that field are
+/// the same, and the error of the normals is all there is. In months that have normals of their own
+/// the readings are divided by those; the weights are by the year's.
+///
 /// Cost of a step: six differences a gauge. Cost of the result: that of a RainfallError and of a
 /// hundred of its steps. Memory: 100 bytes a gauge, and the sample.
 class MeanError {
  public:
-  /// The rainfall and the weighing must outlive this object.
+  /// The rainfall is by the year's normals; it and the weighing must outlive this object.
   MeanError(const ArealRainfall& rainfall, const Weighing& weighing);
 
-  /// Takes the next step's readings, one for each station, NaN where it is silent.
-  void add(std::span<const double> readings);
+  /// Takes the next step: its readings, one for each station, NaN where it is silent; its values by
+  /// basin; and its month, where months have normals of their own.
+  void add(std::span<const double> readings, std::span<const BasinRainfall> values,
+           const NormalMonth& month);
+  /// The same without normals, where the values do not matter.
+  void add(std::span<const double> readings) { add(readings, {}, {}); }
   /// The standard errors by basin, in the readings' unit; NaN where there is none. They do not
   /// depend on `threads`.
   std::vector<double> result(unsigned threads);
@@ -55,7 +66,14 @@ class MeanError {
     std::size_t steps = 0;  // at which both report
   };
 
+  /// The errors of normals, which are a share of each value, and how many values there are.
+  struct OfNormals {
+    double sum = 0;
+    std::size_t values = 0;
+  };
+
   void add_pairs();
+  void add_normals(std::span<const BasinRainfall> values, const NormalMonth& month);
   /// The variance of the mean field, and the passing part of it.
   struct Variance {
     FieldVariance whole;
@@ -69,6 +87,7 @@ class MeanError {
   };
 
   Variance variance(const StepVariance& of_field) const;
+  double error_of_normal(std::size_t basin) const;
   Squares squares(const RainfallError& error, unsigned threads) const;
 
   const ArealRainfall& rainfall_;
@@ -77,6 +96,7 @@ class MeanError {
   std::vector<Pair> pairs_;
   std::size_t steps_ = 0;
   StepSample sample_;
+  std::vector<OfNormals> of_normals_;  // by basin
   std::string shortfall_;
 };
 

@@ -6,10 +6,7 @@
 
 #include "base/parallel.h"
 #include "earth/nearest/in_space.h"
-#include "earth/sphere/units.h"
 #include "geometry/long_sum.h"
-#include "rainfall/errors/distance_classes.h"
-#include "rainfall/errors/variogram_fit.h"
 #include "rainfall/methods/basin_points.h"
 
 namespace thiessen {
@@ -22,12 +19,20 @@ constexpr std::size_t most_points = 4096;
 constexpr std::size_t sampled_steps = 2000;
 constexpr std::size_t sampled_bytes = std::size_t{16} << 20;
 
-/// A distance that is longer than any between two gauges, or between a gauge and a basin.
-double longest_distance(const Weighing& weighing) {
-  if (weighing.yardstick().metric == Metric::geodesic) return 2.1 * mean_radius;
-  Box box = weighing.frame();
-  for (const Point p : weighing.network().places()) box.take_in(p);
-  return std::hypot(box.width(), box.height());
+/// A reference to what its user keeps.
+std::shared_ptr<const WeighedRainfall> kept(const WeighedRainfall& rainfall) {
+  return std::shared_ptr<const WeighedRainfall>(std::shared_ptr<const WeighedRainfall>(),
+                                                &rainfall);
+}
+
+std::shared_ptr<const FieldModel> fitted_model(const WeighedRainfall& rainfall,
+                                               const Weighing& weighing, const StepSample& sample,
+                                               unsigned threads) {
+  Sites sites(weighing.network().places(), weighing.yardstick().metric);
+  StepSample of_sites(sites.size(), std::max<std::size_t>(sample.steps(), 2));
+  for (std::size_t t = 0; t < sample.steps(); ++t)
+    of_sites.add(by_site(sites, rainfall.cell_readings(sample[t])));
+  return std::make_shared<const FieldModel>(weighing, std::move(sites), of_sites, threads);
 }
 
 /// Weights sorted by basin, and within a basin by site, with one entry for each site.
@@ -75,71 +80,96 @@ std::size_t steps_for_errors(std::size_t stations) {
   return steps_within(sampled_bytes, stations, sampled_steps);
 }
 
-RainfallError::RainfallError(const ArealRainfall& rainfall, const Weighing& weighing,
+RainfallError::RainfallError(const WeighedRainfall& rainfall, const Weighing& weighing,
                              const StepSample& sample, unsigned threads)
-    : rainfall_(rainfall), sites_(weighing.network().places(), weighing.yardstick().metric) {
-  DistanceClasses found = distance_classes(by_site(sample), sites_, threads);
-  shortfall_ = std::move(found.shortfall);
-  if (!shortfall_.empty()) return;
-  variogram_.emplace(fit_variogram(found.classes), longest_distance(weighing));
-  variance_.emplace(sites_, *variogram_);
-  weigh(weighing, threads);
+    : RainfallError(kept(rainfall), {}, weighing, sample, threads) {}
+
+RainfallError::RainfallError(std::shared_ptr<const WeighedRainfall> rainfall,
+                             const NormalMonth& month, const Weighing& weighing,
+                             const StepSample& sample, unsigned threads)
+    : parts_(std::move(rainfall), weighing, month),
+      fitted_{fitted_model(parts_.rainfall(), weighing, sample, threads), {}} {
+  weigh({}, threads);
 }
 
-StepSample RainfallError::by_site(const StepSample& sample) const {
-  StepSample result(sites_.size(), std::max<std::size_t>(sample.steps(), 2));
-  for (std::size_t t = 0; t < sample.steps(); ++t)
-    result.add(by_site(rainfall_.cell_readings(sample[t])));
-  return result;
+RainfallError::RainfallError(const FittedErrors& like,
+                             std::shared_ptr<const WeighedRainfall> rainfall,
+                             const NormalMonth& month, unsigned threads)
+    : parts_(std::move(rainfall), like.model->weighing(), month), fitted_{like.model, {}} {
+  weigh(like.basins, threads);
 }
 
-std::vector<double> RainfallError::by_site(const std::vector<double>& of_cell) const {
-  std::vector<double> readings(of_cell.size());
-  for (std::uint32_t site = 0; site < readings.size(); ++site)
-    readings[site] = of_cell[sites_.place_of(site)];
-  return readings;
-}
-
-void RainfallError::weigh(const Weighing& weighing, unsigned threads) {
+std::shared_ptr<const BasinError> RainfallError::basin_error(std::size_t basin,
+                                                             std::span<const SiteWeight> full,
+                                                             const BasinError* like) const {
+  const Weighing& weighing = model().weighing();
   const Yardstick& yardstick = weighing.yardstick();
+  std::vector<SiteWeight> weights(full.begin(), full.end());
+  const std::size_t count = std::clamp(points_a_weight * full.size(), least_points, most_points);
+  const std::vector<Point> at = basin_points(weighing.basins()[basin], yardstick, count);
+  if (like != nullptr && like->points() == at.size())
+    return std::make_shared<const BasinError>(*like, std::move(weights));
+  std::vector<Direction> points;
+  points.reserve(at.size());
+  for (const Point p : at) points.push_back(in_space(p, yardstick.metric));
   const double unit = yardstick.metric == Metric::planar ? std::sqrt(yardstick.unit_area) : 1;
-  basins_.resize(weighing.basins().size());
-  const WeightsOfBasins all(rainfall_.full_cells(), basins_.size(), sites_);
-  in_parallel(basins_.size(), threads, [&](std::size_t, std::size_t b) {
-    const auto full = all.of(b);
-    const std::size_t count = std::clamp(points_a_weight * full.size(), least_points, most_points);
-    std::vector<Direction> points;
-    for (const Point p : basin_points(weighing.basins()[b], yardstick, count))
-      points.push_back(in_space(p, yardstick.metric));
-    const double side =
-        std::sqrt(weighing.basin_area(b) / static_cast<double>(points.size())) / unit;
-    basins_[b] = std::make_unique<const BasinError>(std::vector(full.begin(), full.end()),
-                                                    std::move(points), side, sites_, *variogram_);
+  const double side = std::sqrt(weighing.basin_area(basin) / static_cast<double>(at.size())) / unit;
+  return std::make_shared<const BasinError>(std::move(weights), std::move(points), side,
+                                            model().sites(), model().variogram());
+}
+
+void RainfallError::weigh(const std::vector<std::shared_ptr<const BasinError>>& like,
+                          unsigned threads) {
+  if (!shortfall().empty()) return;
+  fitted_.basins.resize(model().weighing().basins().size());
+  const WeightsOfBasins all(parts_.full(), fitted_.basins.size(), model().sites());
+  in_parallel(fitted_.basins.size(), threads, [&](std::size_t, std::size_t b) {
+    fitted_.basins[b] = basin_error(b, all.of(b), like.empty() ? nullptr : like[b].get());
   });
 }
 
 std::vector<double> RainfallError::mean_squares(const std::vector<CellWeight>& change) const {
-  const WeightsOfBasins changes(change, basins_.size(), sites_);
-  std::vector<double> squares(basins_.size());
+  const WeightsOfBasins changes(change, fitted_.basins.size(), model().sites());
+  std::vector<double> squares(fitted_.basins.size());
   for (std::size_t b = 0; b < squares.size(); ++b)
-    squares[b] = basins_[b]->mean_square(changes.of(b));
+    squares[b] = fitted_.basins[b]->mean_square(changes.of(b));
   return squares;
 }
 
 std::vector<BasinRainfall> RainfallError::at(std::span<const double> readings) const {
-  if (!variance_) return rainfall_.at(readings);
+  if (!shortfall().empty()) return parts_.rainfall().at(readings);
   CellAccount account;
-  std::vector<BasinRainfall> result = rainfall_.at(readings, account);
-  const FieldVariance field = variance_->of(by_site(account.readings));
+  std::vector<BasinRainfall> result = parts_.at(readings, account);
+  const FieldVariance field = model().variance().of(by_site(model().sites(), account.readings));
+  if (field.is_even) {
+    for (BasinRainfall& basin : result) basin.error_of_step = 0;
+  }
   if (std::isnan(field.variance)) return result;
-  const WeightsOfBasins changes(account.change, result.size(), sites_);
+  const WeightsOfBasins changes(account.change, result.size(), model().sites());
   const double widening = StepVariance::widening(field.degrees);
   for (std::size_t b = 0; b < result.size(); ++b) {
-    if (std::isnan(result[b].rainfall)) continue;
-    result[b].standard_error =
-        widening * std::sqrt(field.variance * basins_[b]->mean_square(changes.of(b)));
+    BasinRainfall& basin = result[b];
+    if (std::isnan(basin.rainfall)) continue;
+    const auto change = changes.of(b);
+    basin.error_of_step =
+        widening * std::sqrt(field.variance * fitted_.basins[b]->mean_square(change));
+    basin.standard_error = basin.error_of_step;
+    if (parts_.has_normals()) take_normals(b, change, basin);
   }
   return result;
+}
+
+/// Makes the error of the field's mean that of the basin's rainfall.
+void RainfallError::take_normals(std::size_t b, std::span<const SiteWeight> change,
+                                 BasinRainfall& basin) const {
+  LongSum sum;
+  sum.add(1);
+  for (const SiteWeight& c : change) sum.add(c.weight);
+  const double parts = sum.value();
+  const double of_field = parts_.normal(b) * parts * basin.error_of_step;
+  basin.error_of_step = std::hypot(of_field, basin.rainfall * (1 - 1 / parts));
+  basin.error_of_normals = basin.rainfall * parts_.error_of_normal(b);
+  basin.standard_error = std::hypot(basin.error_of_step, basin.error_of_normals);
 }
 
 }  // namespace thiessen

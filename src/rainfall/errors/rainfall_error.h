@@ -1,18 +1,24 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "rainfall/areal_rainfall.h"
 #include "rainfall/errors/basin_error.h"
-#include "rainfall/errors/step_variance.h"
+#include "rainfall/errors/field_model.h"
+#include "rainfall/errors/field_parts.h"
 #include "rainfall/network/weights.h"
 #include "rainfall/series/step_sample.h"
 
 namespace thiessen {
+
+/// What RainfallError fits to a series, and what it computes for each basin once. It is remembered
+/// for other methods and months of the same series.
+struct FittedErrors {
+  std::shared_ptr<const FieldModel> model;
+  std::vector<std::shared_ptr<const BasinError>> basins;  ///< none where there is a shortfall
+};
 
 /// The standard error of areal rainfall: how far a sum of weight x reading may be from the mean
 /// rain over the basin, as far as the gauges themselves can tell.
@@ -26,6 +32,12 @@ namespace thiessen {
 /// step's weights (BasinError). Its root is widened by the ratio of Student's quantile to the
 /// normal one, so that 1.96 standard errors to each side are a 95 % bar although only a few gauges
 /// tell the variance.
+///
+/// With normals the field is that of readings divided by their gauges' normals, and a basin's mean
+/// normal N has an error of its own, of the variance s^2 of its logarithm (0 where normals are
+/// given). The square of the error is N^2 x the field's variance x the mean square for the gauges'
+/// parts (FieldParts), widened, and (value x s)^2. Where a method scales weights so that the parts
+/// add up to p and not to 1, value x (1 - 1 / p) is an error, too.
 ///
 /// The model cannot bound what it does not know: a mean that changes between near gauges (hills),
 /// gauges that all err to one side (wind), and steps at which it rains in one part of the network
@@ -42,43 +54,48 @@ namespace thiessen {
 /// twice, 24 bytes a point, and 200 bytes a gauge.
 class RainfallError : public StepRainfall {
  public:
-  /// Fits the model to a sample of the series, which has a column for each station. The rainfall
-  /// must outlive this object.
-  RainfallError(const ArealRainfall& rainfall, const Weighing& weighing, const StepSample& sample,
+  /// Fits the model to a sample of the series, which has a column for each station and, where there
+  /// are normals, readings relative to those of each step's month (relative_readings). The rainfall
+  /// is by the year's normals; both must outlive this object.
+  RainfallError(const WeighedRainfall& rainfall, const Weighing& weighing, const StepSample& sample,
                 unsigned threads);
+  /// The same for what a method, a calendar month's normals or both make of the rainfall.
+  RainfallError(std::shared_ptr<const WeighedRainfall> rainfall, const NormalMonth& month,
+                const Weighing& weighing, const StepSample& sample, unsigned threads);
+  /// The same for another method or month by what was fitted for one.
+  RainfallError(const FittedErrors& like, std::shared_ptr<const WeighedRainfall> rainfall,
+                const NormalMonth& month, unsigned threads);
   RainfallError(const RainfallError&) = delete;
   RainfallError& operator=(const RainfallError&) = delete;
 
   /// Says why there are no figures at all, as in "4 time steps ...: 10 are needed"; empty where
   /// there are some.
-  const std::string& shortfall() const { return shortfall_; }
+  const std::string& shortfall() const { return fitted_.model->shortfall(); }
   /// The fitted variogram. Requires that there is no shortfall.
-  const VariogramModel& variogram() const { return variogram_->model(); }
+  const VariogramModel& variogram() const { return model().variogram().model(); }
 
-  /// The values of ArealRainfall::at with their standard errors, in the readings' unit. Safe for
+  /// The values of the rainfall with their standard errors, in the readings' unit. Safe for
   /// several threads at once.
   std::vector<BasinRainfall> at(std::span<const double> readings) const override;
   std::vector<BasinWeights> weights_at(std::span<const double> readings) const override {
-    return rainfall_.weights_at(readings);
+    return parts_.rainfall().weights_at(readings);
   }
 
-  /// The mean square of the error by basin, in units of the field's variance, where weights change
-  /// by `change` (as in CellAccount). Requires that there is no shortfall.
+  /// The mean square of the error by basin, in units of the field's variance, where parts change by
+  /// `change` (as in the account of FieldParts). Requires that there is no shortfall.
   std::vector<double> mean_squares(const std::vector<CellWeight>& change) const;
-  const StepVariance& variance() const { return *variance_; }
-  const Sites& sites() const { return sites_; }
+  const FieldParts& parts() const { return parts_; }
+  const FieldModel& model() const { return *fitted_.model; }
+  const FittedErrors& fitted() const { return fitted_; }
 
  private:
-  StepSample by_site(const StepSample& sample) const;
-  std::vector<double> by_site(const std::vector<double>& of_cell) const;
-  void weigh(const Weighing& weighing, unsigned threads);
+  void weigh(const std::vector<std::shared_ptr<const BasinError>>& like, unsigned threads);
+  std::shared_ptr<const BasinError> basin_error(std::size_t basin, std::span<const SiteWeight> full,
+                                                const BasinError* like) const;
+  void take_normals(std::size_t b, std::span<const SiteWeight> change, BasinRainfall& basin) const;
 
-  const ArealRainfall& rainfall_;
-  Sites sites_;
-  std::string shortfall_;
-  std::optional<Variogram> variogram_;
-  std::optional<StepVariance> variance_;
-  std::vector<std::unique_ptr<const BasinError>> basins_;
+  FieldParts parts_;
+  FittedErrors fitted_;
 };
 
 /// How many steps the sample of a series should hold that RainfallError is fitted to.

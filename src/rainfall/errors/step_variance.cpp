@@ -65,6 +65,7 @@ FieldVariance StepVariance::of(std::span<const double> readings) const {
     any_alone = true;
     last_alone = site;
   }
+  result.is_even = result.gauges >= least_reporting && squares == 0;
   if (result.gauges < least_reporting || !(squares > 0) || !(expected > 0)) return result;
   result.variance = squares / expected;
   result.degrees = degrees_of(result.gauges);
@@ -81,6 +82,7 @@ FieldVariance StepVariance::of(std::span<const SquaredDifference> differences,
     expected += 2 * weight(semivariance) * semivariance;
   }
   FieldVariance result{std::numeric_limits<double>::quiet_NaN(), 0, gauges};
+  result.is_even = gauges >= least_reporting && !(squares > 0);
   if (gauges < least_reporting || !(squares > 0) || !(expected > 0)) return result;
   result.variance = squares / expected;
   result.degrees = degrees_of(gauges);

@@ -12,9 +12,10 @@ namespace thiessen {
 
 /// The variance of the field at one step, estimated from the readings of that step.
 struct FieldVariance {
-  double variance;     ///< NaN where fewer than five gauges report, or all read the same
-  double degrees;      ///< of freedom: as uncertain as from so many independent readings
-  std::size_t gauges;  ///< that report; those at one place count as one
+  double variance;       ///< NaN where fewer than five gauges report, or all read the same
+  double degrees;        ///< of freedom: as uncertain as from so many independent readings
+  std::size_t gauges;    ///< that report; those at one place count as one
+  bool is_even = false;  ///< whether five gauges or more report, and all read the same
 };
 
 /// The squared difference of two gauges' readings, or an estimate of it.

@@ -48,18 +48,24 @@ struct MethodMaker {
   const PointSettings& points;
   const ArealRainfallSettings& settings;
   unsigned threads;
+  const AroundRainfall& around;
 
+  std::unique_ptr<const StepRainfall> finished(std::unique_ptr<const WeighedRainfall> rainfall,
+                                               const NormalMonth& month) const {
+    if (around) return around(std::move(rainfall), month);
+    return rainfall;
+  }
   OfMonth by(std::shared_ptr<const AreaMethod> method) const {
     return [*this, method = std::move(method)](const NormalMonth& month) {
-      return std::make_unique<const MethodRainfall>(weighing, method, settings, month);
+      return finished(std::make_unique<const MethodRainfall>(weighing, method, settings, month),
+                      month);
     };
   }
   OfMonth by_cells() const {
     auto year = std::make_shared<std::unique_ptr<const ArealRainfall>>(
         std::make_unique<const ArealRainfall>(weighing, settings, threads));
-    return [year](const NormalMonth& month) -> std::unique_ptr<const StepRainfall> {
-      if (month) return (*year)->of_month(*month);
-      return std::move(*year);
+    return [*this, year](const NormalMonth& month) {
+      return finished(month ? (*year)->of_month(*month) : std::move(*year), month);
     };
   }
   OfMonth by_isohyets(OfMonth natural) const {
@@ -130,8 +136,9 @@ std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& m
                                                 const Weighing& weighing,
                                                 const PointSettings& points,
                                                 const ArealRainfallSettings& settings,
-                                                unsigned threads, Warnings& warnings) {
-  const MethodMaker maker{weighing, points, settings, threads};
+                                                unsigned threads, Warnings& warnings,
+                                                const AroundRainfall& around) {
+  const MethodMaker maker{weighing, points, settings, threads, around};
   std::vector<OfMonth> all;
   all.reserve(methods.size());
   for (const RainMethod method : methods) all.push_back(maker.rainfall(method, warnings));

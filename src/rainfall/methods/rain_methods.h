@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "base/error.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/network/step_rainfall.h"
+#include "rainfall/weighed_rainfall.h"
 
 namespace thiessen {
 
@@ -36,13 +38,19 @@ struct PointSettings {
   double interval = 0;        ///< between isohyets; 0: a rounded step
 };
 
+/// Makes of the rainfall by a method that weighs gauges, for a month's normals or the year's, what
+/// says more of it, such as its errors.
+using AroundRainfall = std::function<std::unique_ptr<const StepRainfall>(
+    std::unique_ptr<const WeighedRainfall> rainfall, const NormalMonth& month)>;
+
 /// Gets ready to compute by one method, or by several in the order of their columns. Warns of
 /// basins that reach beyond the gauges' hull, where natural neighbours are wanted. The weighing
-/// must outlive it.
+/// must outlive it. What weighs gauges is handed to `around`, where there is one.
 std::unique_ptr<const StepRainfall> rainfall_by(const std::vector<RainMethod>& methods,
                                                 const Weighing& weighing,
                                                 const PointSettings& points,
                                                 const ArealRainfallSettings& settings,
-                                                unsigned threads, Warnings& warnings);
+                                                unsigned threads, Warnings& warnings,
+                                                const AroundRainfall& around = {});
 
 }  // namespace thiessen

@@ -18,6 +18,11 @@ struct BasinRainfall {
   /// The standard error of the rainfall, if it was asked for (see RainfallError) and there is one;
   /// else NaN.
   double standard_error = std::numeric_limits<double>::quiet_NaN();
+  /// What the squares of the standard error are made of: what belongs to the step, and what normals
+  /// make, which is the same share of the rainfall at all steps. The first is 0 where all gauges
+  /// read the same, though that is no standard error.
+  double error_of_step = std::numeric_limits<double>::quiet_NaN();
+  double error_of_normals = 0;
 };
 
 /// Turns the readings of a step into areal rainfall. Safe for several threads at once; the result

@@ -124,8 +124,25 @@ ElevationLine ElevationKriging::line(Direction x, std::span<const NearestGauges:
   const double of_field = variogram_.sill - with_x.squaredNorm();
   line.variance_terms = {of_field + g00 * c0 * c0 + 2 * g01 * c0 * c1 + g11 * c1 * c1,
                          2 * (g01 * c0 + g11 * c1), g11};
-  for (double& term : line.variance_terms) term *= calibration_;
+  const double calibration = calibration_by(near);
+  for (double& term : line.variance_terms) term *= calibration;
   return line;
+}
+
+/// The mean of what the near places tell and of what all do, as if these were ten more. While
+/// places are left out nothing is known yet, and it is 1.
+double ElevationKriging::calibration_by(std::span<const NearestGauges::Near> near) const {
+  if (calibrations_.empty()) return calibration_;
+  constexpr double of_all = 10;
+  double sum = of_all * calibration_;
+  for (const auto& at : near) sum += calibrations_[index(at.place)];
+  return sum / (of_all + static_cast<double>(near.size()));
+}
+
+double ElevationKriging::calibration_at(Point x) const {
+  std::vector<NearestGauges::Near> near;
+  nearest_.find(x, neighbours, {}, near);
+  return calibration_by(near);
 }
 
 ElevationLine ElevationKriging::at(Point x) const {
@@ -171,6 +188,7 @@ void ElevationKriging::leave_out(unsigned threads) {
   left_out_error_ = std::sqrt(left_out_error_ / n);
   nearest_error_ = std::sqrt(nearest_error_ / n);
   calibration_ = ratios / n;
+  for (const Errors& of : errors) calibrations_.push_back(of.left_out * of.left_out / of.expected);
 }
 
 }  // namespace thiessen

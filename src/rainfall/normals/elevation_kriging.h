@@ -33,8 +33,10 @@ struct ElevationLine {
 ///
 /// The variogram is fitted to the residuals of one straight line in elevation through all values.
 /// Such residuals hold what changes over long distances too, which the near places take out: so
-/// variances are too large by a constant factor, which is told by leaving each place out, and
-/// divided out. The interpolated values do not depend on it.
+/// variances are too large by a factor, which is told by leaving each place out, and divided out.
+/// Mountains scatter more about such a plane than plains do: so the factor at x is the mean of what
+/// the near places tell and, ten times, of what all tell. The interpolated values do not depend on
+/// it.
 ///
 /// Where all near places have one elevation there is no slope. Source: J.-P. Chiles, P. Delfiner,
 /// Geostatistics, 2012, section 5.7; the dual form is 3.3.2. Safe for several threads at once.
@@ -54,9 +56,10 @@ class ElevationKriging {
   /// The variogram of S, in squares of the values' unit, as it was fitted: before variances are
   /// brought down to what leaving out tells.
   const VariogramModel& variogram() const { return variogram_; }
-  /// By what variances are multiplied.
+  /// By what variances are multiplied in the mean, and at x.
   double calibration() const { return calibration_; }
-  /// The variance of a place's own error, with the calibration.
+  double calibration_at(Point x) const;
+  /// The variance of a place's own error, with the mean calibration.
   double nugget() const { return variogram_.nugget * calibration_; }
   /// The root of the mean square difference between the places' values and what others tell.
   double left_out_error() const { return left_out_error_; }
@@ -66,6 +69,7 @@ class ElevationKriging {
  private:
   ElevationLine line(Direction x, std::span<const NearestGauges::Near> near) const;
   std::vector<NearestGauges::Near> others_of(std::size_t place) const;
+  double calibration_by(std::span<const NearestGauges::Near> near) const;
   void leave_out(unsigned threads);
 
   std::vector<Point> places_;
@@ -76,6 +80,7 @@ class ElevationKriging {
   NearestGauges nearest_;
   VariogramModel variogram_;
   double calibration_ = 1;
+  std::vector<double> calibrations_;  // by place: what leaving it out tells
   double left_out_error_ = 0;
   double nearest_error_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 #include <utility>
+#include <random>
 #include <vector>
 
 #include "geometry/seeded.h"
@@ -102,7 +103,7 @@ TEST(ElevationKriging, solves_the_textbooks_equations) {
       const Told want = by_the_whole_system(net, kriging.variogram(), x, z);
       const ElevationLine line = kriging.at(x);
       EXPECT_NEAR(line.value(z), want.value, 1e-8) << count;
-      EXPECT_NEAR(line.variance(z), want.variance * kriging.calibration(),
+      EXPECT_NEAR(line.variance(z), want.variance * kriging.calibration_at(x),
                   1e-8 * (1 + std::abs(want.variance)))
           << count;
     }
@@ -190,6 +191,22 @@ TEST(ElevationKriging, tells_how_far_it_is_off) {
     }
   }
   EXPECT_NEAR(ratios / count, 1, 0.2);
+}
+
+// In the east values scatter four times as much as in the west: so do the standard errors, but for
+// what is taken from all.
+TEST(ElevationKriging, is_the_less_sure_the_more_the_near_places_scatter) {
+  Seeded seeded;
+  Net net = random_net(seeded, 400);
+  std::normal_distribution<double> normal;
+  for (std::size_t i = 0; i < 400; ++i) {
+    const double scatter = net.places[i].x < 50 ? 0.05 : 0.2;
+    net.values[i] = 1e-3 * net.elevations[i] + scatter * normal(seeded.generator());
+  }
+  const ElevationKriging kriging = net.kriging();
+  const double ratio = kriging.calibration_at({90, 50}) / kriging.calibration_at({10, 50});
+  EXPECT_GT(ratio, 3);
+  EXPECT_LT(ratio, 16);
 }
 
 }  // namespace

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+
+#include "rainfall/errors/rainfall_error.h"
+
+namespace thiessen {
+
+/// Fits the one model of standard errors to a series that passes once, and then gives the rainfall
+/// its errors: that of each method, and of each calendar month where months have normals of their
+/// own.
+class ErrorsOfSeries {
+ public:
+  /// The weighing must outlive this object and what it makes.
+  explicit ErrorsOfSeries(const Weighing& weighing);
+
+  /// Takes the next step. `month` is to be given where months have normals of their own.
+  void add(std::span<const double> readings, const NormalMonth& month);
+  /// The rainfall by one method, for a month or by the year's normals, with errors.
+  std::unique_ptr<const RainfallError> of(std::unique_ptr<const WeighedRainfall> rainfall,
+                                          const NormalMonth& month, unsigned threads);
+
+ private:
+  const Weighing& weighing_;
+  StepSample sample_;
+  FittedErrors first_;  // nothing until some rainfall is given its errors
+};
+
+}  // namespace thiessen
