@@ -149,8 +149,10 @@ class RunCommand : public Command {
     const auto by_month = monthly(inputs, rainfall);
 
     std::optional<Totalling> totalling = periods_.totalling();
-    if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, view_.units, warnings);
-    RainTable table(files.rain, inputs.basins(), format_.format(), totalling, rainfall_.name());
+    if (totalling) settle_totals(*totalling, inputs, study_, rainfall_, view_.units, warnings);
+    RainFormat format = format_.format();
+    format.storms = periods_.are_storms();
+    RainTable table(files.rain, inputs.basins(), format, totalling, rainfall_.name());
     RunSeries series(inputs, rainfall, table);
     {
       Progress progress("time step", common_.quiet,

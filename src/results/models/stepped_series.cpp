@@ -31,7 +31,7 @@ std::string moment_text(std::int64_t seconds) {
 SteppedSeries::SteppedSeries(ModelSubject subject, std::string format)
     : subject_(std::move(subject)),
       format_(std::move(format)),
-      times_(subject_.rainfall, format_),
+      times_(subject_.rainfall, format_, subject_.step),
       held_(subject_.basins.size()) {}
 
 void SteppedSeries::add(const IsoTime& time, std::span<const double> rainfall,

@@ -49,11 +49,11 @@ TEST(PeriodOptions, law_1_totals_want_times_as_precise_as_their_periods) {
     Periods periods;
     periods.read({"--every", name, "--allow-missing", "2"});
     EXPECT_EQ(periods.contradiction(), "");
-    EXPECT_EQ(periods.block.totalling().value().every, precision);
+    EXPECT_EQ(periods.block.totalling().value().every.least_precision(), precision);
     EXPECT_EQ(periods.block.totalling().value().allowed_missing, 2U);
     EXPECT_EQ(periods.block.times().value().least, precision);
   }
-  EXPECT_NE(Periods().refusal({"--every", "week"}), "");
+  EXPECT_NE(Periods().refusal({"--every", "fortnight"}), "");
 }
 
 TEST(PeriodOptions, allow_steps_to_be_missing_of_totals_alone) {

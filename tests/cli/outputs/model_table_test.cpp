@@ -58,7 +58,7 @@ TEST(ModelTable, refuses_a_time_that_is_none_with_its_line) {
 TEST(ModelTable, hands_on_totals_and_says_that_some_lack_steps) {
   std::string text;
   Warnings told;
-  ModelTable table(std::make_unique<Kept>(text), "hype", Totalling{TimePrecision::day, 3}, "r.csv");
+  ModelTable table(std::make_unique<Kept>(text), "hype", Totalling{PeriodUnit::day, 3}, "r.csv");
   for (const char* time : {"2020-01-01T00:00", "2020-01-01T06:00", "2020-01-01T12:00",
                            "2020-01-01T18:00", "2020-01-02T00:00", "2020-01-02T12:00"})
     table.add(step(time, 1), 0);

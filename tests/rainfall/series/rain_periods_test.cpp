@@ -50,9 +50,9 @@ std::string fault_of(const Steps& steps, Totalling totalling) {
   return "none";
 }
 
-const Totalling days{TimePrecision::day, 0};
-const Totalling months{TimePrecision::month, 0};
-const Totalling years{TimePrecision::year, 0};
+const Totalling days{PeriodUnit::day, 0};
+const Totalling months{PeriodUnit::month, 0};
+const Totalling years{PeriodUnit::year, 0};
 
 TEST(RainPeriods, are_days_months_or_years) {
   const Steps steps = {{"2013-08-30T12:00", {1}},
@@ -70,7 +70,7 @@ TEST(RainPeriods, are_days_months_or_years) {
 
 TEST(RainPeriods, may_descend_and_come_in_any_order) {
   EXPECT_EQ(
-      totals_of({{"2014-01", {1}}, {"2013-12", {2}}, {"2013-11", {4}}}, {TimePrecision::year, 11}),
+      totals_of({{"2014-01", {1}}, {"2013-12", {2}}, {"2013-11", {4}}}, {PeriodUnit::year, 11}),
       (Steps{{"2014", {1}}, {"2013", {6}}}));
   EXPECT_EQ(totals_of({{"2013", {1}}, {"2015", {2}}, {"2014", {4}}}, years),
             (Steps{{"2013", {1}}, {"2015", {2}}, {"2014", {4}}}));
@@ -101,14 +101,13 @@ TEST(RainPeriods, have_no_total_where_a_step_has_no_value) {
 TEST(RainPeriods, pass_over_as_many_steps_without_a_value_as_allowed) {
   const Steps steps = {
       {"2013-01-01", {1}}, {"2013-01-03", {none}}, {"2013-01-06", {none}}, {"2013-01-10", {2}}};
-  EXPECT_TRUE(std::isnan(totals_of(steps, {TimePrecision::month, 1})[0].second[0]));
-  EXPECT_EQ(totals_of(steps, {TimePrecision::month, 2}), (Steps{{"2013-01", {3}}}));
-  EXPECT_EQ(periods_of(steps, {TimePrecision::month, 2})[0].basins[0].missing, 2u);
+  EXPECT_TRUE(std::isnan(totals_of(steps, {PeriodUnit::month, 1})[0].second[0]));
+  EXPECT_EQ(totals_of(steps, {PeriodUnit::month, 2}), (Steps{{"2013-01", {3}}}));
+  EXPECT_EQ(periods_of(steps, {PeriodUnit::month, 2})[0].basins[0].missing, 2u);
 }
 
 TEST(RainPeriods, have_no_total_of_nothing) {
-  EXPECT_TRUE(
-      std::isnan(totals_of({{"2013-01-01", {none}}}, {TimePrecision::month, 9})[0].second[0]));
+  EXPECT_TRUE(std::isnan(totals_of({{"2013-01-01", {none}}}, {PeriodUnit::month, 9})[0].second[0]));
   EXPECT_TRUE(periods_of({}, months).empty());
 }
 
@@ -178,11 +177,11 @@ TEST(RainPeriods, law_3_WhatIsNotAskedForDoesNotLack) {
   add_days(steps, "2019-05", 10, 31);
   add_days(steps, "2019-06", 1, 20);
   TimeRange range{parse_iso_time("2019-05-10").time, parse_iso_time("2019-06-20").time};
-  const auto periods = periods_of(steps, {TimePrecision::month, 0, range});
+  const auto periods = periods_of(steps, {PeriodUnit::month, 0, range});
   EXPECT_EQ(missing_in(periods, "2019-05"), 0u);
   EXPECT_EQ(missing_in(periods, "2019-06"), 0u);
   range.from = parse_iso_time("2019-05-08").time;
-  EXPECT_EQ(missing_in(periods_of(steps, {TimePrecision::month, 0, range}), "2019-05"), 2u);
+  EXPECT_EQ(missing_in(periods_of(steps, {PeriodUnit::month, 0, range}), "2019-05"), 2u);
 }
 
 TEST(RainPeriods, count_months_that_lack_in_a_year) {
@@ -226,22 +225,22 @@ TEST(RainPeriods, midnight_ends_the_day_before_where_times_end_steps) {
                        {"2013-08-31T00:00", {2}},
                        {"2013-08-31T12:00", {4}},
                        {"2013-09-01T00:00", {8}}};
-  Totalling ends{TimePrecision::day, 0, {}, Stamp::end};
+  Totalling ends{PeriodUnit::day, 0, {}, Stamp::end};
   EXPECT_EQ(totals_of(steps, ends), (Steps{{"2013-08-30", {3}}, {"2013-08-31", {12}}}));
-  ends.every = TimePrecision::month;
+  ends.every = PeriodUnit::month;
   EXPECT_TRUE(std::isnan(totals_of(steps, ends).at(0).second.at(0))) << "August lacks 58 steps";
   ends.allowed_missing = 58;
   EXPECT_EQ(totals_of(steps, ends), (Steps{{"2013-08", {15}}}));
   ends.allowed_missing = 57;
   EXPECT_TRUE(std::isnan(totals_of(steps, ends).at(0).second.at(0)));
-  EXPECT_EQ(totals_of({{"2013-08-31", {1}}, {"2013-09-01", {2}}},
-                      {TimePrecision::day, 0, {}, Stamp::end}),
-            (Steps{{"2013-08-31", {1}}, {"2013-09-01", {2}}}))
+  EXPECT_EQ(
+      totals_of({{"2013-08-31", {1}}, {"2013-09-01", {2}}}, {PeriodUnit::day, 0, {}, Stamp::end}),
+      (Steps{{"2013-08-31", {1}}, {"2013-09-01", {2}}}))
       << "a date is the whole day";
 }
 
 TEST(RainPeriods, what_lies_beyond_a_range_does_not_lack_where_times_end_steps) {
-  Totalling ends{TimePrecision::day, 0, {}, Stamp::end};
+  Totalling ends{PeriodUnit::day, 0, {}, Stamp::end};
   ends.range.from = parse_iso_time("2013-08-31T12:00").time;
   ends.range.to = parse_iso_time("2013-09-01T12:00").time;
   EXPECT_EQ(
@@ -303,7 +302,7 @@ TEST(RainPeriods, may_leave_out_a_last_one_that_may_not_be_over) {
 }
 
 TEST(RainPeriods, rates_count_times_their_step) {
-  Totalling days{TimePrecision::day, 23, {}};
+  Totalling days{PeriodUnit::day, 23, {}};
   days.depths.emplace(StepLength{0, 3'600}, StepLength{0, 900});
   const Steps quarters = {{"2020-01-01T00:00", {4}},
                           {"2020-01-01T00:15", {4}},
@@ -314,14 +313,14 @@ TEST(RainPeriods, rates_count_times_their_step) {
 }
 
 TEST(RainPeriods, rates_of_days_count_times_the_days_of_their_month) {
-  Totalling months{TimePrecision::month, 0, {}};
+  Totalling months{PeriodUnit::month, 0, {}};
   months.depths.emplace(StepLength{0, 86'400}, StepLength{1, 0});
   EXPECT_EQ(totals_of({{"2020-01", {4}}, {"2020-02", {4}}, {"2020-03", {4}}}, months),
             (Steps{{"2020-01", {124}}, {"2020-02", {116}}, {"2020-03", {124}}}));
 }
 
 Totalling days_of_hourly_rates() {
-  Totalling days{TimePrecision::day, 100, {}};
+  Totalling days{PeriodUnit::day, 100, {}};
   days.rates = {StepLength{0, 3'600}, "mm/h"};
   days.as_they_end = true;
   return days;
