@@ -101,6 +101,7 @@ class RunCommand : public Command {
     gaps_.declare(options());
     format_.declare(options());
     periods_.declare(options());
+    periods_.declare_depths(options());
     view_.declare_look(options());
     study_.declare_label(options());
     isohyets_.declare_study(options());
@@ -154,6 +155,7 @@ class RunCommand : public Command {
     format.storms = periods_.are_storms();
     RainTable table(files.rain, inputs.basins(), format, totalling, rainfall_.name());
     RunSeries series(inputs, rainfall, table);
+    series.summary.want_depths(periods_.depths(), rainfall_.name());
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
@@ -171,6 +173,7 @@ class RunCommand : public Command {
           });
     }
     table.finish(warnings);
+    series.summary.find_depths(view_.units);
     series.finish(threads());
     write_summary(files.summary, series.summary.basins(), inputs.area_unit());
     write_maps(files, inputs, rainfall, series, older ? older->bytes() : "", warnings);

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/iso_time.h"
 #include "cli/options/option_values.h"
-#include "cli/options/period_values.h"
 #include "cli/options/usage_error.h"
 #include "rainfall/periods/period_calendar.h"
 
@@ -85,6 +84,14 @@ void PeriodOptions::declare_periods(OptionGroup& output) {
                   "how long it is dry in every basin between the storms of --every; default 6h");
 }
 
+void PeriodOptions::declare_depths(OptionList& options) {
+  options.group("Output", *this)
+      .add("--max", durations(depths_),
+           "the largest depths of each basin in these lengths of time (1h, 24h, 2d, 15min), "
+           "whenever they begin: columns max_24h and max_24h_time, the time of its first step, in "
+           "summary.csv; of whole steps, none of which may lack");
+}
+
 void PeriodOptions::check(bool has_bounds) const {
   if (allowed_missing_option_ != nullptr && allowed_missing_option_->is_given() && !every_) {
     throw UsageError{"--allow-missing is about totals, and there is no --every",
@@ -136,7 +143,7 @@ std::optional<Every> PeriodOptions::every() const {
 }
 
 std::optional<StepTimes> PeriodOptions::times() const {
-  if (!range_.from && !range_.to && !every_) return std::nullopt;
+  if (!range_.from && !range_.to && !every_ && depths_.empty()) return std::nullopt;
   const std::optional<Every> every = this->every();
   return StepTimes{range_, every ? every->least_precision() : TimePrecision::year};
 }

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/options/option_list.h"
+#include "cli/options/period_values.h"
 #include "rainfall/periods/every.h"
 #include "rainfall/series/dated_readings.h"
 #include "rainfall/series/rain_totals.h"
@@ -22,6 +24,9 @@ class PeriodOptions : public OptionBlock {
   void declare_range(OptionList& options);
   /// Declares the option that says what times are of their steps.
   void declare_stamp(OptionList& options);
+  /// Declares the option that asks for the largest depths in lengths of time.
+  void declare_depths(OptionList& options);
+  const std::vector<NamedDuration>& depths() const { return depths_; }
   Stamp stamp() const { return stamp_; }
   /// Takes what RAINFALL itself says of its times, where it does. Throws Error where the option
   /// says otherwise.
@@ -53,6 +58,7 @@ class PeriodOptions : public OptionBlock {
   std::int64_t day_start_ = 0;
   std::size_t year_start_ = 1;
   std::int64_t dry_ = 21'600;
+  std::vector<NamedDuration> depths_;
   std::size_t allowed_missing_ = 0;
   Stamp stamp_ = Stamp::begin;
   const Option* stamp_option_ = nullptr;

@@ -30,13 +30,14 @@ std::optional<int> two_digits(std::string_view text) {
 }  // namespace
 
 std::optional<std::int64_t> duration_in(std::string_view text) {
+  constexpr std::int64_t most = 8'784 * 3'600;  // a year of 366 days
   constexpr std::array<std::pair<std::string_view, std::int64_t>, 3> units{
       {{"min", 60}, {"h", 3'600}, {"d", 86'400}}};
   for (const auto& [unit, seconds] : units) {
     if (!text.ends_with(unit)) continue;
     const auto number = parse_size(text.substr(0, text.size() - unit.size()));
-    const auto most = static_cast<std::size_t>(std::int64_t{3'600} * most_hours / seconds);
-    if (!number || number.value == 0 || number.value > most) return std::nullopt;
+    if (!number || number.value == 0 || number.value > static_cast<std::size_t>(most / seconds))
+      return std::nullopt;
     return static_cast<std::int64_t>(number.value) * seconds;
   }
   return std::nullopt;
@@ -86,6 +87,27 @@ OptionValue duration(std::int64_t& target) {
     const auto seconds = duration_in(text);
     if (!seconds) refuse("a length of time such as 6h, 90min or 2d", text);
     target = *seconds;
+  };
+  return value;
+}
+
+OptionValue durations(std::vector<NamedDuration>& target) {
+  OptionValue value;
+  value.kind = "TIME,...";
+  value.read = [&target](const std::string& text) {
+    std::vector<NamedDuration> read;
+    for (std::size_t at = 0; at <= text.size();) {
+      const std::size_t comma = std::min(text.find(',', at), text.size());
+      const std::string name = text.substr(at, comma - at);
+      const auto seconds = duration_in(name);
+      if (!seconds) refuse("lengths of time such as 1h,24h or 15min", text);
+      for (const NamedDuration& other : read) {
+        if (other.seconds == *seconds) throw WrongValue{"names " + printable(name) + " twice"};
+      }
+      read.push_back({name, *seconds});
+      at = comma + 1;
+    }
+    target = std::move(read);
   };
   return value;
 }

@@ -117,7 +117,7 @@ void RainStorms::note_lacking(std::int64_t moment) {
 /// Forgets what is too far from a step to be of a storm that begins with it.
 void RainStorms::forget(std::int64_t moment) {
   while (!unknown_.empty() && dry_before(moment, unknown_.front().moment) >= totalling_.every.dry) {
-    unknown_between_ += unknown_.front().counts ? 0 : 1;
+    unknown_between_ += unknown_.front().counts ? 0u : 1u;
     unknown_.pop_front();
   }
 }
@@ -192,7 +192,7 @@ void RainStorms::finish(Warnings& warnings) {
       end();
     }
   }
-  for (const Unknown& unknown : unknown_) unknown_between_ += unknown.counts ? 0 : 1;
+  for (const Unknown& unknown : unknown_) unknown_between_ += unknown.counts ? 0u : 1u;
   if (begins_with_file_ || may_go_on) {
     const char* which = begins_with_file_ && may_go_on
                             ? "no dry spell comes before the first storm, nor after the last"

@@ -23,7 +23,7 @@ BasinSummary basin(double area, std::optional<double> mean, std::optional<double
 }
 
 Texts values(const std::vector<BasinSummary>& basins, const std::string& heading) {
-  for (const TableColumn& column : summary_columns(basins, "area km2", " mm")) {
+  for (const TableColumn& column : summary_columns(basins, "area km2", " mm", " mm")) {
     if (column.heading == heading) return column.values;
   }
   return {};

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/iso_time.h"
 
 namespace thiessen {
 namespace {
@@ -355,6 +356,183 @@ TEST(RainPeriods, rates_have_no_totals_where_their_step_is_not_known_or_changes)
                    "time '2020-01-02T00:15' in line 0 lies no whole steps of 1 hour from the one "
                    "before, which the times above tell; "),
             "so");
+}
+
+/// Steps of one millimetre each, so many seconds apart.
+Steps steps_from(const std::string& first, int count, std::int64_t apart) {
+  Steps steps;
+  const std::int64_t begin = clock_seconds(parse_iso_time(first).time);
+  for (int i = 0; i < count; ++i)
+    steps.push_back({time_text(begin + apart * i, TimePrecision::instant), {1}});
+  return steps;
+}
+
+Totalling days_from(std::int64_t day_start, PeriodUnit unit = PeriodUnit::day) {
+  Totalling totalling;
+  totalling.every = unit;
+  totalling.every.day_start = day_start;
+  totalling.every.has_day_start = true;
+  return totalling;
+}
+
+constexpr std::int64_t hour = 3'600;
+
+TEST(RainPeriods, of_days_that_begin_at_nine_have_the_hours_from_nine_to_nine) {
+  const auto periods = periods_of(steps_from("2014-02-28T09:00", 48, hour), days_from(9 * hour));
+  ASSERT_EQ(periods.size(), 2u);
+  EXPECT_EQ(periods[0].time, "2014-02-28");
+  EXPECT_EQ(periods[0].basins[0].rainfall, 24);
+  EXPECT_EQ(iso_text(periods[0].begin.time), "2014-02-28T09:00");
+  EXPECT_EQ(periods[1].time, "2014-03-01");
+  EXPECT_EQ(periods[1].basins[0].missing, 0u);
+}
+
+TEST(RainPeriods, of_days_that_begin_at_nine_end_at_nine_where_times_end_steps) {
+  Totalling ends = days_from(9 * hour);
+  ends.stamp = Stamp::end;
+  EXPECT_EQ(totals_of(steps_from("2014-02-28T10:00", 48, hour), ends),
+            (Steps{{"2014-02-28", {24}}, {"2014-03-01", {24}}}));
+}
+
+TEST(RainPeriods, have_leap_days) {
+  const auto whole = [](PeriodUnit unit, const char* first, int count) {
+    Totalling totalling;
+    totalling.every = unit;
+    totalling.every.year_start = 10;
+    return totals_of(steps_from(first, count, 86'400), totalling);
+  };
+  EXPECT_EQ(whole(PeriodUnit::season, "2015-12-01", 91), (Steps{{"2016-DJF", {91}}}));
+  EXPECT_EQ(whole(PeriodUnit::year, "2015-10-01", 366), (Steps{{"2016", {366}}}));
+  EXPECT_EQ(whole(PeriodUnit::week, "2016-02-29", 14),
+            (Steps{{"2016-W09", {7}}, {"2016-W10", {7}}}));
+  EXPECT_TRUE(std::isnan(whole(PeriodUnit::season, "2015-12-01", 90)[0].second[0]));
+  EXPECT_TRUE(std::isnan(whole(PeriodUnit::year, "2015-10-02", 365)[0].second[0]));
+}
+
+TEST(RainPeriods, of_months_make_seasons_and_water_years) {
+  Steps steps;
+  for (const char* month : {"2013-10", "2013-11", "2013-12", "2014-01", "2014-02", "2014-03",
+                            "2014-04", "2014-05", "2014-06", "2014-07", "2014-08", "2014-09"})
+    steps.push_back({month, {1}});
+  Totalling year = years;
+  year.every.year_start = 10;
+  EXPECT_EQ(totals_of(steps, year), (Steps{{"2014", {12}}}));
+  const auto seasons = periods_of(steps, {PeriodUnit::season, 0});
+  ASSERT_EQ(seasons.size(), 5u);
+  EXPECT_EQ(seasons[0].time, "2013-SON");
+  EXPECT_EQ(seasons[0].basins[0].missing, 1u);
+  EXPECT_EQ(seasons[1].basins[0].rainfall, 3);
+  EXPECT_EQ(seasons[4].time, "2014-SON");
+  EXPECT_EQ(seasons[4].basins[0].missing, 2u);
+}
+
+TEST(RainPeriods, hand_on_hours_that_lack) {
+  Steps steps = steps_from("2014-02-28T00:00", 24, hour);
+  steps.erase(steps.begin() + 5, steps.begin() + 13);
+  Totalling sixes = {PeriodUnit::hours, 1};
+  sixes.every.hours = 6;
+  const auto periods = periods_of(steps, sixes);
+  ASSERT_EQ(periods.size(), 4u);
+  EXPECT_EQ(periods[0].time, "2014-02-28T00:00");
+  EXPECT_EQ(periods[0].basins[0].rainfall, 5);
+  EXPECT_EQ(periods[1].time, "2014-02-28T06:00");
+  EXPECT_EQ(periods[1].basins[0].missing, 6u);
+  EXPECT_EQ(periods[2].basins[0].missing, 1u);
+}
+
+TEST(RainPeriods, law_4_an_hour_that_is_written_twice_is_two) {
+  Steps steps;
+  for (const char* zone : {"+02:00", "+01:00"}) {
+    for (const char* minute : {"00", "15", "30", "45"})
+      steps.push_back({"2019-10-27T02:" + std::string(minute) + zone, {1}});
+  }
+  EXPECT_EQ(totals_of(steps, {PeriodUnit::hours, 0}),
+            (Steps{{"2019-10-27T02:00+02:00", {4}}, {"2019-10-27T02:00+01:00", {4}}}));
+  steps.clear();
+  for (const char* time :
+       {"2019-10-27T00:00+02:00", "2019-10-27T01:00+02:00", "2019-10-27T02:00+02:00",
+        "2019-10-27T02:00+01:00", "2019-10-27T03:00+01:00", "2019-10-27T04:00+01:00"})
+    steps.push_back({time, {1}});
+  Totalling threes = {PeriodUnit::hours, 0};
+  threes.every.hours = 3;
+  const auto periods = periods_of(steps, threes);
+  EXPECT_EQ(periods.at(0).basins[0].rainfall, 4) << "0, 1 and twice 2";
+  EXPECT_EQ(periods.at(1).basins[0].missing, 1u) << "5 is not there";
+}
+
+TEST(RainPeriods, law_5_no_step_lies_in_two_where_it_is_said_when_days_begin) {
+  EXPECT_EQ(fault_of(steps_from("2014-02-28T00:00", 9, 6 * hour), days_from(9 * hour)),
+            "r.csv: 2014-02-27 begins at 09:00, within one of the steps of 6 hours, of which one "
+            "begins at 12:00; day_start = 12:00 has days begin where a step does");
+  EXPECT_EQ(fault_of(steps_from("2014-02-28T00:00", 9, 24 * hour),
+                     days_from(9 * hour, PeriodUnit::month)),
+            "r.csv: 2014-02 begins at 09:00, within one of the steps of 1 day, of which one begins "
+            "at 00:00; day_start = 00:00 has days begin where a step does");
+  EXPECT_EQ(fault_of(steps_from("2014-02-28T00:00", 9, 6 * hour), days_from(12 * hour)), "none");
+  EXPECT_EQ(
+      fault_of({{"2014-02-28", {1}}}, days_from(9 * hour)),
+      "r.csv: time '2014-02-28' does not say the hour, which hours and the start of days want; "
+      "every = day sums dates, each of which is a day whenever it begins: leave 'day_start' "
+      "out");
+  Totalling ends = days_from(9 * hour);
+  ends.stamp = Stamp::end;
+  EXPECT_EQ(fault_of(steps_from("2014-02-28T00:00", 9, 6 * hour), ends),
+            "r.csv: 2014-02-27 begins at 09:00, within one of the steps of 6 hours, of which one "
+            "begins at 12:00; day_start = 12:00 has days begin where a step does");
+}
+
+TEST(RainPeriods, law_6_hours_hold_whole_steps) {
+  const auto fault = [](int every, std::int64_t step, const char* first) {
+    Totalling totalling = {PeriodUnit::hours, 0};
+    totalling.every.hours = every;
+    return fault_of(steps_from(first, 12, step), totalling);
+  };
+  EXPECT_EQ(fault(4, 3 * hour, "2014-02-28T00:00"),
+            "r.csv: periods of 4 hours do not hold whole steps of 3 hours, which the file has; "
+            "every = 6h takes whole steps");
+  EXPECT_EQ(
+      fault(1, 24 * hour, "2014-02-28T00:00"),
+      "r.csv: periods of 1 hour do not hold whole steps of 1 day, which the file has; every = "
+      "24h takes whole steps");
+  EXPECT_EQ(
+      fault(1, 900, "2014-02-28T00:07"),
+      "r.csv: 2014-02-28T00:00 begins at 00:00, within one of the steps of 15 minutes, of which "
+      "one begins at 00:07; day_start = 00:07 has days begin where a step does");
+  EXPECT_EQ(fault(6, 3 * hour, "2014-02-28T00:00"), "none");
+}
+
+TEST(RainPeriods, law_7_a_single_odd_time_is_no_reason) {
+  Steps steps = steps_from("2014-02-01T00:00", 24 * 20, hour);
+  steps.insert(steps.begin() + 241, {"2014-02-11T00:30", {1}});
+  steps.erase(steps.begin() + 240);
+  EXPECT_EQ(fault_of(steps, days_from(0)), "none");
+}
+
+// Every value is a power of two or so, whose sums are exact.
+TEST(RainPeriods, law_8_totals_add_up_to_the_values_whatever_the_periods) {
+  Steps steps = steps_from("2015-11-20T00:00", 24 * 500, hour);
+  double sum = 0;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    steps[i].second[0] = i % 7 == 0 ? none : static_cast<double>(i % 29);
+    if (i % 7 != 0) sum += steps[i].second[0];
+  }
+  for (const PeriodUnit unit : {PeriodUnit::hours, PeriodUnit::day, PeriodUnit::week,
+                                PeriodUnit::month, PeriodUnit::season, PeriodUnit::year}) {
+    for (const int hours : {1, 6, 24, 36}) {
+      for (const Stamp stamp : {Stamp::begin, Stamp::end}) {
+        Totalling totalling = days_from(9 * hour, unit);
+        totalling.every.hours = hours;
+        totalling.every.year_start = 10;
+        totalling.allowed_missing = 100'000;
+        totalling.stamp = stamp;
+        double total = 0;
+        for (const RainPeriod& period : periods_of(steps, totalling)) {
+          if (!std::isnan(period.basins[0].rainfall)) total += period.basins[0].rainfall;
+        }
+        EXPECT_EQ(total, sum) << static_cast<int>(unit) << ' ' << hours;
+      }
+    }
+  }
 }
 
 }  // namespace
