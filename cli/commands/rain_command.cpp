@@ -260,7 +260,10 @@ class RainCommand : public Command {
     subject.unit = subject.made_by.unit;
     subject.decimals = format_.format().decimals;
     subject.stamp = totalling ? Stamp::begin : periods_.stamp();  // periods are dated by that
-    if (totalling) subject.step = length_of(totalling->every);
+    if (totalling) {
+      subject.step = length_of(totalling->every);
+      subject.day_start = totalling->every.day_start;
+    }
     subject.rainfall = rainfall_.name();
     subject.output = output_.output == "-" ? "" : output_.output;
     return std::make_unique<ModelTable>(files.series(inputs, std::move(subject), errors_),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -25,6 +26,8 @@ struct ModelSubject {
   Provenance made_by;
   /// The length of the steps where it is known beforehand, as of periods that are summed over.
   std::optional<StepLength> step = {};
+  /// When days begin that are summed over, in seconds after midnight: each has the date of that.
+  std::int64_t day_start = 0;
   Stamp stamp = Stamp::begin;  ///< what the times of steps with a clock are
   std::string rainfall;        ///< the file of the readings, for messages
   std::string output;          ///< the file that is written, for messages

@@ -68,5 +68,27 @@ TEST(ModelTable, hands_on_totals_and_says_that_some_lack_steps) {
             "r.csv: 1 total lacks steps, and --format hype does not say which");
 }
 
+TEST(ModelTable, dates_periods_by_their_beginning) {
+  const auto dates = [](const Every& every) {
+    std::string text;
+    Warnings told;
+    ModelTable table(std::make_unique<Kept>(text), "netcdf", Totalling{every, 1'000}, "r.csv");
+    table.add(step("2014-01-27T10:00", 1), 0);
+    table.finish(told);
+    return text.substr(0, text.find(' '));
+  };
+  Every every = PeriodUnit::week;
+  EXPECT_EQ(dates(every), "2014-01-27");
+  every.day_start = 32'400;
+  EXPECT_EQ(dates(every), "2014-01-27T09:00");
+  every = PeriodUnit::season;
+  EXPECT_EQ(dates(every), "2013-12");
+  every = PeriodUnit::year;
+  every.year_start = 10;
+  EXPECT_EQ(dates(every), "2013-10");
+  every = PeriodUnit::hours;
+  EXPECT_EQ(dates(every), "2014-01-27T10:00");
+}
+
 }  // namespace
 }  // namespace thiessen::cli

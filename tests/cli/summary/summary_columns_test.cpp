@@ -29,6 +29,14 @@ Texts values(const std::vector<BasinSummary>& basins, const std::string& heading
   return {};
 }
 
+TEST(SummaryColumns, have_the_largest_depths_of_each_length) {
+  std::vector<BasinSummary> basins{basin(1, 1, {}, 2), basin(1, 1, {}, 2)};
+  basins[0].depths = {{"1h", 12.25, "t"}, {"24h", {}, ""}};
+  basins[1].depths = {{"1h", 8.5, "t"}, {"24h", {}, ""}};
+  EXPECT_EQ(values(basins, "max 1h mm"), (Texts{"12.2", "8.5"}));
+  EXPECT_EQ(values(basins, "max 24h mm"), (Texts{"-", "-"}));
+}
+
 // The middle error, 0.0043, has two digits; the smallest has one.
 TEST(SummaryColumns, rainfall_has_the_decimals_that_its_errors_tell_it_to) {
   const std::vector<BasinSummary> hourly{basin(1, 0.12345, 0.0043, 8.5), basin(1, 0.2, 0.0612, 9),
