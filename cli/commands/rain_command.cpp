@@ -69,6 +69,11 @@ class RainCommand : public Command {
   void check() const override {
     periods_.check(model_.model().has_value() || study_.has_normals());
     model_.check(options(), output_.output, method_.methods().size());
+    if (model_.model() && periods_.are_storms()) {
+      throw UsageError{"--every storm has periods of any length, and --format " + model_.name() +
+                           " wants steps of one",
+                       "--format csv has when each begins, and with --long its last wet step"};
+    }
     format_.check(periods_.totalling().has_value());
     method_.check();
     if ((method_.methods().size() > 1 || method_.has_isohyets()) && !weights_log_.empty()) {
@@ -118,7 +123,7 @@ class RainCommand : public Command {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     periods_.settle_stamp(readings->stamp(), rainfall_.name());
     std::optional<Totalling> totalling = totals(is_fed);
-    if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
+    if (totalling) settle_totals(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
     const std::string unit = unit_named(readings->unit(), totalling);
@@ -220,6 +225,7 @@ class RainCommand : public Command {
     format.patterns = !weights_log_.empty();
     format.errors = errors_;
     format.methods = names_of_methods(method_.methods());
+    format.storms = periods_.are_storms();
     return format;
   }
 
@@ -250,7 +256,11 @@ class RainCommand : public Command {
     subject.made_by = made_by(inputs, unit);
     subject.unit = subject.made_by.unit;
     subject.decimals = format_.format().decimals;
-    subject.stamp = periods_.stamp();
+    subject.stamp = totalling ? Stamp::begin : periods_.stamp();  // periods are dated by that
+    if (totalling) {
+      subject.step = length_of(totalling->every);
+      subject.day_start = totalling->every.day_start;
+    }
     subject.rainfall = rainfall_.name();
     subject.output = output_.output == "-" ? "" : output_.output;
     return std::make_unique<ModelTable>(files.series(inputs, std::move(subject), errors_),

@@ -101,6 +101,7 @@ class RunCommand : public Command {
     gaps_.declare(options());
     format_.declare(options());
     periods_.declare(options());
+    periods_.declare_depths(options());
     view_.declare_look(options());
     study_.declare_label(options());
     isohyets_.declare_study(options());
@@ -149,9 +150,12 @@ class RunCommand : public Command {
     const auto by_month = monthly(inputs, rainfall);
 
     std::optional<Totalling> totalling = periods_.totalling();
-    if (totalling) settle_rates(*totalling, inputs, study_, rainfall_, view_.units, warnings);
-    RainTable table(files.rain, inputs.basins(), format_.format(), totalling, rainfall_.name());
+    if (totalling) settle_totals(*totalling, inputs, study_, rainfall_, view_.units, warnings);
+    RainFormat format = format_.format();
+    format.storms = periods_.are_storms();
+    RainTable table(files.rain, inputs.basins(), format, totalling, rainfall_.name());
     RunSeries series(inputs, rainfall, table);
+    series.summary.want_depths(periods_.depths(), rainfall_.name());
     {
       Progress progress("time step", common_.quiet,
                         [&](std::size_t done) { return readings->share_of(done); });
@@ -169,6 +173,7 @@ class RunCommand : public Command {
           });
     }
     table.finish(warnings);
+    series.summary.find_depths(view_.units);
     series.finish(threads());
     write_summary(files.summary, series.summary.basins(), inputs.area_unit());
     write_maps(files, inputs, rainfall, series, older ? older->bytes() : "", warnings);

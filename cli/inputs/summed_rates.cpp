@@ -38,18 +38,10 @@ StepIntervals intervals_of(Inputs& inputs, const StudyOptions& study,
   return intervals;
 }
 
-}  // namespace
-
-void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
-                  const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings) {
-  const std::optional<RainUnit> of_readings = rain_unit(unit);
-  if (!of_readings || rainfall.is_event()) return;
-  const std::optional<StepLength> rate = time_of_rate(*of_readings);
-  if (!rate) return;
-  const std::string file = rainfall.name();
-  if (!can_be_read_again(rainfall.request(study.csv())))
-    return settle_as_they_come(totalling, *rate, file, unit, warnings);
-  const StepIntervals intervals = intervals_of(inputs, study, rainfall);
+/// Has readings that are rates count times their step, whose `intervals` are known where RAINFALL
+/// can be read again.
+void settle_rates(Totalling& totalling, const StepLength& rate, const StepIntervals& intervals,
+                  const std::string& file, const std::string& unit, Warnings& warnings) {
   if (intervals.has_labels()) return;  // which have no totals: told where the first of them is read
   const std::optional<StepLength> step = intervals.step();
   if (!step) {
@@ -57,12 +49,31 @@ void settle_rates(Totalling& totalling, Inputs& inputs, const StudyOptions& stud
         file, unit,
         intervals.times() < 2 ? "one time tells none" : "the times have no regular step");
   }
-  totalling.depths.emplace(*rate, *step);
+  totalling.depths.emplace(rate, *step);
   if (totalling.depths->are_the_values()) return;
   warnings.add_notice({file, 0,
                        "the readings are rates in " + unit + ", and count times their step of " +
-                           text_of(*step) + ": totals are in " + std::string(of_readings->depth),
+                           text_of(*step) + ": totals are in " +
+                           std::string(rain_unit(unit)->depth),
                        ""});
+}
+
+}  // namespace
+
+void settle_totals(Totalling& totalling, Inputs& inputs, const StudyOptions& study,
+                   const RainfallOptions& rainfall, const std::string& unit, Warnings& warnings) {
+  const std::optional<RainUnit> of_readings = rain_unit(unit);
+  const std::optional<StepLength> rate = of_readings ? time_of_rate(*of_readings) : std::nullopt;
+  const bool storms = totalling.every.unit == PeriodUnit::storm;
+  if (rainfall.is_event() || (!rate && !storms)) return;
+  const std::string file = rainfall.name();
+  if (!can_be_read_again(rainfall.request(study.csv()))) {
+    if (rate) settle_as_they_come(totalling, *rate, file, unit, warnings);
+    return;
+  }
+  const StepIntervals intervals = intervals_of(inputs, study, rainfall);
+  if (storms) totalling.step = intervals.step().value_or(StepLength{});
+  if (rate) settle_rates(totalling, *rate, intervals, file, unit, warnings);
 }
 
 std::string unit_of_values(const std::string& unit, const std::optional<Totalling>& totalling) {

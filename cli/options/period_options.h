@@ -1,14 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "base/iso_time.h"
 #include "cli/options/option_list.h"
+#include "cli/options/period_values.h"
+#include "rainfall/periods/every.h"
 #include "rainfall/series/dated_readings.h"
-#include "rainfall/series/rain_periods.h"
+#include "rainfall/series/rain_totals.h"
 #include "rainfall/series/stamp.h"
+#include "rainfall/series/time_range.h"
 
 namespace thiessen::cli {
 
@@ -20,6 +24,9 @@ class PeriodOptions : public OptionBlock {
   void declare_range(OptionList& options);
   /// Declares the option that says what times are of their steps.
   void declare_stamp(OptionList& options);
+  /// Declares the option that asks for the largest depths in lengths of time.
+  void declare_depths(OptionList& options);
+  const std::vector<NamedDuration>& depths() const { return depths_; }
   Stamp stamp() const { return stamp_; }
   /// Takes what RAINFALL itself says of its times, where it does. Throws Error where the option
   /// says otherwise.
@@ -31,6 +38,8 @@ class PeriodOptions : public OptionBlock {
   /// Throws UsageError for options that contradict each other. `has_bounds`: what is written says
   /// when its steps begin and end.
   void check(bool has_bounds = false) const;
+  /// Whether the totals are of storms, each of which has its own length.
+  bool are_storms() const { return every_ && every_->unit == PeriodUnit::storm; }
   /// Throws UsageError for totals, where standard errors are wanted beside the values.
   void check_errors() const;
   /// What is required of the times of steps: their range, and how precise totals need them; none
@@ -40,8 +49,16 @@ class PeriodOptions : public OptionBlock {
   std::optional<Totalling> totalling() const;
 
  private:
+  void declare_periods(OptionGroup& output);
+  void check_periods() const;
+  std::optional<Every> every() const;
+
   TimeRange range_;
-  std::optional<TimePrecision> every_;
+  std::optional<Every> every_;
+  std::int64_t day_start_ = 0;
+  std::size_t year_start_ = 1;
+  std::int64_t dry_ = 21'600;
+  std::vector<NamedDuration> depths_;
   std::size_t allowed_missing_ = 0;
   Stamp stamp_ = Stamp::begin;
   const Option* stamp_option_ = nullptr;
@@ -49,6 +66,9 @@ class PeriodOptions : public OptionBlock {
   const Option* from_option_ = nullptr;
   const Option* to_option_ = nullptr;
   const Option* allowed_missing_option_ = nullptr;
+  const Option* day_start_option_ = nullptr;
+  const Option* year_start_option_ = nullptr;
+  const Option* dry_option_ = nullptr;
 };
 
 }  // namespace thiessen::cli

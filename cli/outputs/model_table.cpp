@@ -13,7 +13,7 @@ ModelTable::ModelTable(std::unique_ptr<ModelSeries> series, std::string format,
                        const std::optional<Totalling>& totalling, std::string rainfall)
     : series_(std::move(series)), format_(std::move(format)), rainfall_(std::move(rainfall)) {
   if (totalling) {
-    periods_.emplace(*totalling, rainfall_, [this](const RainPeriod& period) { add(period); });
+    periods_ = totals_of(*totalling, rainfall_, [this](const RainPeriod& period) { add(period); });
   }
 }
 
@@ -31,13 +31,12 @@ void ModelTable::add(const RainStep& step, std::size_t /*pattern*/) {
 }
 
 void ModelTable::add(const RainPeriod& period) {
-  const ParsedTime time = parse_iso_time(period.time);
-  if (!time) {
+  if (!period.begin) {
     throw Error({rainfall_, 0,
                  "the period " + quoted(period.time, 80) +
-                     " is no day, month or year of the calendar, and --format " + format_ +
-                     " wants one",
-                 "--every day sums by day"});
+                     " begins beyond the years of the calendar, and --format " + format_ +
+                     " has none such",
+                 "--to leaves it out"});
   }
   values_.clear();
   for (const BasinTotal& total : period.basins) {
@@ -45,7 +44,7 @@ void ModelTable::add(const RainPeriod& period) {
     if (total.missing > 0 && !std::isnan(total.rainfall)) ++incomplete_;
   }
   errors_.clear();
-  series_->add(time.time, values_, errors_);
+  series_->add(period.begin.time, values_, errors_);
 }
 
 void ModelTable::finish(Warnings& warnings) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/outputs/rain_output.h"
-#include "rainfall/series/rain_periods.h"
+#include "rainfall/series/rain_totals.h"
 #include "results/models/model_series.h"
 
 namespace thiessen::cli {
@@ -31,7 +31,7 @@ class ModelTable : public RainOutput {
   std::unique_ptr<ModelSeries> series_;
   std::string format_;
   std::string rainfall_;
-  std::optional<RainPeriods> periods_;
+  std::unique_ptr<RainTotals> periods_;
   std::vector<double> values_;
   std::vector<double> errors_;
   std::size_t incomplete_ = 0;  ///< totals that lack steps

@@ -36,7 +36,7 @@ RainTable::RainTable(OutputFile& file, const std::vector<Basin>& basins, const R
       growth_(growth) {
   if (totalling) {
     totals_.emplace(file, basins, format);
-    periods_.emplace(*totalling, rainfall, [this](const RainPeriod& period) { add(period); });
+    periods_ = totals_of(*totalling, rainfall, [this](const RainPeriod& period) { add(period); });
   } else {
     steps_.emplace(file, basins, format);
   }

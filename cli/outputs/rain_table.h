@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "cli/outputs/rain_output.h"
-#include "rainfall/series/rain_periods.h"
+#include "rainfall/series/rain_totals.h"
 #include "results/rain_file.h"
 #include "results/rain_growth.h"
 #include "results/rain_totals_file.h"
@@ -48,7 +49,7 @@ class RainTable : public RainOutput {
   std::string rainfall_;
   std::optional<RainFile> steps_;
   std::optional<RainTotalsFile> totals_;
-  std::optional<RainPeriods> periods_;
+  std::unique_ptr<RainTotals> periods_;
   RainGrowth* growth_;
   std::function<void(const std::string& time, std::span<const double> values)> hear_;
   std::vector<double> values_;  ///< of the step that may be there, or is told

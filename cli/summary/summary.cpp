@@ -1,11 +1,13 @@
 #include "cli/summary/summary.h"
 
 #include <cmath>
+#include <cstdint>
 
 #include "base/error.h"
 #include "cli/summary/fitted_table.h"
 #include "cli/summary/summary_columns.h"
 #include "rainfall/influence/search_budget.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
 namespace {
@@ -26,7 +28,22 @@ Summary::Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights)
       sample_(inputs.network().stations().size(),
               steps_within(sample_bytes, inputs.network().stations().size(), sampled_steps)) {}
 
+void Summary::want_depths(const std::vector<NamedDuration>& lengths, const std::string& file) {
+  if (lengths.empty()) return;
+  lengths_ = lengths;
+  std::vector<std::int64_t> seconds;
+  for (const NamedDuration& length : lengths_) seconds.push_back(length.seconds);
+  depths_.emplace(std::move(seconds), weights_.size(), file);
+}
+
+void Summary::find_depths(const std::string& unit) {
+  if (!depths_) return;
+  const std::optional<RainUnit> known = rain_unit(unit);
+  largest_depths_ = depths_->result(known ? time_of_rate(*known) : std::nullopt);
+}
+
 void Summary::add(const RainStep& step) {
+  if (depths_) depths_->add(step);
   statistics_.add(step.basins);
   sample_.add(step.readings);
 }
@@ -52,6 +69,13 @@ std::vector<BasinSummary> Summary::basins() const {
       summary.mean = rain.mean();
       summary.largest = rain.largest;
       if (b < errors_.size() && !std::isnan(errors_[b])) summary.standard_error = errors_[b];
+    }
+    for (std::size_t i = 0; i < largest_depths_.size(); ++i) {
+      BasinDepth& depth = summary.depths.emplace_back(BasinDepth{lengths_[i].name, {}, ""});
+      if (const auto& largest = largest_depths_[i][b]) {
+        depth.depth = largest->depth;
+        depth.time = largest->time;
+      }
     }
     if (b >= influence_.gauges.size() || !(influence_.gauges[b].rms_change > 0)) continue;
     summary.most_influential = inputs_.network().stations()[index(influence_.gauges[b].station)].id;
@@ -81,7 +105,10 @@ std::string Summary::text(const std::string& units, std::size_t width) const {
   const std::vector<BasinSummary> summaries = basins();
   const std::string unit = units.empty() ? "" : " " + printable(units);
   const std::string area = inputs_.area_unit().known() ? "area km2" : "area";
-  return fitted(summary_columns(summaries, area, unit), width) + wrapped(remarks(), width);
+  // The depth of a rate in a length of time is none.
+  const std::optional<RainUnit> known = rain_unit(units);
+  const std::string depth = known && time_of_rate(*known) ? " " + std::string(known->depth) : unit;
+  return fitted(summary_columns(summaries, area, unit, depth), width) + wrapped(remarks(), width);
 }
 
 }  // namespace thiessen::cli

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/inputs/inputs.h"
+#include "cli/options/period_values.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
+#include "rainfall/series/largest_depths.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/rain_statistics.h"
 #include "results/summary_file.h"
@@ -21,7 +24,12 @@ namespace thiessen::cli {
 class Summary {
  public:
   Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
+  /// Has the largest depths in these lengths of time looked for. `file` is that of the readings.
+  void want_depths(const std::vector<NamedDuration>& lengths, const std::string& file);
   void add(const RainStep& step);
+  /// Takes the largest depths, of values in a unit; call it when all steps have been added. Throws
+  /// Error where there can be none.
+  void find_depths(const std::string& unit);
   /// Takes the standard errors of the means over all steps, by basin, NaN where one cannot be had.
   /// `shortfall` says why none can, or is empty.
   void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
@@ -49,6 +57,9 @@ class Summary {
   std::vector<double> errors_;
   std::string shortfall_;
   StepSample sample_;
+  std::vector<NamedDuration> lengths_;
+  std::optional<LargestDepths> depths_;
+  std::vector<std::vector<std::optional<LargestDepth>>> largest_depths_;  ///< by length and basin
   SampledInfluence influence_{{}, 0};
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
+#include <iterator>
 #include <optional>
 
 #include "base/error.h"
@@ -58,7 +60,8 @@ TableColumn texts(const std::string& heading, std::span<const BasinSummary> basi
 }  // namespace
 
 std::vector<TableColumn> summary_columns(std::span<const BasinSummary> basins,
-                                         const std::string& area, const std::string& unit) {
+                                         const std::string& area, const std::string& unit,
+                                         const std::string& depth_unit) {
   const Value area_of = [](const BasinSummary& basin) { return basin.area; };
   const Value mean = [](const BasinSummary& basin) { return basin.mean; };
   const Value error = [](const BasinSummary& basin) { return basin.standard_error; };
@@ -69,7 +72,7 @@ std::vector<TableColumn> summary_columns(std::span<const BasinSummary> basins,
   const std::vector<double> errors = values_of(basins, error);
   const int decimals =
       errors.empty() ? common_decimals(values_of(basins, mean), 3) : common_decimals(errors, 2);
-  return {
+  std::vector<TableColumn> columns = {
       texts(
           "basin", basins, [](const BasinSummary& basin) { return printable(basin.basin); }, true),
       column(area, basins, area_of, common_decimals(values_of(basins, area_of), 4)),
@@ -86,6 +89,13 @@ std::vector<TableColumn> summary_columns(std::span<const BasinSummary> basins,
       column("mean" + unit, basins, mean, decimals),
       column("std. error" + unit, basins, error, decimals),
       column("largest" + unit, basins, largest, decimals),
+  };
+  for (std::size_t i = 0; !basins.empty() && i < basins.front().depths.size(); ++i) {
+    const Value depth = [i](const BasinSummary& basin) { return basin.depths[i].depth; };
+    columns.push_back(column("max " + basins.front().depths[i].length + depth_unit, basins, depth,
+                             common_decimals(values_of(basins, depth), 3)));
+  }
+  std::vector<TableColumn> rest = {
       texts(
           "empty steps", basins,
           [](const BasinSummary& basin) { return std::to_string(basin.empty_steps); }, false),
@@ -98,6 +108,8 @@ std::vector<TableColumn> summary_columns(std::span<const BasinSummary> basins,
       column("moves it" + unit, basins, influence,
              common_decimals(values_of(basins, influence), 2)),
   };
+  std::move(rest.begin(), rest.end(), std::back_inserter(columns));
+  return columns;
 }
 
 }  // namespace thiessen::cli

@@ -36,7 +36,7 @@ NetcdfSeries::NetcdfSeries(const std::string& file, ModelSubject subject, std::v
                            bool has_errors)
     : subject_(std::move(subject)),
       plane_(std::move(plane)),
-      times_(subject_.rainfall, "a .nc"),
+      times_(subject_.rainfall, "a .nc", subject_.step),
       to_(file, subject_.output),
       steps_in_block_(block_of(subject_.basins.size())),
       has_errors_(has_errors) {

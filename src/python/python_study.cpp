@@ -211,8 +211,8 @@ std::optional<Totalling> PythonStudy::totals(const Readings& opened,
   if (!readings) keywords.range.settle_stamp(opened.stamp(), files_of(keywords).name());
   std::optional<Totalling> totalling = keywords.range.totalling();
   if (totalling && !readings) {
-    cli::settle_rates(*totalling, *inputs_, keywords_.study, files_of(keywords), opened.unit(),
-                      warnings);
+    cli::settle_totals(*totalling, *inputs_, keywords_.study, files_of(keywords), opened.unit(),
+                       warnings);
   }
   return totalling;
 }
@@ -307,10 +307,10 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
   }
   const auto opened = open(readings, keywords, warnings);
   if (rows) progress.begin(rows->size());
-  std::optional<RainPeriods> periods;
+  std::unique_ptr<RainTotals> periods;
   if (const auto totalling = totals(*opened, readings, keywords, warnings)) {
-    periods.emplace(*totalling, readings ? "" : files_of(keywords).name(),
-                    [&](const RainPeriod& period) { add(period, series); });
+    periods = totals_of(*totalling, readings ? "" : files_of(keywords).name(),
+                        [&](const RainPeriod& period) { add(period, series); });
   }
   const auto take = [&](const RainStep& step) {
     throw_if_interrupted();

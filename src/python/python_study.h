@@ -16,7 +16,7 @@
 #include "rainfall/errors/errors_of_series.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/series/gauge_readings.h"
-#include "rainfall/series/rain_periods.h"
+#include "rainfall/series/rain_totals.h"
 #include "results/weights_file.h"
 
 namespace thiessen::python {

@@ -23,6 +23,7 @@ struct RainFormat {
   /// Whether standard errors are written too, in columns `<basin id>_se` or a column `se`.
   bool errors = false;
   bool iso_times = false;  ///< times are written as ISO 8601, and not as they came
+  bool storms = false;     ///< totals in rows for basins have a column `last`, for each its own end
   bool continues = false;  ///< the rows go on in a file that has its header
 };
 

@@ -16,7 +16,7 @@ std::vector<std::size_t> value_columns(std::size_t series, const RainFormat& for
                                        bool has_totals) {
   std::vector<std::size_t> columns;
   if (format.rows_for_basins) {
-    const std::size_t rainfall = format.methods.empty() ? 2 : 3;
+    const std::size_t rainfall = (format.methods.empty() ? 2u : 3u) + (format.storms ? 1 : 0);
     columns.push_back(rainfall);
     if (format.errors && !has_totals) columns.push_back(rainfall + 3);  // behind gauges, coverage
     return columns;

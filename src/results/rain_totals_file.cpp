@@ -28,8 +28,8 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
 
 std::string totals_header(const std::vector<Basin>& basins, const RainFormat& format) {
   if (format.rows_for_basins) {
-    return format.methods.empty() ? "time,basin,rainfall,missing\n"
-                                  : "time,basin,method,rainfall,missing\n";
+    return std::string("time,") + (format.storms ? "last," : "") + "basin," +
+           (format.methods.empty() ? "" : "method,") + "rainfall,missing\n";
   }
   std::string row = "time";
   for (const std::string& column : rain_columns(basins, format)) {
@@ -44,7 +44,9 @@ std::string totals_header(const std::vector<Basin>& basins, const RainFormat& fo
 std::string RainTotalsFile::text_of(const RainPeriod& period) const {
   std::string row = format_.rows_for_basins ? "" : period.time;
   for (std::size_t b = 0; b < period.basins.size(); ++b) {
-    if (format_.rows_for_basins) append_rain_key(row, period.time, b, basins_, format_);
+    if (format_.rows_for_basins && format_.storms) row += period.time + ',';
+    if (format_.rows_for_basins)
+      append_rain_key(row, format_.storms ? period.last : period.time, b, basins_, format_);
     append_total(row, period.basins[b]);
     if (format_.rows_for_basins) row += '\n';
   }

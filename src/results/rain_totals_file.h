@@ -6,14 +6,14 @@
 
 #include "base/file.h"
 #include "basin/basin.h"
-#include "rainfall/series/rain_periods.h"
+#include "rainfall/series/rain_totals.h"
 #include "results/rain_file.h"
 
 namespace thiessen {
 
 /// Writes totals of areal rainfall, a period at a time: CSV `time,<basin id>,<basin
-/// id>_missing,...` or `time,basin[,method],rainfall,missing`. The field of a missing total is
-/// empty.
+/// id>_missing,...` or `time[,last],basin[,method],rainfall,missing`. The field of a missing total
+/// is empty.
 class RainTotalsFile {
  public:
   /// Writes the header, where there is to be one. The file and the basins must outlive it. Throws

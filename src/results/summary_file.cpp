@@ -21,8 +21,13 @@ void append_count(std::string& row, std::size_t count) {
 void write_summary(OutputFile& file, std::span<const BasinSummary> basins, AreaUnit unit) {
   file.append(std::string("basin,") + unit.column() +
               ",gauges_inside,gauges_weighing,largest_weight,mean,standard_error,largest,"
-              "empty_steps,most_influential,influence\n");
+              "empty_steps,most_influential,influence");
   std::string row;
+  if (!basins.empty()) {
+    for (const BasinDepth& depth : basins.front().depths)
+      row += ",max_" + depth.length + ",max_" + depth.length + "_time";
+  }
+  file.append(row + '\n');
   for (const BasinSummary& basin : basins) {
     row.clear();
     append_csv_field(row, basin.basin);
@@ -38,6 +43,11 @@ void write_summary(OutputFile& file, std::span<const BasinSummary> basins, AreaU
     append_csv_field(row, basin.most_influential);
     append_value(row,
                  basin.most_influential.empty() ? std::nullopt : std::optional(basin.influence));
+    for (const BasinDepth& depth : basin.depths) {
+      append_value(row, depth.depth);
+      row += ',';
+      append_csv_field(row, depth.time);
+    }
     file.append(row + '\n');
   }
 }

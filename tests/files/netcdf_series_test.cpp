@@ -32,6 +32,19 @@ IsoTime at(const std::string& text) {
   return parse_iso_time(text).time;
 }
 
+// 2013-10-01 is day 15979 and 2014-10-01 day 16344.
+TEST(NetcdfSeries, a_single_period_has_the_length_that_is_known) {
+  const TemporaryFolder folder;
+  Warnings told;
+  ModelSubject subject = subject_of({"A"});
+  subject.step = StepLength{12, 0};
+  NetcdfSeries series(folder.path("a.nc"), std::move(subject), {}, false);
+  series.add(at("2013-10"), Numbers{120}, {});
+  series.finish(told);
+  EXPECT_EQ(NetcdfReading(folder.path("a.nc")).numbers("time_bnds", 2),
+            (Numbers{15'979.0 * 86'400, 16'344.0 * 86'400}));
+}
+
 TEST(NetcdfSeries, holds_basins_as_time_series_of_cf) {
   const TemporaryFolder folder;
   Warnings told;

@@ -28,6 +28,18 @@ TEST(RainTotalsFile, has_a_total_and_the_missing_steps_of_each_basin_side_by_sid
             "time,basin,rainfall,missing\n2013-08,A,12.500,0\n2013-08,B,,3\n");
 }
 
+TEST(RainTotalsFile, rows_of_storms_have_the_time_of_the_last_wet_step) {
+  const std::vector<Basin> basins = {{"A", {}, {}}};
+  RainFormat format;
+  format.rows_for_basins = true;
+  format.storms = true;
+  EXPECT_EQ(written([&](OutputFile& file) {
+              RainTotalsFile totals(file, basins, format);
+              totals.add({"2013-08-01T03:00", {{12.5, 0}}, {}, "2013-08-01T07:00"});
+            }),
+            "time,last,basin,rainfall,missing\n2013-08-01T03:00,2013-08-01T07:00,A,12.500,0\n");
+}
+
 TEST(RainTotalsFile, two_columns_of_one_name_are_refused) {
   const std::vector<Basin> basins = {{"A", {}, {}}, {"A_missing", {}, {}}};
   const auto faults = complaints_of([&] { totals(basins, {}); });

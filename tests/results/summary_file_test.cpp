@@ -34,6 +34,17 @@ TEST(SummaryFile, has_a_row_a_basin_and_nothing_where_there_is_no_value) {
             "C,4,0,0,0,,,,7,,\n");
 }
 
+TEST(SummaryFile, has_the_largest_depths_behind_all_others) {
+  BasinSummary wet;
+  wet.basin = "B";
+  wet.depths = {{"1h", 4.5, "2020-05-01T03:00"}, {"24h", {}, ""}};
+  const std::vector<BasinSummary> basins{wet};
+  EXPECT_EQ(written([&](OutputFile& file) { write_summary(file, basins, AreaUnit{1}); }),
+            "basin,area,gauges_inside,gauges_weighing,largest_weight,mean,standard_error,largest,"
+            "empty_steps,most_influential,influence,max_1h,max_1h_time,max_24h,max_24h_time\n"
+            "B,0,0,0,0,,,,0,,,4.5,2020-05-01T03:00,,\n");
+}
+
 TEST(SummaryFile, does_not_call_an_unknown_unit_square_kilometres) {
   EXPECT_TRUE(written([](OutputFile& file) {
                 write_summary(file, {}, AreaUnit{1});

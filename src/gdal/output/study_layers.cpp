@@ -154,6 +154,13 @@ class LayersWriter {
     layer.add("largest", FieldType::real, [&](std::size_t row) { return basins[row].largest; });
     layer.add("empty_steps", FieldType::integer,
               [=](std::size_t row) { return count(basins[row].empty_steps); });
+    for (std::size_t i = 0; !basins.empty() && i < basins.front().depths.size(); ++i) {
+      const std::string name = "max_" + basins.front().depths[i].length;
+      layer.add(name, FieldType::real,
+                [&basins, i](std::size_t row) { return basins[row].depths[i].depth; });
+      layer.add(name + "_time",
+                [&basins, i](std::size_t row) { return basins[row].depths[i].time; });
+    }
   }
 
   void add_weights() {

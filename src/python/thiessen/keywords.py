@@ -13,12 +13,12 @@ OF_STATIONS = ("id", "x", "y", "crs", "skip_unplaced", "stations_layer", "statio
 
 # What says how a series is computed, of a study and of its readings alike.
 OF_SERIES = ("gaps", "min_gauges", "cache", "method", "grid", "interval", "from_", "to", "stamp", "every",
-             "allow_missing")
+             "allow_missing", "day_start", "year_start", "dry")
 # What of these is about the steps that count and about memory, which the worth of a gauge has too.
 OF_INFLUENCE = ("cache", "from_", "to")
 
 # What is about the times of steps.
-OF_TIMES = ("from_", "to", "stamp", "every", "allow_missing")
+OF_TIMES = ("from_", "to", "stamp", "every", "allow_missing", "day_start", "year_start", "dry")
 
 # The long options of `rain`, `weights` and `cells` that are no keywords, for they say where a table goes and how it is
 # written, or are methods here: `influence` is.

@@ -199,7 +199,8 @@ class Study:
     def rain(self, readings=None, *, progress=None, **keywords):
         """The areal rainfall of each basin at each step: time, and a column for each basin, in the order of the
         basins; NaN where there is none. With error=True also columns BASIN_se of standard errors, behind all others;
-        with every="month" totals over months, and behind each column BASIN_missing, of how many steps without a value.
+        with every="month" (hour, 6h, day, week, season, year, storm) totals over months, and behind each column
+        BASIN_missing, of how many steps without a value.
         A DataFrame, or where pandas is not installed a structured array.
 
         readings: nothing, for those of the study; files; an array of steps by stations, in the order in which the
@@ -207,7 +208,7 @@ class Study:
             the time. What has labels (a frame, a row of one, a dictionary, a structured array, an array of xarray with
             coordinates) goes by them. An array of doubles in C's order is read where it lies.
         keywords: gaps, min_gauges, cache, method (several in a list), grid, interval, error; of readings that have
-            times from_, to, every, allow_missing, stamp; and of readings in files that are named here time_field and
+            times from_, to, every, allow_missing, day_start, year_start, dry, stamp; and of readings in files that are named here time_field and
             the other options of readings.
 
         Memory: the readings in an array, and the result. Readings in files are read as they are needed.

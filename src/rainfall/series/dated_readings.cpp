@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t longest_time = 80;
 
 const char* name_of(TimePrecision precision) {
+  if (precision == TimePrecision::instant) return "hour";
   return precision == TimePrecision::day ? "day" : "month";
 }
 
@@ -32,6 +33,14 @@ IsoTime time_of_step(std::string_view text, TimePrecision least, const std::stri
     throw Error({file, line, time + " is not written as ISO 8601 wants it", wanted});
   if (parsed.fault == IsoTimeFault::value)
     throw Error({file, line, time + " does not exist", wanted});
+  if (parsed.time.precision < least && least == TimePrecision::instant) {
+    throw Error({file, line,
+                 time + " does not say the hour, which hours and the start of days want",
+                 setting("every", "day") +
+                     " sums dates, each of which is a day whenever it begins: "
+                     "leave " +
+                     setting("day_start") + " out"});
+  }
   if (parsed.time.precision < least) {
     throw Error({file, line, time + " does not say the " + name_of(least),
                  setting("every") + " takes periods that are no shorter than the steps"});

@@ -4,26 +4,26 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/error.h"
 #include "base/utf8.h"
+#include "rainfall/periods/periods_of_days.h"
 #include "rainfall/series/dated_readings.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day_seconds = 86'400;
 // Where more periods than these have no step, a time is more likely mistyped than a gauge silent.
 constexpr std::int64_t most_absent = 100'000;
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-IsoTime month_of(std::int64_t number) {
-  IsoTime time;
-  time.precision = TimePrecision::month;
-  time.year = static_cast<int>(number / 12);
-  time.month = static_cast<int>(number % 12) + 1;
-  return time;
+constexpr std::int64_t hour_seconds = 3'600;
+
+std::string clock_text(std::int64_t second_of_day) {
+  const std::string text = time_text(second_of_day, TimePrecision::instant);
+  return text.substr(text.find('T') + 1);
 }
 
 int days_in_month(const IsoTime& time) {
@@ -46,10 +46,15 @@ std::int64_t count_within(std::int64_t low, std::int64_t high, std::int64_t anch
 }  // namespace
 
 RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
-    : totalling_(std::move(totalling)), file_(std::move(file)), take_(std::move(take)) {}
+    : totalling_(std::move(totalling)),
+      file_(std::move(file)),
+      take_(std::move(take)),
+      calendar_(calendar_of(totalling_.every)),
+      sums_(totalling_.depths, totalling_.stamp) {}
 
 void RainPeriods::add(const RainStep& step) {
-  const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line, step.written);
+  const IsoTime time =
+      time_of_step(step.time, totalling_.every.least_precision(), file_, step.line, step.written);
   if (!begun_.empty() && step.time != text_before_ && time.precision == before_.precision &&
       time.ahead_of_utc == before_.ahead_of_utc && order_of_moments(time, before_) == 0) {
     throw Error({file_, step.line,
@@ -60,9 +65,10 @@ void RainPeriods::add(const RainStep& step) {
   before_ = time;
   text_before_ = step.time;
   intervals_.note({time, IsoTimeFault::none});
-  ends_days_ = ends_days_ || (time.hour == 24 && totalling_.stamp == Stamp::begin);
+  ends_days_ = ends_days_ || (time.hour == 24 && totalling_.stamp == Stamp::begin &&
+                              totalling_.every.unit != PeriodUnit::hours);
   const IsoTime within = within_step(time);
-  if (!open_ || number_of(within) != held_.back().number) {
+  if (!open_ || calendar_->number_of(within) != held_.back().number) {
     const bool ends = open_;
     if (ends) end();
     begin(within, step);
@@ -70,17 +76,7 @@ void RainPeriods::add(const RainStep& step) {
   }
   ++held_.back().steps;
   held_.back().last_ahead = time.ahead_of_utc.value_or(0);
-  for (std::size_t b = 0; b < sums_.size(); ++b) {
-    const double rainfall = step.basins[b].rainfall;
-    Sum& sum = sums_[b];
-    if (std::isnan(rainfall)) {
-      ++sum.missing;
-    } else {
-      ++sum.values;
-      const auto& depths = totalling_.depths;
-      sum.rainfall.add(depths ? depths->of(rainfall, within, totalling_.stamp) : rainfall);
-    }
-  }
+  sums_.add(step.basins, within);
 }
 
 /// Refuses a time that shows another step of rates than that by which totals are told already.
@@ -110,23 +106,20 @@ double RainPeriods::depth_of_rate() {
 }
 
 void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
-  const std::int64_t number = number_of(time);
-  if (!begun_.insert(number).second) {
+  const Held held{calendar_->number_of(time), time, 0, 0};
+  if (!begun_.insert(held.number).second) {
     throw Error({file_, step.line,
-                 "time " + quoted(step.time, 80) + " comes back to " +
-                     date_text(time, totalling_.every) + " after another period has begun",
+                 "time " + quoted(step.time, 80) + " comes back to " + name_of(held) +
+                     " after another period has begun",
                  "sort the file by time"});
   }
-  held_.push_back({number, time, 0, 0});
-  sums_.assign(step.basins.size(), Sum{});
+  held_.push_back(held);
+  sums_.begin(step.basins.size());
   open_ = true;
 }
 
 void RainPeriods::end() {
-  taken_.clear();
-  const double depth = depth_of_rate();
-  for (const Sum& sum : sums_)
-    taken_.push_back({sum.values > 0 ? sum.rainfall.value() * depth : no_value, sum.missing});
+  sums_.totals(depth_of_rate(), taken_);
   if (!totalling_.as_they_end) totals_.add(taken_);
   open_ = false;
 }
@@ -139,8 +132,9 @@ void RainPeriods::hand_on_ended() {
   ascends_ = ascends_ && ended.number < begun.number;
   descends_ = descends_ && ended.number > begun.number;
   if (step) lacking_step_ = step;
+  require_in_line(ended, step);
   const Extent extent = extent_of(ended, step, ascends_);
-  hand_on(ended.number, extent.lacking, extent.all);
+  hand_on(ended.number, ended.first, extent.lacking, extent.all);
   if (step && (ascends_ || descends_)) hand_on_absent(ended, begun, *step);
   held_.erase(held_.begin());
 }
@@ -153,42 +147,25 @@ IsoTime RainPeriods::within_step(const IsoTime& time) const {
   return within;
 }
 
-std::int64_t RainPeriods::number_of(const IsoTime& time) const {
-  if (totalling_.every == TimePrecision::year) return time.year;
-  if (totalling_.every == TimePrecision::month) return month_number(time);
-  IsoTime day = time;
-  day.hour = day.minute = day.second = 0;
-  return clock_seconds(day) / day_seconds -
-         (clock_seconds(day) < 0 && clock_seconds(day) % day_seconds != 0 ? 1 : 0);
-}
-
-std::string RainPeriods::text_of(std::int64_t number) const {
-  if (totalling_.every == TimePrecision::day)
-    return time_text(number * day_seconds, TimePrecision::day);
-  const bool years = totalling_.every == TimePrecision::year;
-  return date_text(month_of(years ? 12 * number : number), totalling_.every);
-}
-
-/// The first second of a period, by the clock.
-std::int64_t RainPeriods::begin_of(std::int64_t number) const {
-  if (totalling_.every == TimePrecision::day) return number * day_seconds;
-  return clock_seconds(month_of(totalling_.every == TimePrecision::year ? 12 * number : number));
+std::string RainPeriods::name_of(const Held& held) const {
+  return calendar_->name_of(held.number, held.first.ahead_of_utc);
 }
 
 /// How many steps of months a period has.
 std::int64_t RainPeriods::months_within(std::int64_t number, const StepLength& step,
                                         const IsoTime& in_line_with) const {
-  const bool years = totalling_.every == TimePrecision::year;
+  const std::int64_t last =
+      month_of_day(floor_quotient(calendar_->begin_of(number + 1, 0) - 1, seconds_of_day));
+  std::int64_t month = month_of_day(floor_quotient(calendar_->begin_of(number, 0), seconds_of_day));
   std::int64_t count = 0;
-  for (std::int64_t month = years ? 12 * number : number;
-       month < (years ? 12 * (number + 1) : number + 1); ++month) {
+  for (; month <= last; ++month) {
+    if ((month - month_number(in_line_with)) % step.months != 0) continue;
     IsoTime time = in_line_with;
-    time.year = static_cast<int>(month / 12);
-    time.month = static_cast<int>(month % 12) + 1;
+    time.year = static_cast<int>(floor_quotient(month, 12));
+    time.month = static_cast<int>(month - 12 * floor_quotient(month, 12)) + 1;
     // A day that the month lacks is its last, as 31 January is followed by 28 February.
     time.day = std::min(in_line_with.day, days_in_month(time));
-    const bool in_line = (month - month_number(in_line_with)) % step.months == 0;
-    count += in_line && totalling_.range.holds(time) ? 1 : 0;
+    count += calendar_->number_of(time) == number && totalling_.range.holds(time) ? 1 : 0;
   }
   return count;
 }
@@ -198,10 +175,12 @@ std::int64_t RainPeriods::months_within(std::int64_t number, const StepLength& s
 std::int64_t RainPeriods::expected(std::int64_t number, const StepLength& step,
                                    const IsoTime& in_line_with, int growth) const {
   if (step.months > 0) {
-    return totalling_.every == TimePrecision::day ? 0 : months_within(number, step, in_line_with);
+    const bool holds_months = totalling_.every.unit >= PeriodUnit::month;
+    return holds_months ? months_within(number, step, in_line_with) : 0;
   }
-  std::int64_t low = begin_of(number);
-  std::int64_t high = begin_of(number + 1);
+  const int ahead = in_line_with.ahead_of_utc.value_or(0);
+  std::int64_t low = calendar_->begin_of(number, ahead);
+  std::int64_t high = calendar_->begin_of(number + 1, ahead);
   const auto clock = [&](const IsoTime& limit) {
     const bool zones = limit.ahead_of_utc && in_line_with.ahead_of_utc;
     return clock_seconds(limit) +
@@ -218,14 +197,70 @@ std::int64_t RainPeriods::expected(std::int64_t number, const StepLength& step,
       end.day = days_in_month(end);
     }
     high = std::min(
-        high, clock(end) - behind + (to->precision == TimePrecision::instant ? 1 : day_seconds));
+        high, clock(end) - behind + (to->precision == TimePrecision::instant ? 1 : seconds_of_day));
   }
   return count_within(low, high - std::int64_t{60} * growth, clock_seconds(in_line_with),
                       step.seconds);
 }
 
-void RainPeriods::hand_on(std::int64_t number, std::size_t lacking, std::size_t expected) {
-  RainPeriod period{text_of(number), taken_};
+/// Whether no step lies on both sides of where a period begins, nor of where hours end.
+bool RainPeriods::is_in_line(const Held& held, const StepLength& step) const {
+  const int ahead = held.first.ahead_of_utc.value_or(0);
+  const std::int64_t begin = calendar_->begin_of(held.number, ahead);
+  const bool ends =
+      totalling_.stamp == Stamp::end && held.first.precision == TimePrecision::instant;
+  const std::int64_t since = clock_seconds(held.first) + (ends ? 1 : 0) - begin;
+  if (totalling_.every.unit != PeriodUnit::hours)
+    return since % (step.months > 0 ? seconds_of_day : step.seconds) == 0;
+  const std::int64_t length = calendar_->begin_of(held.number + 1, ahead) - begin;
+  return step.months == 0 && length % step.seconds == 0 && since % step.seconds == 0;
+}
+
+/// Refuses periods whose edges cut steps, where more than a tenth of them do so: a single time may
+/// be odd.
+void RainPeriods::require_in_line(const Held& held, const std::optional<StepLength>& step) {
+  const Every& every = totalling_.every;
+  if (!step || (every.unit != PeriodUnit::hours && !every.has_day_start)) return;
+  ++looked_at_;
+  if (is_in_line(held, *step)) return;
+  if (10 * ++out_of_line_ > looked_at_) throw out_of_line(held, *step);
+}
+
+Error RainPeriods::out_of_line(const Held& held, const StepLength& step) const {
+  const Every& every = totalling_.every;
+  const std::string steps = "steps of " + thiessen::text_of(step);
+  if (every.unit == PeriodUnit::hours) {
+    const std::int64_t length = hour_seconds * every.hours;
+    if (step.months > 0 || step.seconds > length || length % step.seconds != 0) {
+      std::int64_t fits = step.months > 0 ? 0 : std::lcm(step.seconds, hour_seconds);
+      if (fits > 0) fits *= (length + fits - 1) / fits;
+      const std::string name =
+          fits > 0 ? std::to_string(fits / hour_seconds) + "h" : std::string("month");
+      return Error({file_, 0,
+                    "periods of " + thiessen::text_of(StepLength{0, length}) +
+                        " do not hold whole " + steps + ", which the file has",
+                    setting("every", name) + " takes whole steps"});
+    }
+  }
+  const std::int64_t begin = calendar_->begin_of(held.number, held.first.ahead_of_utc.value_or(0));
+  const std::int64_t length = step.months > 0 ? seconds_of_day : step.seconds;
+  const std::int64_t since =
+      clock_seconds(held.first) - begin + (totalling_.stamp == Stamp::end ? 1 : 0);
+  const std::int64_t next = begin + (since % length + length) % length;
+  return Error(
+      {file_, 0,
+       name_of(held) + " begins at " + clock_text(begin) + ", within one of the " + steps +
+           ", of which one begins at " + clock_text(next),
+       setting("day_start", clock_text(next).substr(0, 5)) + " has days begin where a step does"});
+}
+
+void RainPeriods::hand_on(std::int64_t number, const IsoTime& in_line_with, std::size_t lacking,
+                          std::size_t expected) {
+  const std::optional<int> ahead = in_line_with.ahead_of_utc;
+  RainPeriod period{calendar_->name_of(number, ahead), taken_};
+  period.begin = parse_iso_time(
+      time_text(calendar_->begin_of(number, ahead.value_or(0)), calendar_->precision()));
+  if (calendar_->precision() == TimePrecision::instant) period.begin.time.ahead_of_utc = ahead;
   for (BasinTotal& total : period.basins) {
     total.missing += lacking;
     if (total.missing > totalling_.allowed_missing) total.rainfall = no_value;
@@ -243,14 +278,14 @@ void RainPeriods::hand_on_absent(const Held& before, const Held& after, const St
   const std::int64_t way = before.number < after.number ? 1 : -1;
   if ((after.number - before.number) * way > most_absent) {
     throw Error({file_, 0,
-                 "no step lies between " + text_of(std::min(before.number, after.number)) +
-                     " and " + text_of(std::max(before.number, after.number)),
+                 "no step lies between " + name_of(way > 0 ? before : after) + " and " +
+                     name_of(way > 0 ? after : before),
                  "is one of them mistyped?"});
   }
   std::fill(taken_.begin(), taken_.end(), BasinTotal{no_value, 0});
   for (std::int64_t number = before.number + way; number != after.number; number += way) {
     const auto lacking = static_cast<std::size_t>(expected(number, step, before.first, 0));
-    if (lacking > 0) hand_on(number, lacking, lacking);
+    if (lacking > 0) hand_on(number, before.first, lacking, lacking);
   }
 }
 
@@ -272,8 +307,7 @@ bool RainPeriods::is_left_out(const Held& last, const std::optional<StepLength>&
                                  : ", for the times have no regular step";
   warnings.add_notice(
       {file_, 0,
-       "the last period, " + text_of(last.number) + ", is left out, as it may not be over" + lacks,
-       ""});
+       "the last period, " + name_of(last) + ", is left out, as it may not be over" + lacks, ""});
   return true;
 }
 
@@ -284,14 +318,15 @@ void RainPeriods::finish(Warnings& warnings) {
   const auto number = [](const Held& held) { return held.number; };
   const bool ascends = ascends_ && std::ranges::is_sorted(held_, {}, number);
   const bool descends = descends_ && std::ranges::is_sorted(held_, std::ranges::greater(), number);
-  taken_.resize(sums_.size());
+  taken_.resize(sums_.basins());
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const Held& held = held_[i];
     if (!totalling_.as_they_end) totals_.take(taken_);
+    require_in_line(held, step);
     const Extent extent = extent_of(held, step, ascends);
     const bool is_last = ascends && i + 1 == held_.size();
     if (is_last && is_left_out(held, step, extent, warnings)) break;
-    hand_on(held.number, extent.lacking, extent.all);
+    hand_on(held.number, held.first, extent.lacking, extent.all);
     if (step && (ascends || descends) && i + 1 < held_.size())
       hand_on_absent(held, held_[i + 1], *step);
   }

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -10,44 +10,20 @@
 
 #include "base/error.h"
 #include "base/iso_time.h"
-#include "geometry/long_sum.h"
+#include "rainfall/periods/period_calendar.h"
 #include "rainfall/series/held_totals.h"
+#include "rainfall/series/period_sums.h"
 #include "rainfall/series/rain_series.h"
-#include "rainfall/series/stamp.h"
-#include "rainfall/series/step_depths.h"
+#include "rainfall/series/rain_totals.h"
 #include "rainfall/series/step_intervals.h"
-#include "rainfall/series/time_range.h"
+#include "rainfall/series/step_length.h"
 
 namespace thiessen {
 
-/// The totals of one year, month or day of a series of areal rainfall.
-struct RainPeriod {
-  std::string time;  ///< such as 2013, 2013-08 or 2013-08-01
-  std::vector<BasinTotal> basins;
-};
-
-/// The periods over which rainfall is summed, and how many values a total may lack.
-struct Totalling {
-  TimePrecision every = TimePrecision::month;  ///< not instant
-  std::size_t allowed_missing = 0;  ///< steps that may lack a value in a period with a total
-  TimeRange range = {};             ///< the steps that count; what lies beyond does not lack
-  Stamp stamp = Stamp::begin;       ///< what the times of the steps are
-  /// Whether a period is handed on as soon as a step of another comes. What it lacks is then told
-  /// by the file's step as far as that is known by then.
-  bool as_they_end = false;
-  /// Whether the last period is left out where its end is not known: it lacks steps, or the file
-  /// has no step.
-  bool whole_alone = false;
-  /// What values count for that are rates; nothing where they are depths.
-  std::optional<StepDepths> depths = {};
-  /// The same of rates whose step their own times tell by the end of the first period. A later time
-  /// that is not whole steps from the one before is an Error.
-  std::optional<RatesOfUnknownStep> rates = {};
-};
-
-/// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
-/// time says as it is written: 24:00 belongs to the day that it ends, and time zones play no part.
-/// Where times end their steps, midnight belongs to the day, month or year before it.
+/// Sums a series of areal rainfall over the periods of a calendar (PeriodCalendar). The period of a
+/// step is the one that its time says as it is written: 24:00 belongs to the day that it ends, and
+/// time zones play no part but where single hours are written twice. Where times end their steps,
+/// the moment at which a period begins belongs to the one before it.
 ///
 /// The steps of a period follow each other; the periods come in any order, each once. A total is
 /// the sum of the steps that have a value. There is no total where no step has a value, or where
@@ -56,30 +32,26 @@ struct Totalling {
 /// with the period's first; a period between others that has no step at all is handed on too. Where
 /// the file has no step nothing is known to lack. Sums are LongSums, so the order of the steps does
 /// not matter. Memory: HeldTotals, and some 120 bytes for each period.
-class RainPeriods {
+///
+/// Where it was said when days begin, and of hours, no step may lie in two periods: that is an
+/// Error if it is so of more than a tenth of them.
+class RainPeriods : public RainTotals {
  public:
-  using Take = std::function<void(const RainPeriod&)>;
-
   /// `take` gets the periods in `finish`, for the file's step is known only then, or as they end.
   /// `file` is for messages.
   RainPeriods(Totalling totalling, std::string file, Take take);
 
   /// Adds a step. Throws Error if its time is not ISO 8601 or does not say its period, if its time
   /// is that of the step before written differently, and if its period has ended before.
-  void add(const RainStep& step);
+  void add(const RainStep& step) override;
   /// Hands on all periods. Warns of steps that lack, and where it cannot be known whether some do.
-  void finish(Warnings& warnings);
+  void finish(Warnings& warnings) override;
 
  private:
-  struct Sum {
-    LongSum rainfall;
-    std::size_t values = 0;
-    std::size_t missing = 0;
-  };
   /// A period that has steps.
   struct Held {
-    std::int64_t number;  ///< of the year, of the month (month_number) or of the day since 1970
-    IsoTime first;        ///< the time of its first step in the file
+    std::int64_t number;  ///< by its calendar
+    IsoTime first;        ///< a moment of its first step in the file
     int last_ahead;       ///< the last step's offset from UTC, in minutes
     std::size_t steps;
   };
@@ -89,9 +61,7 @@ class RainPeriods {
   void begin(const IsoTime& time, const RainStep& step);
   void end();
   IsoTime within_step(const IsoTime& time) const;
-  std::int64_t number_of(const IsoTime& time) const;
-  std::string text_of(std::int64_t number) const;
-  std::int64_t begin_of(std::int64_t number) const;
+  std::string name_of(const Held& held) const;
   std::int64_t months_within(std::int64_t number, const StepLength& step,
                              const IsoTime& in_line_with) const;
   std::int64_t expected(std::int64_t number, const StepLength& step, const IsoTime& in_line_with,
@@ -105,7 +75,11 @@ class RainPeriods {
   Extent extent_of(const Held& held, const std::optional<StepLength>& step, bool ascends) const;
   bool is_left_out(const Held& last, const std::optional<StepLength>& step, const Extent& extent,
                    Warnings& warnings) const;
-  void hand_on(std::int64_t number, std::size_t lacking, std::size_t expected);
+  bool is_in_line(const Held& held, const StepLength& step) const;
+  void require_in_line(const Held& held, const std::optional<StepLength>& step);
+  Error out_of_line(const Held& held, const StepLength& step) const;
+  void hand_on(std::int64_t number, const IsoTime& in_line_with, std::size_t lacking,
+               std::size_t expected);
   void hand_on_absent(const Held& before, const Held& after, const StepLength& step);
   void warn(Warnings& warnings) const;
 
@@ -114,7 +88,8 @@ class RainPeriods {
   Take take_;
   IsoTime before_;  ///< time of the step before
   std::string text_before_;
-  std::vector<Sum> sums_;
+  std::unique_ptr<const PeriodCalendar> calendar_;
+  PeriodSums sums_;
   std::unordered_set<std::int64_t> begun_;
   std::vector<Held> held_;
   HeldTotals totals_;
@@ -123,7 +98,9 @@ class RainPeriods {
   std::optional<StepLength> step_of_rates_;  ///< by which rates are counted, once it is known
   bool ascends_ = true;  ///< of the periods so far, where they are handed on as they end
   bool descends_ = true;
-  bool ends_days_ = false;  ///< whether a time is 24:00 where times begin their steps
+  bool ends_days_ = false;       ///< whether a time is 24:00 where times begin their steps
+  std::size_t looked_at_ = 0;    ///< periods of which it is known whether a step crosses their edge
+  std::size_t out_of_line_ = 0;  ///< of these, where one does
   std::size_t lacking_periods_ = 0;
   std::optional<StepLength> lacking_step_;  ///< the step that the last of them lacks
   std::string first_lacking_;

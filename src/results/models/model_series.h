@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -8,6 +10,7 @@
 #include "base/iso_time.h"
 #include "geometry/point.h"
 #include "rainfall/series/stamp.h"
+#include "rainfall/series/step_length.h"
 #include "results/provenance.h"
 
 namespace thiessen {
@@ -21,6 +24,10 @@ struct ModelSubject {
   std::string unit = "mm";  ///< of the values
   int decimals = 3;         ///< of the values, where they are written as text
   Provenance made_by;
+  /// The length of the steps where it is known beforehand, as of periods that are summed over.
+  std::optional<StepLength> step = {};
+  /// When days begin that are summed over, in seconds after midnight: each has the date of that.
+  std::int64_t day_start = 0;
   Stamp stamp = Stamp::begin;  ///< what the times of steps with a clock are
   std::string rainfall;        ///< the file of the readings, for messages
   std::string output;          ///< the file that is written, for messages

@@ -34,6 +34,7 @@ std::int64_t SeriesTimes::seconds_of(const IsoTime& time) const {
 }
 
 std::optional<StepLength> SeriesTimes::step() const {
+  if (known_step_) return known_step_;
   if (count_ != 1) return intervals_.step();
   switch (first_.precision) {
     case TimePrecision::year:

@@ -24,8 +24,9 @@ IsoTime calendar_time_for(const std::string& name, std::string_view time,
 class SeriesTimes {
  public:
   /// `file` is that of the readings, and `format` the name of what is written, for messages.
-  SeriesTimes(std::string file, std::string format)
-      : file_(std::move(file)), format_(std::move(format)) {}
+  /// `step` is that of the series where it is known beforehand.
+  SeriesTimes(std::string file, std::string format, std::optional<StepLength> step = {})
+      : file_(std::move(file)), format_(std::move(format)), known_step_(step) {}
 
   /// Takes note of the next time. Throws Error where it has a zone and others have none.
   void note(const IsoTime& time);
@@ -42,6 +43,7 @@ class SeriesTimes {
  private:
   std::string file_;
   std::string format_;
+  std::optional<StepLength> known_step_;
   IsoTime first_;
   std::size_t count_ = 0;
   StepIntervals intervals_;

@@ -31,7 +31,7 @@ std::string moment_text(std::int64_t seconds) {
 SteppedSeries::SteppedSeries(ModelSubject subject, std::string format)
     : subject_(std::move(subject)),
       format_(std::move(format)),
-      times_(subject_.rainfall, format_),
+      times_(subject_.rainfall, format_, subject_.step),
       held_(subject_.basins.size()) {}
 
 void SteppedSeries::add(const IsoTime& time, std::span<const double> rainfall,
@@ -124,7 +124,8 @@ void SteppedSeries::require_parts_of_days(const Steps& steps) const {
                                             : Wording(any_steps)});
   }
   const std::int64_t after_midnight = ((steps.begin % day_seconds) + day_seconds) % day_seconds;
-  if (after_midnight % 60 == 0 && (steps.length < day_seconds || after_midnight == 0)) return;
+  const bool has_date = after_midnight == 0 || after_midnight == subject_.day_start;
+  if (after_midnight % 60 == 0 && (steps.length < day_seconds || has_date)) return;
   throw Error({subject_.rainfall, 0,
                "its steps begin at " + moment_text(steps.begin) + ", and " + format_ +
                    (steps.length < day_seconds ? " wants whole minutes" : " has dates for days"),

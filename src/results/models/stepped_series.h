@@ -50,7 +50,8 @@ class SteppedSeries : public ModelSeries {
   virtual bool takes_any_steps() const { return false; }
   virtual void write(const Steps& steps, Warnings& warnings) = 0;
 
-  /// Requires steps of a day or a whole part of it, in whole minutes, whose days begin at midnight.
+  /// Requires steps of a day or a whole part of it, in whole minutes, whose days begin at midnight,
+  /// or where days begin that were summed over.
   void require_parts_of_days(const Steps& steps) const;
   /// Refuses readings whose unit is known and is none of these.
   void require_unit(std::span<const std::string_view> units) const;

@@ -49,11 +49,44 @@ TEST(PeriodOptions, law_1_totals_want_times_as_precise_as_their_periods) {
     Periods periods;
     periods.read({"--every", name, "--allow-missing", "2"});
     EXPECT_EQ(periods.contradiction(), "");
-    EXPECT_EQ(periods.block.totalling().value().every, precision);
+    EXPECT_EQ(periods.block.totalling().value().every.least_precision(), precision);
     EXPECT_EQ(periods.block.totalling().value().allowed_missing, 2U);
     EXPECT_EQ(periods.block.times().value().least, precision);
   }
-  EXPECT_NE(Periods().refusal({"--every", "week"}), "");
+  EXPECT_NE(Periods().refusal({"--every", "fortnight"}), "");
+}
+
+TEST(PeriodOptions, say_when_days_and_years_begin) {
+  Periods periods;
+  periods.read({"--every", "year", "--day-start", "09:00", "--year-start", "10"});
+  EXPECT_EQ(periods.contradiction(), "");
+  const Every every = periods.block.totalling().value().every;
+  EXPECT_EQ(every.day_start, 32'400);
+  EXPECT_TRUE(every.has_day_start);
+  EXPECT_EQ(every.year_start, 10);
+  EXPECT_EQ(periods.block.times().value().least, TimePrecision::instant);
+}
+
+// 2014-02-01 is day 16102; at eight o'clock the day that begins at nine is the one before.
+TEST(PeriodOptions, count_hours_that_make_up_no_day_from_the_first_day_of_the_range) {
+  Periods periods;
+  periods.read({"--every", "36h", "--day-start", "09:00", "--from", "2014-02-01T08:00"});
+  EXPECT_EQ(periods.block.totalling().value().every.first_day, 16'101);
+}
+
+TEST(PeriodOptions, refuse_what_the_periods_do_not_have) {
+  const auto said = [](const std::vector<std::string>& words) {
+    Periods periods;
+    periods.read(words);
+    return periods.contradiction();
+  };
+  EXPECT_EQ(said({"--day-start", "09:00"}),
+            "--day-start is about the periods of --every that have days or hours");
+  EXPECT_EQ(said({"--every", "storm", "--day-start", "09:00"}),
+            "--day-start is about the periods of --every that have days or hours");
+  EXPECT_EQ(said({"--every", "season", "--year-start", "2"}), "--year-start is about --every year");
+  EXPECT_EQ(said({"--every", "day", "--dry", "6h"}), "--dry is about --every storm");
+  EXPECT_EQ(said({"--every", "storm", "--dry", "2d"}), "");
 }
 
 TEST(PeriodOptions, allow_steps_to_be_missing_of_totals_alone) {

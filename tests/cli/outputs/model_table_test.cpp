@@ -58,7 +58,7 @@ TEST(ModelTable, refuses_a_time_that_is_none_with_its_line) {
 TEST(ModelTable, hands_on_totals_and_says_that_some_lack_steps) {
   std::string text;
   Warnings told;
-  ModelTable table(std::make_unique<Kept>(text), "hype", Totalling{TimePrecision::day, 3}, "r.csv");
+  ModelTable table(std::make_unique<Kept>(text), "hype", Totalling{PeriodUnit::day, 3}, "r.csv");
   for (const char* time : {"2020-01-01T00:00", "2020-01-01T06:00", "2020-01-01T12:00",
                            "2020-01-01T18:00", "2020-01-02T00:00", "2020-01-02T12:00"})
     table.add(step(time, 1), 0);
@@ -66,6 +66,28 @@ TEST(ModelTable, hands_on_totals_and_says_that_some_lack_steps) {
   EXPECT_EQ(text, "2020-01-01 4.0\n2020-01-02 2.0\nend\n");
   EXPECT_EQ(sentences_of(told).back(),
             "r.csv: 1 total lacks steps, and --format hype does not say which");
+}
+
+TEST(ModelTable, dates_periods_by_their_beginning) {
+  const auto dates = [](const Every& every) {
+    std::string text;
+    Warnings told;
+    ModelTable table(std::make_unique<Kept>(text), "netcdf", Totalling{every, 1'000}, "r.csv");
+    table.add(step("2014-01-27T10:00", 1), 0);
+    table.finish(told);
+    return text.substr(0, text.find(' '));
+  };
+  Every every = PeriodUnit::week;
+  EXPECT_EQ(dates(every), "2014-01-27");
+  every.day_start = 32'400;
+  EXPECT_EQ(dates(every), "2014-01-27T09:00");
+  every = PeriodUnit::season;
+  EXPECT_EQ(dates(every), "2013-12");
+  every = PeriodUnit::year;
+  every.year_start = 10;
+  EXPECT_EQ(dates(every), "2013-10");
+  every = PeriodUnit::hours;
+  EXPECT_EQ(dates(every), "2014-01-27T10:00");
 }
 
 }  // namespace

@@ -39,9 +39,9 @@ TEST(RainTable, has_the_steps_where_no_totals_are_wanted) {
 }
 
 TEST(RainTable, has_totals_of_periods_where_they_are) {
-  EXPECT_EQ(table({}, Totalling{TimePrecision::day, 0}),
+  EXPECT_EQ(table({}, Totalling{PeriodUnit::day, 0}),
             "time,A,A_missing\n2013-08-01,1.500,0\n2013-08-02,2.000,0\n");
-  const std::string month = table({}, Totalling{TimePrecision::month, 31});
+  const std::string month = table({}, Totalling{PeriodUnit::month, 31});
   EXPECT_TRUE(month.starts_with("time,A,A_missing\n2013-08,3.500,")) << month;
 }
 

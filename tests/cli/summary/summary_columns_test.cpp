@@ -23,10 +23,18 @@ BasinSummary basin(double area, std::optional<double> mean, std::optional<double
 }
 
 Texts values(const std::vector<BasinSummary>& basins, const std::string& heading) {
-  for (const TableColumn& column : summary_columns(basins, "area km2", " mm")) {
+  for (const TableColumn& column : summary_columns(basins, "area km2", " mm", " mm")) {
     if (column.heading == heading) return column.values;
   }
   return {};
+}
+
+TEST(SummaryColumns, have_the_largest_depths_of_each_length) {
+  std::vector<BasinSummary> basins{basin(1, 1, {}, 2), basin(1, 1, {}, 2)};
+  basins[0].depths = {{"1h", 12.25, "t"}, {"24h", {}, ""}};
+  basins[1].depths = {{"1h", 8.5, "t"}, {"24h", {}, ""}};
+  EXPECT_EQ(values(basins, "max 1h mm"), (Texts{"12.2", "8.5"}));
+  EXPECT_EQ(values(basins, "max 24h mm"), (Texts{"-", "-"}));
 }
 
 // The middle error, 0.0043, has two digits; the smallest has one.

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "rainfall/periods/periods_of_days.h"
+
+namespace thiessen {
+
+/// Days, called by their date: 2014-02-01.
+class DayPeriods : public PeriodsOfDays {
+ public:
+  using PeriodsOfDays::PeriodsOfDays;
+
+  std::string name_of(std::int64_t number, std::optional<int> ahead_of_utc) const override;
+
+ protected:
+  std::int64_t number_of_day(std::int64_t day) const override;
+  std::int64_t first_day(std::int64_t number) const override;
+  TimePrecision precision_of_day() const override { return TimePrecision::day; }
+};
+
+}  // namespace thiessen

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "rainfall/periods/periods_of_days.h"
+
+namespace thiessen {
+
+/// Weeks of ISO 8601, which begin on Mondays. A week is called by the year that has its Thursday:
+/// 2014-W05.
+class WeekPeriods : public PeriodsOfDays {
+ public:
+  using PeriodsOfDays::PeriodsOfDays;
+
+  std::string name_of(std::int64_t number, std::optional<int> ahead_of_utc) const override;
+
+ protected:
+  std::int64_t number_of_day(std::int64_t day) const override;
+  std::int64_t first_day(std::int64_t number) const override;
+  TimePrecision precision_of_day() const override { return TimePrecision::day; }
+};
+
+}  // namespace thiessen
