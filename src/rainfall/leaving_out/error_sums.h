@@ -17,6 +17,11 @@ struct ErrorSums {
     errors += error;
     squares += error * error;
   }
+  void add(const ErrorSums& other) {
+    count += other.count;
+    errors += other.errors;
+    squares += other.squares;
+  }
   /// The mean error; NaN where there is none.
   double bias() const { return mean(errors); }
   double mean_square() const { return mean(squares); }

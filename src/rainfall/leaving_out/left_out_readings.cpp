@@ -26,7 +26,9 @@ LeftOutReadings::LeftOutReadings(const Network& network, Metric metric, const No
   near_.reserve(kept_ * network.places().size());
   for (std::uint32_t p = 0; p < network.places().size(); ++p) {
     nearest_.find(network.places()[p], kept_ + 1, {}, found_);
-    for (std::size_t i = 1; i <= kept_; ++i) near_.push_back(found_[i].place);
+    // Itself is the first of them, but where the square of a distance is too small for a double.
+    std::erase_if(found_, [&](const auto& near) { return near.place == PlaceIndex{p}; });
+    for (std::size_t i = 0; i < kept_; ++i) near_.push_back(found_[i].place);
   }
 }
 
