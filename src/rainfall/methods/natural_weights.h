@@ -38,6 +38,7 @@ class NaturalWeights {
   /// whole Earth the gauge at infinity has the infinite point's.
   NaturalWeights(std::span<const ChartPoint> gauges, ChartKind kind);
 
+  ChartKind kind() const { return kind_; }
   /// The number of each gauge, in the order in which they were given.
   const std::vector<PointId>& numbers() const { return numbers_; }
   /// The tessellation of the gauges in the chart, and the direction of each on the sphere.

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include "earth/sphere/geodesic.h"
 #include "rainfall/methods/inverse_distance.h"
 #include "rainfall/methods/natural_neighbours.h"
 #include "rainfall/methods/nearest_gauges.h"
+#include "rainfall/methods/squared_distances.h"
 #include "rainfall/methods/tessellated_surface.h"
 #include "rainfall/network/mean_reading.h"
 
@@ -29,41 +29,31 @@ SurfaceGauges gauges_of(const Network& network, std::span<const double> readings
 class IdwSurface : public RainSurface {
  public:
   IdwSurface(SurfaceGauges gauges, Metric metric)
-      : values_(std::move(gauges.values)), nearest_(gauges.at, metric) {
-    if (metric != Metric::geodesic) return;
-    for (const Point p : gauges.at) on_earth_.emplace_back(p);
-  }
+      : values_(std::move(gauges.values)),
+        nearest_(gauges.at, metric),
+        distances_(gauges.at, metric) {}
 
   Value at(Point position) override {
     nearest_.find(position, InverseDistance::neighbours, {}, near_);
-    const EarthPoint here =
-        on_earth_.empty() ? EarthPoint(Point{}, Direction{}) : EarthPoint(position);
+    distances_.from(position, near_, squares_);
     double sum = 0;
     double total = 0;
-    double least = 0;
-    for (const NearestGauges::Near& near : near_) {
-      const double square = square_to(near, here);
-      if (square == 0) return {values_[index(near.place)], true};
+    for (std::size_t k = 0; k < near_.size(); ++k) {
+      const double value = values_[index(near_[k].place)];
+      if (squares_[k] == 0) return {value, true};
       // Relative to the nearest, no unit of length makes a weight too large or too small.
-      if (least == 0) least = square;
-      sum += least / square * values_[index(near.place)];
-      total += least / square;
+      sum += squares_.front() / squares_[k] * value;
+      total += squares_.front() / squares_[k];
     }
     return {sum / total, true};
   }
 
  private:
-  double square_to(const NearestGauges::Near& near, const EarthPoint& here) const {
-    constexpr double accuracy = 1;  // metres, of geodesics longer than 1,000 km
-    if (on_earth_.empty() || near.square == 0) return near.square;
-    const double distance = arrival(on_earth_[index(near.place)], here, accuracy).distance;
-    return distance * distance;
-  }
-
   std::vector<double> values_;
   NearestGauges nearest_;
-  std::vector<EarthPoint> on_earth_;
+  SquaredDistances distances_;
   std::vector<NearestGauges::Near> near_;
+  std::vector<double> squares_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "rainfall/methods/tessellated_surface.h"
 
 #include <algorithm>
-#include <array>
 
 #include "geometry/predicates.h"
+#include "rainfall/methods/linear_weights.h"
 
 namespace thiessen {
 namespace {
@@ -34,18 +34,6 @@ std::vector<double> values_by_number(std::span<const PointId> numbers,
     if (counts[n] > 0) sums[n] /= static_cast<double>(counts[n]);
   }
   return sums;
-}
-
-/// The mean of three values by their weights, of which rounding may have made some negative.
-double weighted(const std::array<double, 3>& weights, const std::array<double, 3>& values) {
-  double sum = 0;
-  double total = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double weight = std::max(0.0, weights[i]);
-    sum += weight * values[i];
-    total += weight;
-  }
-  return total > 0 ? sum / total : values[0];
 }
 
 constexpr std::size_t after(std::size_t corner, std::size_t steps) {
@@ -159,72 +147,13 @@ std::optional<double> LinearSurface::among_gauges(const ChartPoint& point) {
   if (triangles().span() != Span::plane || !in_exact_range(point.at)) return natural_value(point);
   const VertexId v = locate(point.at);
   if (has_hull && triangles().topology().is_infinite(v)) return {};
-  return kind() == ChartKind::plane ? in_plane_triangle(v, point.at) : on_earth(v, point.direction);
-}
-
-double LinearSurface::in_plane_triangle(VertexId v, Point point) const {
-  const auto& corners = triangles().topology().forming(v);
-  std::array<double, 3> weights{};
-  std::array<double, 3> values{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    weights[i] = doubled_area(point, triangles().position(corners[after(i, 1)]),
-                              triangles().position(corners[after(i, 2)]));
-    values[i] = value_of(corners[i]);
+  double sum = 0;
+  double total = 0;
+  for (const NaturalWeight& w : linear_weights(natural(), v, point)) {
+    sum += w.weight * value_of(w.gauge);
+    total += w.weight;
   }
-  return weighted(weights, values);
-}
-
-/// The larger, the earlier the line from the sphere's middle through x comes to the plane of the
-/// triangle.
-double LinearSurface::reach(VertexId v, Direction x) const {
-  const auto& corners = triangles().topology().forming(v);
-  const Direction a = natural().direction(corners[0]);
-  const Direction across =
-      cross(natural().direction(corners[1]) - a, natural().direction(corners[2]) - a);
-  return dot(x, across) / dot(a, across);
-}
-
-/// By corner, in proportion to their weights at the point of the triangle's plane that is seen in
-/// the direction x.
-std::array<double, 3> LinearSurface::weights_seen(VertexId v, Direction x) const {
-  const auto& corners = triangles().topology().forming(v);
-  std::array<double, 3> weights{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    weights[i] = dot(x, cross(natural().direction(corners[after(i, 1)]) - x,
-                              natural().direction(corners[after(i, 2)]) - x));
-  }
-  return weights;
-}
-
-/// The triangle behind a side that x lies beyond, to whose plane the line comes earlier; v where
-/// there is none.
-VertexId LinearSurface::earlier(VertexId v, const std::array<double, 3>& weights,
-                                Direction x) const {
-  const Topology<2>& topology = triangles().topology();
-  const double reached = reach(v, x);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const VertexId w = topology.neighbour(v, i);
-    const bool is_hull = kind() != ChartKind::whole_earth && topology.is_infinite(w);
-    if (weights[i] < 0 && !is_hull && reach(w, x) > reached) return w;
-  }
-  return v;
-}
-
-// Triangles of the chart have straight edges there, which are other circles of the sphere than the
-// great ones between their corners. So the triangle of the chart is but the first. The flat
-// triangles between gauges are faces of a convex body, and the line from the middle leaves it
-// through the face whose plane it comes to first. Each step goes to a plane that it comes to
-// earlier, so the walk ends, whatever is rounded.
-double LinearSurface::on_earth(VertexId v, Direction x) const {
-  for (;;) {
-    const std::array<double, 3> weights = weights_seen(v, x);
-    const VertexId next = earlier(v, weights, x);
-    if (next == v) {
-      const auto& corners = triangles().topology().forming(v);
-      return weighted(weights, {value_of(corners[0]), value_of(corners[1]), value_of(corners[2])});
-    }
-    v = next;
-  }
+  return sum / total;
 }
 
 }  // namespace thiessen

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <vector>
 
@@ -86,11 +85,6 @@ class LinearSurface : public TessellatedSurface {
   std::optional<double> among_gauges(const ChartPoint& point) override;
   /// On the Earth flat triangles reach as far as great circles, a little beyond the chart's edges.
   bool tends_to_edge() const override { return kind() == ChartKind::plane; }
-  double in_plane_triangle(VertexId v, Point point) const;
-  double on_earth(VertexId v, Direction x) const;
-  double reach(VertexId v, Direction x) const;
-  std::array<double, 3> weights_seen(VertexId v, Direction x) const;
-  VertexId earlier(VertexId v, const std::array<double, 3>& weights, Direction x) const;
 };
 
 }  // namespace thiessen

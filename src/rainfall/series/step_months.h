@@ -15,6 +15,10 @@ namespace thiessen {
 std::optional<std::size_t> month_of(std::string_view time,
                                     const std::optional<WrittenTime>& written, Stamp stamp);
 
+/// The calendar year in which it fell; nothing where its time tells none.
+std::optional<int> year_of(std::string_view time, const std::optional<WrittenTime>& written,
+                           Stamp stamp);
+
 /// Tells in which calendar month the rain of a step fell, as its time is written: of times that end
 /// their steps midnight of the first of a month belongs to the month before.
 class StepMonths {
