@@ -254,7 +254,7 @@ PublishedFormat format_read(PublishedFormat format, AmountsRead read, const Tabl
 RainfallTable read_unknown(std::unique_ptr<Table> table, ReadingsOptions options) {
   if (options.read == AmountsRead::of_steps || options.read == AmountsRead::totals)
     return {std::move(table), std::move(options)};
-  const auto days = find_field(table->header(), known::days);
+  const auto days = find_field(table->header(), known::gathered_days);
   const bool are_days = options.read == AmountsRead::days;
   if (!are_days || !days || !is_long_header(table->header()))
     fail_without(table->file(), are_days ? "column of days" : "sums of several days");

@@ -84,8 +84,8 @@ DatedTotals::DatedTotals(const TotalsSource& source, ObservationHour hour,
                          const TotalsSurvey& survey, Warnings& warnings)
     : file_(source.name) {
   for (TotalsPart& part : source.open(!survey.ascends, warnings)) {
-    parts_.push_back({std::move(part)});
-    Part& last = parts_.back();
+    Part& last = parts_.emplace_back();
+    last.readings = std::move(part);
     last.has_days = last.readings.days && last.readings.days->next(last.days);
     if (last.has_days) last.time_of_days = time_of(last.days, file_);
     advance(last);
