@@ -132,6 +132,9 @@ std::unique_ptr<Readings> open_alone(const Source& rainfall, std::span<const Sta
                                      const ReadingsOptions& options, Warnings& warnings) {
   try {
     return open_one(rainfall, stations, passed_over, options, warnings);
+  } catch (const NoRain& none) {
+    if (options.read != AmountsRead::of_steps) throw;
+    throw told_of_skip(none, rainfall);
   } catch (const Error& error) {
     throw told_of_skip(error, rainfall);
   }

@@ -195,8 +195,8 @@ TEST(TotalledReadings, refuse_what_cannot_be_known) {
   EXPECT_EQ(six_hours.fault(hours("2020-01-01", "", {0, 6, 12, 18}, {1, silent}) +
                                 hours("2020-01-02", "", {0, 6, 12, 18}, {1, silent}),
                             {{"2020-01-01", {silent, 1}}}),
-            "t.csv:2: the total of '2020-01-01' begins at 2020-01-01T07:00, within the step "
-            "'2020-01-01T06:00' of 'r.csv'");
+            "t.csv:2: the total of '2020-01-01' ends at 2020-01-02T07:00, within the step "
+            "'2020-01-02T06:00' of 'r.csv'");
   Pair overlapping;
   overlapping.hour.minutes = midnight;
   overlapping.has_days = true;
