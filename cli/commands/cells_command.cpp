@@ -33,6 +33,7 @@ class CellsCommand : public Command {
   CellsCommand() {
     study_.declare(options(), Need::optional);
     rainfall_.declare(options(), Need::optional, study_.stations);
+    rainfall_.declare_stamp(options());
     view_.declare_time(options());
     view_.declare_margin(options());
     isohyets_.declare_study(options());

@@ -23,6 +23,7 @@ class CheckCommand : public Command {
   CheckCommand() {
     study_.declare(options(), Need::optional);
     rainfall_.declare(options(), Need::optional, study_.stations);
+    rainfall_.declare_stamp(options());
     common_.declare(options());
   }
 

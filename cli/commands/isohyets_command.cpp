@@ -31,6 +31,7 @@ class IsohyetsCommand : public Command {
   IsohyetsCommand() {
     study_.declare(options(), Need::required);
     rainfall_.declare(options(), Need::required, study_.stations);
+    rainfall_.declare_stamp(options());
     view_.declare_time(options());
     isohyets_.declare(options());
     OptionGroup method = options().group("Method");

@@ -64,6 +64,7 @@ class MapCommand : public Command {
     view_.declare_times(options());
     range_.declare_range(options());
     range_.declare_stamp(options());
+    rainfall_.times_are_of(range_);
     view_.declare_margin(options());
     surface_.declare_map(options());
     view_.declare_look(options());

@@ -51,6 +51,7 @@ class RainCommand : public Command {
     format_.declare(options());
     model_.declare(options());
     periods_.declare(options());
+    rainfall_.times_are_of(periods_);
     output_.declare(options(), Need::optional, "rain.csv",
                     "where the series goes, PG:... is a database (as --long); default standard "
                     "output");
@@ -67,7 +68,8 @@ class RainCommand : public Command {
            "samples/textbook/rainfall.csv --metric planar";
   }
   void check() const override {
-    periods_.check(model_.model().has_value() || study_.has_normals());
+    periods_.check(model_.model().has_value() || study_.has_normals() ||
+                   rainfall_.totals().given());
     model_.check(options(), output_.output, method_.methods().size());
     if (model_.model() && periods_.are_storms()) {
       throw UsageError{"--every storm has periods of any length, and --format " + model_.name() +

@@ -102,6 +102,7 @@ class RunCommand : public Command {
     format_.declare(options());
     periods_.declare(options());
     periods_.declare_depths(options());
+    rainfall_.times_are_of(periods_);
     view_.declare_look(options());
     study_.declare_label(options());
     isohyets_.declare_study(options());
@@ -121,7 +122,7 @@ class RunCommand : public Command {
            "samples/colorado/rainfall.csv --basin-id name -o results";
   }
   void check() const override {
-    periods_.check(study_.has_normals());
+    periods_.check(study_.has_normals() || rainfall_.totals().given());
     format_.check(periods_.totalling().has_value());
     if (output_.output == "-") throw UsageError{"run writes a folder, not standard output", ""};
     study_.check();

@@ -38,6 +38,7 @@ class WeightsCommand : public Command {
         "basin,station,weight,rms_change,mean_change, of a basin's rainfall without the gauge less "
         "that with it, both by the cells of the gauges that report, over all steps that have both; "
         "weight 0: it weighs only while others are silent");
+    rainfall_.declare_stamp(options());
     changes_.declare(options());
     range_.declare_range(options());
     gaps_.declare_cache(options());
@@ -62,6 +63,7 @@ class WeightsCommand : public Command {
       refuse_options_of_readings();
     }
     rainfall_.check_files();
+    rainfall_.totals().check(rainfall_.given(), false);
     rainfall_.check_units();
     changes_.check();
     range_.check();
@@ -126,7 +128,8 @@ class WeightsCommand : public Command {
   }
 
   void refuse_options_of_readings() const {
-    const std::array<const OptionBlock*, 3> blocks{&rainfall_, &range_, &gaps_};
+    const std::array<const OptionBlock*, 4> blocks{&rainfall_, &rainfall_.totals(), &range_,
+                                                   &gaps_};
     for (const OptionBlock* block : blocks) {
       const Option* option = block->first_given();
       if (option == nullptr) continue;

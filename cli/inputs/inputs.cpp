@@ -1,5 +1,7 @@
 #include "cli/inputs/inputs.h"
 
+#include <cstdint>
+#include <span>
 #include <utility>
 
 #include "files/normals/field_study.h"
@@ -7,7 +9,9 @@
 #include "files/rainfall/event_readings.h"
 #include "files/rainfall/full_network.h"
 #include "files/rainfall/rainfall_file.h"
+#include "files/rainfall/totals_file.h"
 #include "rainfall/series/watched_readings.h"
+#include "readings/totals/totalled_readings.h"
 
 namespace thiessen::cli {
 namespace {
@@ -45,6 +49,27 @@ RainfallRequest rainfall_request(const StudyOptions& study, const RainfallOption
   return request;
 }
 
+RainfallRequest totals_request(const StudyOptions& study, const RainfallOptions& rainfall) {
+  return rainfall.totals().request(rainfall_request(study, rainfall), study.csv());
+}
+
+ReadingsOptions totals_options(const StudyOptions& study, const RainfallOptions& rainfall) {
+  return rainfall.totals().readings(readings_options(study, rainfall), study.csv());
+}
+
+/// Gauges whose totals are read beside RAINFALL are of the network, too.
+void add_stations_with_totals(ReportingStations& report, const StudyFiles& files,
+                              const StudyOptions& study, const RainfallOptions& rainfall,
+                              std::span<const std::string> filtered) {
+  if (!rainfall.totals().given()) return;
+  const ReportingStations with_totals =
+      stations_with_totals(totals_request(study, rainfall), files.stations, filtered,
+                           totals_options(study, rainfall));
+  for (std::uint32_t s = 0; s < files.stations.size(); ++s) {
+    if (with_totals[StationIndex{s}]) report.set(StationIndex{s}, true);
+  }
+}
+
 std::vector<std::string> passed_over(const StudyFiles& files) {
   std::vector<std::string> ids(files.filtered_ids.begin(), files.filtered_ids.end());
   for (const Station& station : files.never_reporting) ids.push_back(station.id);
@@ -74,9 +99,10 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
   } else if (!can_be_read_again(rainfall_request(options, rainfall))) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
   } else {
-    const ReportingStations report =
+    ReportingStations report =
         stations_that_report(rainfall_request(options, rainfall), files.stations, filtered,
                              readings_options(options, rainfall));
+    add_stations_with_totals(report, files, options, rainfall, filtered);
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   }
 }
@@ -109,13 +135,21 @@ Inputs::Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, d
 std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study,
                                                        const RainfallOptions& rainfall,
                                                        Warnings& warnings,
-                                                       const std::optional<StepTimes>& wanted) {
+                                                       const std::optional<StepTimes>& wanted,
+                                                       std::optional<Stamp> stamp) {
   const ReadingsOptions options = readings_options(study, rainfall);
   auto readings = rainfall.is_event()
                       ? open_event(study.request().stations, network().stations(), passed_over_,
                                    options, warnings)
                       : open_rainfall(rainfall_request(study, rainfall), network().stations(),
                                       passed_over_, options, warnings);
+  if (rainfall.totals().given()) {
+    readings = std::make_unique<TotalledReadings>(
+        std::move(readings), rainfall.name(),
+        totals_in(totals_request(study, rainfall), network().stations(), passed_over_,
+                  totals_options(study, rainfall)),
+        rainfall.totals().hour(stamp.value_or(rainfall.stamp())), weighing(), warnings);
+  }
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

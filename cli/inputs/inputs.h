@@ -47,10 +47,13 @@ class Inputs {
   ReportingStations all_report() const { return study_.all_report(); }
 
   /// Opens RAINFALL; where times are wanted, only their steps are read from it. Any thread may ask
-  /// it which share has been read. The inputs must outlive it.
+  /// it which share has been read. Where there are totals beside RAINFALL they are spread over its
+  /// steps, whose times are such stamps, those of the options where none is given. The inputs must
+  /// outlive it.
   std::unique_ptr<WatchedReadings> open_readings(
       const StudyOptions& study, const RainfallOptions& rainfall, Warnings& warnings,
-      const std::optional<StepTimes>& wanted = std::nullopt);
+      const std::optional<StepTimes>& wanted = std::nullopt,
+      std::optional<Stamp> stamp = std::nullopt);
 
  private:
   std::shared_ptr<StudyFiles> files_;     // their stations have moved into the study's network

@@ -128,6 +128,27 @@ OptionValue iso_time(std::optional<IsoTime>& target) {
   });
 }
 
+OptionValue clock_time(std::optional<int>& target) {
+  return value_of("HH:MM", [&target](const std::string& text) {
+    const std::size_t colon = text.find(':');
+    const bool has_form = colon != std::string::npos && colon > 0 && colon < 3 &&
+                          text.size() == colon + 3;
+    const auto hour = parse_size(has_form ? text.substr(0, colon) : "");
+    const auto minute = parse_size(has_form ? text.substr(colon + 1) : "");
+    const bool good = hour && minute && minute.value < 60 &&
+                      (hour.value < 24 || (hour.value == 24 && minute.value == 0));
+    if (!good) refuse("a clock such as 09:00, to 24:00", text);
+    target = static_cast<int>(60 * hour.value + minute.value);
+  });
+}
+
+OptionValue rain_unit_of(std::optional<RainUnit>& target) {
+  std::vector<std::pair<std::string, std::optional<RainUnit>>> units;
+  for (const char* name : {"mm", "cm", "m", "in", "ft", "0.1mm", "0.01in"})
+    units.emplace_back(name, rain_unit(name));
+  return choice<std::optional<RainUnit>>(target, std::move(units));
+}
+
 OptionValue points(std::vector<Point>& target) {
   OptionValue value =
       value_of("X,Y", [&target](const std::string& text) { target.push_back(read_point(text)); });

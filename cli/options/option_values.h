@@ -10,6 +10,7 @@
 #include "base/iso_time.h"
 #include "cli/options/option.h"
 #include "geometry/point.h"
+#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
 
@@ -46,6 +47,10 @@ OptionValue file(std::string& target, const std::string& kind = {});
 OptionValue folder(std::string& target, const std::string& kind);
 /// A time in the form of ISO 8601.
 OptionValue iso_time(std::optional<IsoTime>& target);
+/// A clock such as 09:00, to 24:00; in minutes after midnight.
+OptionValue clock_time(std::optional<int>& target);
+/// A unit of rain, by its name.
+OptionValue rain_unit_of(std::optional<RainUnit>& target);
 /// Points of an option that may be repeated: each is two numbers with a comma between them.
 OptionValue points(std::vector<Point>& target);
 /// Numbers with commas between them, each larger than the one before, as A,B,... is read; nothing

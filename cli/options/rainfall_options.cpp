@@ -1,26 +1,13 @@
 #include "cli/options/rainfall_options.h"
 
 #include <algorithm>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "cli/options/option_values.h"
+#include "cli/options/period_options.h"
 #include "cli/options/usage_error.h"
-#include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {
-
-namespace {
-
-OptionValue rain_unit_of(std::optional<RainUnit>& target) {
-  std::vector<std::pair<std::string, std::optional<RainUnit>>> units;
-  for (const char* name : {"mm", "cm", "m", "in", "ft", "0.1mm", "0.01in"})
-    units.emplace_back(name, rain_unit(name));
-  return choice<std::optional<RainUnit>>(target, std::move(units));
-}
-
-}  // namespace
 
 void RainfallOptions::declare(OptionList& options, Need need, const std::string& stations) {
   Option& argument =
@@ -88,6 +75,7 @@ void RainfallOptions::declare_meaning(OptionList& options) {
       &readings.add("--keep-flagged", flag(readings_.keep_flagged),
                     "of GHCN-Daily, also the values that failed a check of quality"));
   declare_amounts(readings);
+  totals_.declare(options);
 }
 
 void RainfallOptions::declare_rows(OptionGroup& readings) {
@@ -122,6 +110,7 @@ void RainfallOptions::check() const {
   }
   check_files();
   if (is_event()) check_event();
+  totals_.check(given(), is_event());
   check_units();
 }
 
@@ -153,6 +142,15 @@ void RainfallOptions::check_units() const {
                    "leave one of them out"};
 }
 
+const Option* RainfallOptions::first_given() const {
+  const Option* const of_readings = OptionBlock::first_given();
+  return of_readings != nullptr ? of_readings : totals_.first_given();
+}
+
+Stamp RainfallOptions::stamp() const {
+  return periods_ != nullptr ? periods_->stamp() : totals_.stamp();
+}
+
 std::string RainfallOptions::name() const {
   if (is_event()) return *stations_;
   return given() ? request({}).name() : "";
@@ -166,6 +164,7 @@ std::vector<std::string> RainfallOptions::files() const {
 std::vector<std::string> RainfallOptions::files_beside(std::vector<std::string> others) const {
   const std::vector<std::string> own = files();
   others.insert(others.end(), own.begin(), own.end());
+  if (totals_.given()) others.push_back(totals_.file());
   return others;
 }
 
@@ -193,6 +192,7 @@ ReadingsOptions RainfallOptions::readings(const CsvDialect& all) const {
   options.decimal_comma = csv(all).decimal_comma;
   if (is_event()) options.input = "stations";
   if (scale_option_->is_given()) options.scale = scale_;
+  options.is_beside_others = totals_.given();
   return options;
 }
 

@@ -5,10 +5,14 @@
 
 #include "cli/options/csv_options.h"
 #include "cli/options/option_list.h"
+#include "cli/options/totals_options.h"
 #include "files/rainfall/rainfall_file.h"
+#include "rainfall/series/stamp.h"
 #include "readings/readings_reader.h"
 
 namespace thiessen::cli {
+
+class PeriodOptions;
 
 /// The argument RAINFALL, or a field of STATIONS in its place, and the options that say how to read
 /// it.
@@ -49,6 +53,16 @@ class RainfallOptions : public OptionBlock {
   }
   /// Whether readings are counters.
   bool is_cumulative() const { return readings_.cumulative; }
+  /// The first option about readings or totals that is given; nullptr where none is.
+  const Option* first_given() const;
+  /// Declares --stamp, which commands without periods have for totals alone.
+  void declare_stamp(OptionList& options) { totals_.declare_stamp(options); }
+  /// Has the stamp be that of the periods, which must outlive this.
+  void times_are_of(const PeriodOptions& periods) { periods_ = &periods; }
+  /// What times are of their steps, as far as options say it.
+  Stamp stamp() const;
+  /// The totals of other gauges beside RAINFALL.
+  const TotalsOptions& totals() const { return totals_; }
   /// What the readings of an event are called: their field.
   const std::string& event() const { return readings_.value_field; }
   /// The name of the file of readings in messages.
@@ -62,6 +76,7 @@ class RainfallOptions : public OptionBlock {
   void check_event() const;
 
   ReadingsOptions readings_;
+  TotalsOptions totals_;
   std::string rainfall_;
   std::vector<std::string> repeated_;
   CsvOptionsOf csv_;
@@ -69,6 +84,7 @@ class RainfallOptions : public OptionBlock {
   std::string where_;
   double scale_ = 1;
   const std::string* stations_ = nullptr;
+  const PeriodOptions* periods_ = nullptr;
   const Option* scale_option_ = nullptr;
   std::vector<const Option*> of_tables_;  ///< what an event in STATIONS has no use for
 };

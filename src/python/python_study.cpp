@@ -198,7 +198,8 @@ std::unique_ptr<Readings> PythonStudy::open(const std::optional<GivenReadings>& 
                                             const SeriesKeywords& keywords, Warnings& warnings) {
   const std::optional<StepTimes> wanted = keywords.range.times();
   if (!readings)
-    return inputs_->open_readings(keywords_.study, files_of(keywords), warnings, wanted);
+    return inputs_->open_readings(keywords_.study, files_of(keywords), warnings, wanted,
+                                  keywords.range.stamp());
   std::unique_ptr<Readings> rows = std::make_unique<DatedRows>(*readings, columns_);
   if (!wanted) return rows;
   return std::make_unique<DatedReadings>(std::move(rows), "", *wanted, warnings);
@@ -226,7 +227,8 @@ void PythonStudy::read_for_errors(const HeldRows* rows, const SeriesKeywords& ke
   }
   Warnings told_later;  // when the files are read again
   const auto readings =
-      inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt);
+      inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt,
+                             keywords.range.stamp());
   for (TimeStep step; readings->next(step);) {
     throw_if_interrupted();
     errors.add(step.readings, {});

@@ -219,7 +219,9 @@ std::string JoinedReadings::place_text(std::uint64_t place) const {
 
 void JoinedReadings::conclude() {
   disagreed_.throw_if_any();
-  if (const auto fault = steps_.fault(name_, stations_)) throw Error(*fault);
+  if (!steps_may_differ_) {
+    if (const auto fault = steps_.fault(name_, stations_)) throw Error(*fault);
+  }
   said_.pass_on(warnings_);
   if (agreed_ > 0) {
     warnings_.add_notice({name_, 0,
@@ -229,6 +231,7 @@ void JoinedReadings::conclude() {
                                              "count once",
                           ""});
   }
+  if (!tells_silent_) return;
   std::vector<std::string> first;
   std::size_t silent = 0;
   for (std::size_t i = 0; i < heard_.size(); ++i) {

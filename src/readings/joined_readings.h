@@ -57,6 +57,11 @@ class JoinedReadings : public Readings {
   JoinedReadings(std::vector<File> files, std::string name, std::span<const Station> stations,
                  Warnings& warnings, std::size_t memory = std::size_t{32} << 20U);
 
+  /// Says that stations that are silent in all files may report in another input.
+  void is_beside_others() { tells_silent_ = false; }
+  /// Says that each reading tells the length of its own step, so that no two lengths are a fault.
+  void steps_may_differ() { steps_may_differ_ = true; }
+
   /// Reads all files before the first step. Throws Error as their readers do; where a time is not
   /// one of the calendar; where units differ, or what times are of their steps; and at the end
   /// where readings disagree, or steps as MixedSteps has it.
@@ -102,6 +107,8 @@ class JoinedReadings : public Readings {
   Complaints disagreed_;
   MixedSteps steps_;
   bool done_ = false;
+  bool tells_silent_ = true;
+  bool steps_may_differ_ = false;
 };
 
 }  // namespace thiessen

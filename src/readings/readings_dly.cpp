@@ -16,7 +16,6 @@ using Standing = ReadingsStations::Standing;
 
 constexpr double silent = std::numeric_limits<double>::quiet_NaN();
 constexpr std::uint32_t no_slot = 0xFFFFFFFF;
-constexpr std::string_view rain = "PRCP";
 constexpr std::int32_t most_months = 1200;
 
 CalendarMonth after(CalendarMonth month, std::int32_t months) {
@@ -94,7 +93,7 @@ void DlyReadings::scan_file(std::uint32_t file) {
     const auto record = read_dly_record(*line, lines_.ends(), fault);
     if (!record) {
       complain(fault);
-    } else if (record->element == rain) {
+    } else if (record->element == source_.element) {
       scan_record(*record, file);
     }
   }
@@ -213,7 +212,7 @@ void DlyReadings::load(Stretch& stretch) {
   while (const auto line = lines_.next()) {
     const auto record = read_dly_record(*line, lines_.ends(), fault);
     if (!record && !trimmed(*line).empty()) refuse_change();
-    if (!record || record->element != rain) continue;
+    if (!record || record->element != source_.element) continue;
     const ReadingsStations::Found found = station_of(*record);
     if (found.standing != Standing::known) continue;
     stretch.next = lines_.place();
@@ -258,8 +257,23 @@ DlyReadings::MonthOfStation& DlyReadings::in_block(CalendarMonth month, StationI
 void DlyReadings::conclude() {
   source_.findings.now_in(source_.name);
   source_.findings.conclude(steps_);
-  if (steps_ == 0)
+  if (steps_ == 0 && source_.element == "PRCP")
     source_.findings.warn("there is no value of PRCP of any station of " + input("stations"));
+}
+
+std::string_view dly_element(AmountsRead read) {
+  switch (read) {
+    case AmountsRead::of_steps:
+    case AmountsRead::totals:
+      return "PRCP";
+    case AmountsRead::days:
+      return "";
+    case AmountsRead::sums:
+      return "MDPR";
+    case AmountsRead::days_of_sums:
+      return "DAPR";
+  }
+  return "";
 }
 
 std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
@@ -267,13 +281,20 @@ std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
                                             std::span<const std::string> passed_over,
                                             const ReadingsOptions& options, Warnings& warnings) {
   refuse_table_options(rainfall, options);
+  const std::string element(dly_element(options.read));
+  if (element.empty()) return nullptr;
   auto known = std::make_unique<const ReadingsStations>(
       stations, passed_over, IdJoin{options.ids_as_numbers, options.column_of});
   ReadingsFindings findings(rainfall, *known, options.ignore_unknown, warnings);
-  if (options.is_one_of_several) findings.are_of_one_file_of_several();
-  auto readings = std::make_unique<DlyReadings>(DlySource{
-      rainfall, dly_files(rainfall), std::move(known), std::move(findings), options.keep_flagged});
-  return converted(std::move(readings), conversion_from(*rain_unit("mm"), options));
+  if (options.is_one_of_several || options.is_beside_others) findings.are_of_one_file_of_several();
+  if (options.steps_may_differ) findings.steps_may_differ();
+  auto readings = std::make_unique<DlyReadings>(DlySource{rainfall, dly_files(rainfall),
+                                                          std::move(known), std::move(findings),
+                                                          options.keep_flagged, element});
+  if (options.read != AmountsRead::days_of_sums)
+    return converted(std::move(readings), conversion_from(*rain_unit("mm"), options));
+  // What is taken for tenths of a millimetre are days.
+  return converted(std::move(readings), {{10, 1}, "", 1});
 }
 
 }  // namespace thiessen

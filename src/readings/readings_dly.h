@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rainfall/series/readings.h"
@@ -23,9 +24,11 @@ struct DlySource {
   std::unique_ptr<const ReadingsStations> stations;
   ReadingsFindings findings;
   bool keep_flagged = false;
+  /// The element that is read: PRCP or, of sums of several days, MDPR and its days DAPR.
+  std::string element = "PRCP";
 };
 
-/// Reads rain (PRCP) from the `.dly` files of GHCN-Daily: see open_dly_readings.
+/// Reads rain (PRCP, or another element) from the `.dly` files of GHCN-Daily: see open_dly_readings.
 ///
 /// The files are read twice. The first pass checks them and finds the stretches in which the months
 /// ascend. The second reads a block of months at a time, from each stretch that has some of them.
@@ -103,6 +106,10 @@ class DlyReadings : public Readings {
   bool done_ = false;
 };
 
+/// The element of GHCN-Daily that is read; empty where its files have none such: of how many days
+/// values of PRCP are.
+std::string_view dly_element(AmountsRead read);
+
 /// Opens the rain (PRCP) of a `.dly` file of GHCN-Daily, or of all `.dly` files of a folder, in
 /// millimetres.
 ///
@@ -114,7 +121,7 @@ class DlyReadings : public Readings {
 /// Throws Error here if there is no such file, or if an option is given that is for tables. Throws
 /// Error from `next` if a line is cut, has a bad number or a wrong month, has a value on a day that
 /// the month lacks, gives a station's month twice, or is of an unknown station. See open_readings
-/// for the rest.
+/// for the rest. Null where an element is wanted that there is none of: see dly_element.
 std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
                                             std::span<const Station> stations,
                                             std::span<const std::string> passed_over,

@@ -59,6 +59,8 @@ class ReadingsFindings {
 
   /// Says that the stations that are silent in this file may have readings in others.
   void are_of_one_file_of_several() { tells_silent_ = false; }
+  /// Says that each reading tells the length of its own step, so that no two lengths are a fault.
+  void steps_may_differ() { steps_may_differ_ = true; }
 
   /// The line and the station of a field, for messages.
   struct Place {
@@ -136,6 +138,7 @@ class ReadingsFindings {
   std::string input_ = "rainfall";
   bool commas_are_said_ = false;
   bool tells_silent_ = true;
+  bool steps_may_differ_ = false;
   double millimetres_ = 1;  ///< that a reading of 1 stands for
   Warnings& warnings_;
   Complaints complaints_;

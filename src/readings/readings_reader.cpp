@@ -127,7 +127,8 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
   if (options.cumulative) require_depths(conversion, file);
   ReadingsFindings findings(file, stations, options.ignore_unknown, warnings);
   findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
-  if (options.is_one_of_several) findings.are_of_one_file_of_several();
+  if (options.is_one_of_several || options.is_beside_others) findings.are_of_one_file_of_several();
+  if (options.steps_may_differ) findings.steps_may_differ();
   findings.are_of(*table);
   findings.are_in(options.input, options.decimal_comma);
   const ReadingGrammar grammar = grammar_of(options, *table);

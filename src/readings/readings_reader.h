@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -16,6 +17,16 @@
 #include "text/table.h"
 
 namespace thiessen {
+
+/// What is read of a file: readings of a step each or, where it is one of totals, one of what
+/// totals are made of.
+enum class AmountsRead : std::uint8_t {
+  of_steps,
+  totals,        ///< readings, and beside them sums of days that a column of days tells
+  days,          ///< of how many days each of these is
+  sums,          ///< GHCN-Daily's sums of several days (MDPR)
+  days_of_sums,  ///< of how many days each of these is (DAPR)
+};
 
 /// What the user says about RAINFALL. Where the name of a field is empty, its column is found by
 /// the usual names.
@@ -45,6 +56,10 @@ struct ReadingsOptions {
   bool steps_as_they_come = false;
   /// Steps of such a pipe may come again, and what came first stays: see FreshReadings.
   bool steps_may_come_again = false;
+  AmountsRead read = AmountsRead::of_steps;
+  bool is_beside_others = false;  ///< stations that are silent in it may report in another input
+  bool steps_may_differ = false;  ///< it tells itself how long each reading's step is
+  bool steps_by_calendar = false;  ///< they are wanted in the order of time: see JoinedReadings
   bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;

@@ -422,6 +422,11 @@ inline constexpr std::array<std::string_view, 19> unit_columns = {"unit",
 inline constexpr std::array<std::string_view, 7> bare_values = {
     "value", "data_value", "valor", "wert", "messwert", "valeur", "値"};
 
+/// The column of days that an amount was gathered in.
+inline constexpr std::array<std::string_view, 9> gathered_days = {
+    "days",        "n_days",        "ndays", "num_days", "number_of_days",
+    "period_days", "days_gathered", "tage",  "dias"};
+
 /// The column of a table of one reading a row that says what was measured.
 inline constexpr std::array<std::string_view, 12> measured = {
     "parameter", "element",  "variable",  "datatype", "data_type", "param",

@@ -30,6 +30,7 @@
 #include "readings/units/rain_unit.h"
 #include "text/csv_form.h"
 #include "text/field_names.h"
+#include "text/known_names.h"
 
 namespace thiessen {
 namespace {
@@ -217,22 +218,82 @@ RainfallTable open_netcdf(const std::string& file, ReadingsOptions options, Warn
   return {std::move(table), std::move(options)};
 }
 
+[[noreturn]] void fail_without(const std::string& file, const std::string& what) {
+  throw NoRain({file, 0, "it has no " + what, ""});
+}
+
+/// What a format has of what is read of totals. Throws NoRain where it has none.
+PublishedFormat format_read(PublishedFormat format, AmountsRead read, const Table& table) {
+  if (read == AmountsRead::of_steps) return format;
+  const std::string_view days = std::exchange(format.period, {});
+  if (read == AmountsRead::totals) return format;
+  const auto has = [&](std::string_view column) {
+    return !column.empty() && published_column(table.header(), column).has_value();
+  };
+  if (read == AmountsRead::days) {
+    if (!has(days)) fail_without(table.file(), "column of days");
+    format.value = days;
+  } else if (format.kept == "ELEMENT=PRCP") {
+    format.kept = read == AmountsRead::sums ? "ELEMENT=MDPR" : "ELEMENT=DAPR";
+  } else if (format.value == "PRCP" && has("MDPR") && has("DAPR")) {
+    const bool are_sums = read == AmountsRead::sums;
+    format.value = are_sums ? "MDPR" : "DAPR";
+    const std::string_view flags = are_sums ? "MDPR_ATTRIBUTES" : "DAPR_ATTRIBUTES";
+    format.flags = !format.flags.empty() && has(flags) ? flags : std::string_view();
+  } else {
+    fail_without(table.file(), "sums of several days");
+  }
+  if (read == AmountsRead::sums) return format;
+  format.marks = format.source = {};
+  format.whole_numbers = false;
+  return format;
+}
+
+/// What is read of totals in a table of no known format, of which one column may be of days.
+/// Throws NoRain where it has none.
+RainfallTable read_unknown(std::unique_ptr<Table> table, ReadingsOptions options) {
+  if (options.read == AmountsRead::of_steps || options.read == AmountsRead::totals)
+    return {std::move(table), std::move(options)};
+  const auto days = find_field(table->header(), known::gathered_days);
+  const bool are_days = options.read == AmountsRead::days;
+  if (!are_days || !days || !is_long_header(table->header()))
+    fail_without(table->file(), are_days ? "column of days" : "sums of several days");
+  options.value_field = table->header()[*days];
+  return {std::move(table), std::move(options)};
+}
+
+/// Has numbers of days be read as they are, whatever the amounts beside them are in.
+ReadingsOptions options_read(ReadingsOptions options) {
+  if (options.read != AmountsRead::days && options.read != AmountsRead::days_of_sums)
+    return options;
+  options.from_unit.reset();
+  options.to_unit.reset();
+  options.scale = 1;
+  options.trace.clear();
+  return options;
+}
+
 }  // namespace
 
-RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& options,
+RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& asked,
                                   Warnings& warnings) {
+  const ReadingsOptions options = options_read(asked);
   Source rainfall = said;
   rainfall.file = file_of_readings(said.file, warnings);
-  if (!options.keep_flagged && is_netcdf_of_stations(rainfall.file))
+  if (!options.keep_flagged && is_netcdf_of_stations(rainfall.file)) {
+    if (options.read != AmountsRead::of_steps && options.read != AmountsRead::totals)
+      fail_without(rainfall.file, "sums of several days");
     return open_netcdf(rainfall.file, options, warnings);
+  }
   Recognised found = open_by_content(rainfall, options, warnings);
   if (options.keep_flagged && (found.format == nullptr || found.format->flags.empty())) {
     throw Error({rainfall.file, 0,
                  setting("keep_flagged") + " is for GHCN-Daily, whose values have flags of quality",
                  ""});
   }
-  if (found.format == nullptr) return {std::move(found.table), options};
-  tell_format(*found.format, *found.table, options, found.tells_encoding, warnings);
+  if (found.format == nullptr) return read_unknown(std::move(found.table), options);
+  const PublishedFormat format = format_read(*found.format, options.read, *found.table);
+  tell_format(format, *found.table, options, found.tells_encoding, warnings);
   if (found.format == &hourly_order_format()) {
     warnings.add_notice({found.table->file(), 0,
                          "hours that it leaves out between two rows of a station are dry, but in "
@@ -243,9 +304,9 @@ RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& opt
   // A column that the user names is here the format's own, which the table may call otherwise.
   ReadingsOptions others = options;
   others.value_field.clear();
-  ReadingsOptions all = options_of(*found.format, *found.table, std::move(others));
+  ReadingsOptions all = options_of(format, *found.table, std::move(others));
   auto table =
-      std::make_unique<PublishedTable>(std::move(found.table), *found.format, options, warnings);
+      std::make_unique<PublishedTable>(std::move(found.table), format, options, warnings);
   const bool is_of_one = found.format->station.empty() && all.station_field.empty();
   return {std::move(table), std::move(all), is_of_one, std::move(found.stations_told)};
 }

@@ -111,7 +111,10 @@ std::unique_ptr<Readings> open_dly(const Source& rainfall, std::span<const Stati
                                    std::span<const std::string> passed_over,
                                    const ReadingsOptions& options, Warnings& warnings) {
   require_no_table_wanted(rainfall);
-  return open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
+  auto readings = open_dly_readings(rainfall.file, stations, passed_over, options, warnings);
+  if (!readings)
+    throw NoRain({rainfall.file, 0, "no element tells of how many days its PRCP is", ""});
+  return readings;
 }
 
 std::unique_ptr<Readings> open_one(const Source& rainfall, std::span<const Station> stations,
@@ -129,6 +132,9 @@ std::unique_ptr<Readings> open_alone(const Source& rainfall, std::span<const Sta
                                      const ReadingsOptions& options, Warnings& warnings) {
   try {
     return open_one(rainfall, stations, passed_over, options, warnings);
+  } catch (const NoRain& none) {
+    if (options.read != AmountsRead::of_steps) throw;
+    throw told_of_skip(none, rainfall);
   } catch (const Error& error) {
     throw told_of_skip(error, rainfall);
   }
@@ -160,7 +166,8 @@ ReportingStations heard_in(const Source& rainfall, std::span<const Station> stat
   const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
   if (is_dly(rainfall.file)) {
     HeardStations heard(known);
-    heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged);
+    heard.look_through_dly(dly_files(rainfall.file), options.keep_flagged,
+                           dly_element(options.read));
     return heard.heard();
   }
   const Placed one = open_placed(rainfall, known, options, told_later);
@@ -209,22 +216,27 @@ std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
                                         std::span<const std::string> passed_over,
                                         const ReadingsOptions& options, Warnings& warnings) {
   const std::vector<std::string> names = rainfall_files(rainfall.files, rainfall.beside, warnings);
-  if (rainfall.files.size() == 1 && names == rainfall.files)
+  const bool is_alone = rainfall.files.size() == 1 && names == rainfall.files;
+  if (is_alone && !options.steps_by_calendar)
     return open_alone(source_of(rainfall, names[0]), stations, passed_over, options, warnings);
   ReadingsOptions of_each = options;
-  of_each.is_one_of_several = true;
+  of_each.is_one_of_several = !is_alone;
   std::vector<JoinedReadings::File> files;
   files.reserve(names.size());
   const auto all = std::make_shared<FilesWithoutRain>(names.size(), rainfall.name());
   for (const std::string& name : names) {
     const auto open = [=, source = source_of(rainfall, name)](Warnings& of_file) {
+      if (!of_each.is_one_of_several)
+        return JoinedReadings::Opened(open_alone(source, stations, passed_over, of_each, of_file));
       return open_among_several(source, stations, passed_over, of_each, of_file);
     };
     files.push_back({name, [=](Warnings& of_file) { return all->open_next(open, name, of_file); }});
   }
-  std::unique_ptr<Readings> joined =
+  auto joined =
       std::make_unique<JoinedReadings>(std::move(files), rainfall.name(), stations, warnings);
-  if (!options.cumulative) return joined;
+  if (options.is_beside_others) joined->is_beside_others();
+  if (options.steps_may_differ) joined->steps_may_differ();
+  if (!options.cumulative || is_alone) return joined;
   return std::make_unique<CounterReadings>(std::move(joined), rainfall.name(), stations, warnings);
 }
 
@@ -261,7 +273,9 @@ ReportingStations stations_that_report(const RainfallRequest& rainfall,
         --silent;
       }
     }
-    if (!has_rain) return ReportingStations(stations.size(), true);
+    const bool is_of_all =
+        options.read == AmountsRead::of_steps || options.read == AmountsRead::totals;
+    if (!has_rain) return ReportingStations(stations.size(), is_of_all);
   } catch (const Error&) {
     return ReportingStations(stations.size(), true);
   }

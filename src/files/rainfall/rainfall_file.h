@@ -26,7 +26,8 @@ struct RainfallRequest {
 /// station (see JoinedReadings). A table of several that names no station is of the one that its
 /// file's name tells (see station_in_name); one whose name tells none is passed over where unknown
 /// stations are. Of several files those of a known format without rain are passed over with a
-/// notice that names them, unless all are. Throws Error as these functions do.
+/// notice that names them, unless all are. Throws Error as these functions do. What is read of a
+/// file of totals may be lacking: that is NoRain (see published_rainfall.h).
 std::unique_ptr<Readings> open_rainfall(const RainfallRequest& rainfall,
                                         std::span<const Station> stations,
                                         std::span<const std::string> passed_over,

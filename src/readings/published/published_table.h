@@ -47,7 +47,7 @@ class PublishedTable : public TableOver {
   void tell();
   void tell_marks();
 
-  const PublishedFormat& format_;
+  PublishedFormat format_;
   Warnings& warnings_;
   std::size_t value_;
   std::optional<std::size_t> kept_;

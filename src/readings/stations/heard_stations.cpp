@@ -1,7 +1,6 @@
 #include "readings/stations/heard_stations.h"
 
 #include <algorithm>
-#include <string_view>
 
 #include "base/interrupt.h"
 #include "readings/dly/dly_record.h"
@@ -11,8 +10,6 @@ namespace thiessen {
 namespace {
 
 using Standing = ReadingsStations::Standing;
-
-constexpr std::string_view rain = "PRCP";
 
 bool has_value(const DlyRecord& record, bool keep_flagged) {
   for (int day = 1; day <= 31; ++day) {
@@ -83,7 +80,8 @@ void HeardStations::look_through_long(Table& table, const ReadingsLayout& layout
   }
 }
 
-void HeardStations::look_through_dly(const std::vector<std::string>& files, bool keep_flagged) {
+void HeardStations::look_through_dly(const std::vector<std::string>& files, bool keep_flagged,
+                                     std::string_view element) {
   SeekableLines lines;
   std::string fault;
   for (const std::string& file : files) {
@@ -91,7 +89,7 @@ void HeardStations::look_through_dly(const std::vector<std::string>& files, bool
     while (const auto line = lines.next()) {
       if (all()) return;
       const auto record = read_dly_record(*line, lines.ends(), fault);
-      if (!record || record->element != rain) continue;
+      if (!record || record->element != element) continue;
       const ReadingsStations::Found found = stations_.find(record->id);
       if (found.standing != Standing::known || heard_[found.station]) continue;
       if (has_value(*record, keep_flagged)) hear(found.station);

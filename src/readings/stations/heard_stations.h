@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rainfall/network/reporting.h"
@@ -35,8 +36,10 @@ class HeardStations {
   void look_through(Table& table, const ReadingsLayout& layout, const ReadingsOptions& options) {
     look_through_long(table, layout, grammar_of(options, table));
   }
-  /// Looks through `.dly` files of GHCN-Daily, as open_dly_readings reads them. Throws as above.
-  void look_through_dly(const std::vector<std::string>& files, bool keep_flagged);
+  /// Looks through `.dly` files of GHCN-Daily, as open_dly_readings reads this element of them.
+  /// Throws as above.
+  void look_through_dly(const std::vector<std::string>& files, bool keep_flagged,
+                        std::string_view element = "PRCP");
 
   const ReportingStations& heard() const { return heard_; }
   bool all() const { return silent_ == 0; }

@@ -83,7 +83,10 @@ Message MixedSteps::mixed(const std::string& file, std::span<const Station> stat
   const std::string subject =
       coarse.size() == 1 ? "station " + ids + " reports " : "stations " + ids + " report ";
   return {file, 0, subject + how + ": steps of two lengths in one table",
-          setting("stations_where") + " keeps gauges of one kind"};
+          setting("totals") +
+              " reads the longer steps where they stand in a file of their own, and spreads each "
+              "over the shorter ones; " +
+              setting("stations_where") + " keeps gauges of one kind"};
 }
 
 template <typename IsCoarse>
