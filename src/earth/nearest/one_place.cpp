@@ -1,11 +1,13 @@
 #include "earth/nearest/one_place.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <compare>
 #include <numeric>
 
 #include "earth/nearest/in_space.h"
+#include "geometry/hash_mixing.h"
 
 namespace thiessen {
 namespace {
@@ -42,6 +44,27 @@ Reach reach_of(double at) {
           static_cast<std::int64_t>(std::floor((at + one_place) / coarse_side))};
 }
 
+std::uint64_t hash_of(const Cube& cube) {
+  const std::uint64_t x = mixed_bits(static_cast<std::uint64_t>(cube.x));
+  const std::uint64_t y = mixed_bits(x ^ static_cast<std::uint64_t>(cube.y));
+  return mixed_bits(y ^ static_cast<std::uint64_t>(cube.z));
+}
+
+/// Takes out the entries that are alone in their cubes, but for those whose cubes have the hash of
+/// another one: an eighth of them or less.
+void take_out_lone(std::vector<Entry>& entries) {
+  constexpr std::size_t bits_an_entry = 8;
+  std::vector<bool> is_met(std::bit_ceil(bits_an_entry * entries.size() + 1), false);
+  std::vector<bool> is_shared(is_met.size(), false);
+  const std::size_t mask = is_met.size() - 1;
+  for (const Entry& entry : entries) {
+    const std::size_t at = hash_of(entry.cube) & mask;
+    if (is_met[at]) is_shared[at] = true;
+    is_met[at] = true;
+  }
+  std::erase_if(entries, [&](const Entry& e) { return !is_shared[hash_of(e.cube) & mask]; });
+}
+
 Cube fine_cube(Direction p) {
   const auto number = [](double at) {
     return static_cast<std::int64_t>(std::floor(at / fine_side));
@@ -76,7 +99,8 @@ class Joining {
   }
 
  private:
-  // Positions within one_place of each other have at least one coarse cube in common.
+  // Positions within one_place of each other have at least one coarse cube in common. Cubes that
+  // hold one position are left out, which spares sorting where all are apart.
   std::vector<Entry> coarse_entries() const {
     std::vector<Entry> entries;
     entries.reserve(in_space_.size());
@@ -90,6 +114,7 @@ class Joining {
         }
       }
     }
+    take_out_lone(entries);
     std::sort(entries.begin(), entries.end());
     return entries;
   }

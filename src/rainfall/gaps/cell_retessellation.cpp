@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "geometry/long_sum.h"
@@ -53,6 +54,9 @@ CellRetessellation::CellRetessellation(const Handovers& handovers, HandoverCache
       counts_gauges_(counts_gauges),
       full_(handovers.full_weights(month)),
       full_in_turn_(in_turn(bearing(handovers, figure_))) {
+  first_in_basin_.assign(full_.size() + 1, 0);
+  for (const CellWeight& full : handovers.full()) ++first_in_basin_[full.basin + 1];
+  std::partial_sum(first_in_basin_.begin(), first_in_basin_.end(), first_in_basin_.begin());
   if (handovers.normals() == nullptr) return;
   std::size_t stations = 0;
   for (std::uint32_t p = 0; p < handovers.adjacency().cells(); ++p)
@@ -105,22 +109,44 @@ std::vector<BasinRainfall> CellRetessellation::rainfall(const State& state,
   std::vector<LongSum> sums(full_.size());
   // Ground without normals takes the mean of the rest of what its gauge has at this very step.
   const bool is_linear = handovers_.full_normals().covered.empty() || state.handovers.empty();
-  std::vector<CellPart> all;
-  if (counts_gauges_ || !is_linear) all = parts(state);
   if (is_linear) {
     add_linearly(state, sums);
   } else {
-    add_in_parts(state, all, sums);
+    add_in_parts(state, parts(state), sums);
   }
   std::vector<BasinRainfall> result;
   result.reserve(sums.size());
   for (const LongSum& sum : sums) result.push_back({state.any ? sum.value() : no_value, 0, 0});
-  if (!counts_gauges_) return result;
-  for (const CellPart& p : all) {
-    result[p.part.basin].gauges +=
-        count_reporting(handovers_.cells().stations_of(p.part.cell), readings);
-  }
+  if (counts_gauges_) count_gauges(state, readings, result);
   return result;
+}
+
+// A cell counts once in a basin, be it for its own ground, for what it takes over, or for both.
+void CellRetessellation::count_gauges(const State& state, std::span<const double> readings,
+                                      std::vector<BasinRainfall>& result) const {
+  const auto count = [&](std::uint32_t basin, PlaceIndex cell) {
+    result[basin].gauges += count_reporting(handovers_.cells().stations_of(cell), readings);
+  };
+  for (const CellWeight& full : handovers_.full()) {
+    if (!std::isnan(state.of_cell[index(full.cell)])) count(full.basin, full.cell);
+  }
+  std::vector<std::pair<std::uint32_t, PlaceIndex>> taken_over;
+  for (const auto& handover : state.handovers) {
+    for (const CellWeight& share : *handover) {
+      if (!has_part(share.cell, share.basin)) taken_over.emplace_back(share.basin, share.cell);
+    }
+  }
+  std::sort(taken_over.begin(), taken_over.end());
+  taken_over.erase(std::unique(taken_over.begin(), taken_over.end()), taken_over.end());
+  for (const auto& [basin, cell] : taken_over) count(basin, cell);
+}
+
+bool CellRetessellation::has_part(PlaceIndex cell, std::uint32_t basin) const {
+  const auto first = handovers_.full().begin();
+  return std::binary_search(
+      first + static_cast<std::ptrdiff_t>(first_in_basin_[basin]),
+      first + static_cast<std::ptrdiff_t>(first_in_basin_[basin + 1]), CellWeight{basin, cell, 0},
+      [](const CellWeight& a, const CellWeight& b) { return a.cell < b.cell; });
 }
 
 void CellRetessellation::add_linearly(const State& state, std::vector<LongSum>& sums) const {

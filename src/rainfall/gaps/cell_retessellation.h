@@ -52,6 +52,10 @@ class CellRetessellation : public Retessellation {
   State state_of(std::span<const double> readings) const;
   double reading_of(std::span<const StationIndex> stations, std::span<const double> readings) const;
   std::vector<BasinRainfall> rainfall(const State& state, std::span<const double> readings) const;
+  void count_gauges(const State& state, std::span<const double> readings,
+                    std::vector<BasinRainfall>& result) const;
+  /// Whether a cell weighs in a basin when all gauges report.
+  bool has_part(PlaceIndex cell, std::uint32_t basin) const;
   void add_linearly(const State& state, std::vector<LongSum>& sums) const;
   void add_in_parts(const State& state, const std::vector<CellPart>& parts,
                     std::vector<LongSum>& sums) const;
@@ -72,6 +76,8 @@ class CellRetessellation : public Retessellation {
   /// so on. In this order an addition need not wait for the one before it, for they are to
   /// different sums. With normals these are weight x normal.
   std::vector<CellWeight> full_in_turn_;
+  std::vector<std::size_t>
+      first_in_basin_;  ///< by basin: its first weight in the handovers' full()
 };
 
 }  // namespace thiessen

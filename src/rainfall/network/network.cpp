@@ -1,11 +1,10 @@
 #include "rainfall/network/network.h"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "earth/nearest/one_place.h"
+#include "geometry/equal_points.h"
 
 namespace thiessen {
 namespace {
@@ -21,12 +20,7 @@ Point canonical(Point p, Metric metric) {
 
 // For each position the number of the station whose position is that of its place.
 std::vector<std::uint32_t> stations_of_places(const std::vector<Point>& positions, Metric metric) {
-  if (metric == Metric::geodesic) return joined_positions(positions);
-  std::vector<std::uint32_t> first(positions.size());
-  std::map<Point, std::uint32_t> known;
-  for (std::uint32_t i = 0; i < first.size(); ++i)
-    first[i] = known.emplace(positions[i], i).first->second;
-  return first;
+  return metric == Metric::geodesic ? joined_positions(positions) : first_equal_points(positions);
 }
 
 }  // namespace
@@ -38,6 +32,7 @@ Network::Network(std::vector<Station> stations, Metric metric) : stations_(std::
   const std::vector<std::uint32_t> place_at = stations_of_places(positions, metric);
   constexpr PlaceIndex none{0xFFFFFFFFu};
   std::vector<PlaceIndex> known(stations_.size(), none);
+  place_of_.reserve(stations_.size());
   for (const std::uint32_t at : place_at) {
     if (known[at] == none) {
       known[at] = PlaceIndex{static_cast<std::uint32_t>(places_.size())};

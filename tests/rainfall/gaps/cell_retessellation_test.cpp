@@ -52,6 +52,24 @@ TEST(CellRetessellation, remembering_nothing_changes_no_bit) {
   }
 }
 
+// The weights list each station once, whether its cell has ground of its own there, takes some over
+// or both, and so tell the number without counting.
+TEST(CellRetessellation, gauges_are_as_many_as_have_a_weight) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < Seeded::rounds(5); ++round) {
+    const gappy::Study study = gappy::random_study(seeded);
+    const CellWeigher weigher(study.weighing, {std::size_t{1} << 20, true}, 1);
+    const auto retessellation = weigher.retessellation();
+    for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+      const std::vector<double> readings = gappy::readings_of(seeded, study, share);
+      const auto values = retessellation->at(readings);
+      const auto weights = retessellation->weights_at(readings);
+      for (std::size_t b = 0; b < values.size(); ++b)
+        EXPECT_EQ(values[b].gauges, weights[b].stations.size());
+    }
+  }
+}
+
 TEST(CellRetessellation, counting_no_gauges_changes_no_value) {
   Seeded seeded;
   const gappy::Study study = gappy::random_study(seeded);
