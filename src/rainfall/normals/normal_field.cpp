@@ -34,6 +34,10 @@ double normal_at_gauge(const NormalField& normals, StationIndex station, const N
   return of_year(normals, month, [&](std::size_t m) { return normals.at_gauge(station, m); });
 }
 
+double normal_without(const NormalField& normals, StationIndex station, const NormalMonth& month) {
+  return of_year(normals, month, [&](std::size_t m) { return normals.without(station, m); });
+}
+
 GroundNormal normal_over(const NormalField& normals, std::size_t basin,
                          std::span<const double> figures, double area, const NormalMonth& month) {
   const BasinNormals& ground = normals.in(basin);

@@ -74,6 +74,9 @@ std::size_t place_of(const NormalField* normals, const NormalMonth& month);
 
 /// The normal at a station in a month, or the mean of the months for the year.
 double normal_at_gauge(const NormalField& normals, StationIndex station, const NormalMonth& month);
+/// The normal at a station as it is told without the station's own readings, in a month or the
+/// year; see NormalField::without.
+double normal_without(const NormalField& normals, StationIndex station, const NormalMonth& month);
 /// The normal at the first station, by which what is computed with is divided: normals that are the
 /// same everywhere are then exactly 1, and change no bit of a value.
 inline double reference_normal(const NormalField& normals, const NormalMonth& month) {
