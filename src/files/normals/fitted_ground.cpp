@@ -25,8 +25,12 @@ constexpr std::size_t points_of_variance = 16;
 /// How many points of a basin tell its normal where only its mean elevation is known.
 constexpr double fewest_points = 4;
 constexpr double most_points = 64;
-/// How many normals are computed at a time.
-constexpr std::size_t normals_in_block = std::size_t{1} << 20U;
+/// How many elevations are read and normals are computed at a time.
+constexpr std::size_t values_at_a_time = std::size_t{1} << 20U;
+/// How many blocks of pixels there are at least between two nodes of the lattice.
+constexpr double blocks_between_nodes = 24;
+/// The share of a block whose elevation has to be known for it to have a normal.
+constexpr double least_known = 0.5;
 
 std::string held_text(double share, const std::string& where) {
   return "normals fitted by elevation are held within a quarter and four times the nearest "
@@ -44,28 +48,35 @@ class GroundFiller {
         study_(study),
         months_(fit.months()),
         references_(normals_at_stations(fit, study.network()).front()),
+        columns_apart_(pixels_apart(fit, {1, 0})),
+        rows_apart_(pixels_apart(fit, {0, 1})),
         lattice_(
             fit, [&ground](std::vector<Point> nodes) { return ground.to_study(std::move(nodes)); },
-            nodes_apart(fit, {1, 0}), nodes_apart(fit, {0, 1}), threads),
+            columns_apart_, rows_apart_, threads),
         threads_(threads) {}
 
   /// Makes the window of a basin, and tells the variance of its normals.
-  NormalWindow window(std::size_t basin, const RasterFrame& frame, std::vector<double>& variances) {
-    const auto columns = static_cast<std::size_t>(frame.columns.count());
-    const auto rows = static_cast<std::size_t>(frame.rows.count());
-    const ElevationPatch patch = lattice_.over({static_cast<std::int64_t>(frame.columns.first),
-                                                static_cast<std::int64_t>(frame.rows.first)},
-                                               columns, rows);
+  NormalWindow window(std::size_t basin, RasterFrame frame, std::vector<double>& variances) {
+    ground_.set_blocks(frame, static_cast<double>(columns_apart_) / blocks_between_nodes,
+                       static_cast<double>(rows_apart_) / blocks_between_nodes);
+    const std::size_t columns = frame.window_columns();
+    const std::size_t rows = frame.window_rows();
+    const ElevationPatch patch =
+        lattice_.over({static_cast<std::int64_t>(frame.columns.first),
+                       static_cast<std::int64_t>(frame.rows.first)},
+                      columns * frame.block_columns, rows * frame.block_rows);
     WindowValues normals(columns, rows, months_, false);
     std::optional<WindowValues> held;
     std::vector<Sight> sights = sights_of(basin, frame);
-    const std::size_t block = std::max<std::size_t>(1, normals_in_block / (columns * months_));
-    for (std::size_t row = 0; row < rows; row += block) {
+    const std::size_t at_a_time = std::max<std::size_t>(
+        1,
+        values_at_a_time / (columns * std::max(months_, frame.block_columns * frame.block_rows)));
+    for (std::size_t row = 0; row < rows; row += at_a_time) {
       throw_if_interrupted();
-      fill(frame, patch, row, std::min(block, rows - row), normals, held, sights);
+      fill(frame, patch, row, std::min(at_a_time, rows - row), normals, held, sights);
     }
     if (held) note_held(basin, frame, std::move(*held));
-    variances = variances_of(patch, sights);
+    variances = variances_of(frame, patch, sights);
     return ground_.window(basin, frame, std::move(normals), references_);
   }
 
@@ -77,7 +88,7 @@ class GroundFiller {
   }
 
  private:
-  /// A pixel in which the variance is looked at.
+  /// A block of the window in which the variance is looked at.
   struct Sight {
     std::size_t row;
     std::size_t column;
@@ -85,7 +96,7 @@ class GroundFiller {
   };
 
   /// How many pixels there are between two nodes along a side of the raster.
-  std::size_t nodes_apart(const ElevationFit& fit, Point way) const {
+  std::size_t pixels_apart(const ElevationFit& fit, Point way) const {
     const Metric metric = study_.weighing().yardstick().metric;
     const Point here = study_.network().places().front();
     const Point pixel = ground_.to_pixels({here}).front();
@@ -102,7 +113,8 @@ class GroundFiller {
     std::vector<Sight> sights;
     for (const Point p : basin_points(basin, study_.weighing().yardstick(), points_of_variance)) {
       const Point at = mapping->to_pixels(p);
-      if (!(at.x >= 0 && at.x < frame.columns.count() && at.y >= 0 && at.y < frame.rows.count()))
+      if (!(at.x >= 0 && at.x < static_cast<double>(frame.window_columns()) && at.y >= 0 &&
+            at.y < static_cast<double>(frame.window_rows())))
         continue;
       sights.push_back({static_cast<std::size_t>(at.y), static_cast<std::size_t>(at.x),
                         std::numeric_limits<double>::quiet_NaN()});
@@ -110,18 +122,66 @@ class GroundFiller {
     return sights;
   }
 
+  /// The elevations of blocks: their means, and the variance of their pixels'.
+  struct Heights {
+    std::vector<double> means;
+    std::vector<double> spreads;
+  };
+
+  /// The blocks of one row of the window; `row` counts those that were read.
+  Heights heights_of(const RasterFrame& frame, const WindowValues& read, std::size_t row) const {
+    const std::size_t columns = frame.window_columns();
+    const std::size_t first = row * frame.block_rows;
+    const std::size_t last = std::min(first + frame.block_rows, read.rows());
+    Heights heights{std::vector<double>(columns, std::numeric_limits<double>::quiet_NaN()),
+                    std::vector<double>(columns)};
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t left = c * frame.block_columns;
+      const std::size_t right = std::min(left + frame.block_columns, read.columns());
+      double sum = 0;
+      double squares = 0;
+      double known = 0;
+      for (std::size_t r = first; r < last; ++r) {
+        for (std::size_t p = left; p < right; ++p) {
+          const double height = scale_ * read.at(0, r, p);
+          if (std::isnan(height)) continue;
+          sum += height;
+          squares += height * height;
+          ++known;
+        }
+      }
+      if (!(known >= least_known * static_cast<double>((last - first) * (right - left)))) continue;
+      heights.means[c] = sum / known;
+      if (known > 1)
+        heights.spreads[c] = std::max(0.0, squares / known - heights.means[c] * heights.means[c]);
+    }
+    return heights;
+  }
+
+  /// Where the blocks of a row of the window lie.
+  static ElevationPatch::Row row_of(const RasterFrame& frame, std::size_t row) {
+    const auto columns = static_cast<double>(frame.block_columns);
+    const auto rows = static_cast<double>(frame.block_rows);
+    return {{frame.columns.first + columns / 2,
+             frame.rows.first + rows * (static_cast<double>(row) + 0.5)},
+            columns};
+  }
+
   void fill(const RasterFrame& frame, const ElevationPatch& patch, std::size_t row,
             std::size_t count, WindowValues& normals, std::optional<WindowValues>& held,
             std::vector<Sight>& sights) const {
     const std::size_t columns = normals.columns();
-    WindowValues elevations(columns, count, 1, true);
-    ground_.read(frame, row, elevations);
+    const std::size_t first = row * frame.block_rows;
+    const auto all = static_cast<std::size_t>(frame.rows.count());
+    WindowValues read(static_cast<std::size_t>(frame.columns.count()),
+                      std::min(count * frame.block_rows, all - first), 1, true);
+    ground_.read(frame, first, read);
+    std::vector<Heights> heights(count);
     std::vector<double> told(count * columns * months_);
     std::vector<char> is_held(count * columns);
     in_parallel(count, threads_, [&](std::size_t, std::size_t r) {
-      std::vector<double> heights(columns);
-      for (std::size_t c = 0; c < columns; ++c) heights[c] = scale_ * elevations.at(0, r, c);
-      patch.fill(row + r, heights,
+      heights[r] = heights_of(frame, read, r);
+      patch.fill(row_of(frame, row + r), heights[r].means, heights[r].spreads,
                  std::span(told).subspan(r * columns * months_, columns * months_),
                  std::span(is_held).subspan(r * columns, columns));
     });
@@ -138,7 +198,7 @@ class GroundFiller {
     }
     for (Sight& sight : sights) {
       if (sight.row >= row && sight.row < row + count)
-        sight.elevation = scale_ * elevations.at(0, sight.row - row, sight.column);
+        sight.elevation = heights[sight.row - row].means[sight.column];
     }
   }
 
@@ -149,14 +209,16 @@ class GroundFiller {
     worst_ = basin;
   }
 
-  std::vector<double> variances_of(const ElevationPatch& patch,
+  std::vector<double> variances_of(const RasterFrame& frame, const ElevationPatch& patch,
                                    const std::vector<Sight>& sights) const {
     std::vector<double> variances(months_);
     for (std::size_t m = 0; m < months_; ++m) {
       double sum = 0;
       double count = 0;
       for (const Sight& sight : sights) {
-        const double variance = patch.variance(sight.row, sight.column, sight.elevation, m);
+        const ElevationPatch::Row row = row_of(frame, sight.row);
+        const Point at{row.first.x + row.apart * static_cast<double>(sight.column), row.first.y};
+        const double variance = patch.variance(at, sight.elevation, m);
         if (std::isnan(variance)) continue;
         sum += variance;
         ++count;
@@ -171,6 +233,8 @@ class GroundFiller {
   const Study& study_;
   std::size_t months_;
   std::vector<double> references_;
+  std::size_t columns_apart_;
+  std::size_t rows_apart_;
   ElevationLattice lattice_;
   unsigned threads_;
   double most_held_ = 0;

@@ -21,7 +21,9 @@ struct FittedGround {
 };
 
 /// The normals of the ground whose elevations a raster has, pixel by pixel: see ElevationLattice,
-/// whose nodes are a third of the gauges' spacing apart, or a pixel where that is more. The
+/// whose nodes are a third of the gauges' spacing apart, or a pixel where that is more. Where a
+/// basin has more than 128 pixels along a side, blocks of them that are small beside that stand for
+/// them, by the mean and the variance of their elevations. The
 /// raster's values are multiplied by `scale`. Says on which share of the worst basin normals are
 /// held by the nearest gauge's. Warns of basins that the raster does not cover whole, and throws
 /// Error where it has none of one.

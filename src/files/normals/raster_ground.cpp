@@ -66,15 +66,20 @@ RasterFrame::Range range_of(double low, double high, std::size_t limit) {
 /// The nodes of PixelsOfPlane, in pixels of the raster.
 std::vector<Point> nodes_of(const RasterFrame& frame, std::size_t spacing) {
   std::vector<Point> nodes;
-  const auto along = static_cast<std::size_t>(frame.columns.count());
-  const auto down = static_cast<std::size_t>(frame.rows.count());
+  const std::size_t along = frame.window_columns();
+  const std::size_t down = frame.window_rows();
   for (std::size_t j = 0; j < PixelsOfPlane::nodes_along(down, spacing); ++j) {
     for (std::size_t i = 0; i < PixelsOfPlane::nodes_along(along, spacing); ++i) {
-      nodes.push_back({frame.columns.first - frame.shift + static_cast<double>(spacing * i),
-                       frame.rows.first + static_cast<double>(spacing * j)});
+      nodes.push_back({frame.columns.first - frame.shift +
+                           static_cast<double>(spacing * i * frame.block_columns),
+                       frame.rows.first + static_cast<double>(spacing * j * frame.block_rows)});
     }
   }
   return nodes;
+}
+
+Point block_of(const RasterFrame& frame) {
+  return {static_cast<double>(frame.block_columns), static_cast<double>(frame.block_rows)};
 }
 
 }  // namespace
@@ -229,6 +234,21 @@ std::optional<RasterFrame> RasterGround::frame_of(std::size_t b, Complaints& com
   return frame;
 }
 
+void RasterGround::set_blocks(RasterFrame& frame, double most_columns, double most_rows) const {
+  const auto pixels = [](const RasterFrame::Range& range, double most) {
+    const double wanted = std::min(most, range.count() / enough_blocks);
+    return wanted > 1 ? static_cast<std::size_t>(wanted) : 1;
+  };
+  frame.block_columns = pixels(frame.columns, most_columns);
+  frame.block_rows = pixels(frame.rows, most_rows);
+  if (!on_earth() || !in_degrees() || !is_along_axes()) return;
+  // No block reaches beyond a pole.
+  const auto& t = source_.transform();
+  const auto rows = static_cast<double>(frame.window_rows() * frame.block_rows);
+  const double end = (t[3] + (frame.rows.first + rows) * t[5]) * crs_->degrees_per_unit();
+  if (std::abs(end) > 90) frame.block_rows = 1;
+}
+
 NormalWindow RasterGround::window(std::size_t b, const RasterFrame& frame, WindowValues values,
                                   const std::vector<double>& references) const {
   const Basin& basin = study_.basins()[b];
@@ -265,27 +285,29 @@ void RasterGround::read(const RasterFrame& frame, std::size_t row, WindowValues&
 }
 
 std::unique_ptr<const PixelMapping> RasterGround::mapping_of(const Basin& basin) const {
-  return shifted(basin, {0, 0});
+  return shifted(basin, {0, 0}, {1, 1});
 }
 
 std::unique_ptr<const PixelMapping> RasterGround::mapping_of(const Basin& basin,
                                                              const RasterFrame& frame) const {
-  return shifted(basin, {frame.columns.first - frame.shift, frame.rows.first});
+  return shifted(basin, {frame.columns.first - frame.shift, frame.rows.first}, block_of(frame));
 }
 
-std::unique_ptr<const PixelMapping> RasterGround::shifted(const Basin& basin, Point corner) const {
+std::unique_ptr<const PixelMapping> RasterGround::shifted(const Basin& basin, Point corner,
+                                                          Point block) const {
   if (is_same_) {
     const Point origin = pixel_of({0, 0});
     const auto& i = inverse_;
-    return std::make_unique<const AffineMapping>(Point{origin.x - corner.x, origin.y - corner.y},
-                                                 Point{i[0], i[2]}, Point{i[1], i[3]});
+    return std::make_unique<const AffineMapping>(
+        Point{(origin.x - corner.x) / block.x, (origin.y - corner.y) / block.y},
+        Point{i[0] / block.x, i[2] / block.y}, Point{i[1] / block.x, i[3] / block.y});
   }
   Box frame = box_of_basin(basin);
   frame = frame.grown(1e-4 * std::max(frame.width(), frame.height()));
   auto smooth = std::make_unique<const SmoothMapping>(
       [&](std::vector<Point> points) {
         points = to_pixels(std::move(points));
-        for (Point& p : points) p = {p.x - corner.x, p.y - corner.y};
+        for (Point& p : points) p = {(p.x - corner.x) / block.x, (p.y - corner.y) / block.y};
         return points;
       },
       frame, wanted_error);
@@ -295,37 +317,40 @@ std::unique_ptr<const PixelMapping> RasterGround::shifted(const Basin& basin, Po
 
 std::unique_ptr<const PixelAreas> RasterGround::areas_of(const RasterFrame& frame) const {
   const auto& t = source_.transform();
-  const auto count = static_cast<std::size_t>(frame.rows.count());
+  const std::size_t count = frame.window_rows();
+  const Point block = block_of(frame);
   if (on_earth() && in_degrees() && is_along_axes()) {
     const double unit = crs_->degrees_per_unit();
     return std::make_unique<const PixelsInDegrees>((t[3] + frame.rows.first * t[5]) * unit,
-                                                   t[5] * unit, t[1] * unit, count);
+                                                   t[5] * unit * block.y, t[1] * unit * block.x,
+                                                   count);
   }
   const Surface& surface = study_.weighing().surface();
   if (!on_earth() && is_same_) {
     // a pixel is a parallelogram of the plane
     const Point right{t[1], t[4]};
     const Point down{t[2], t[5]};
-    return std::make_unique<const EqualPixels>(std::abs(
-        area_of_ring({{0, 0}, right, {right.x + down.x, right.y + down.y}, down}, surface)));
+    return std::make_unique<const EqualPixels>(
+        block.x * block.y *
+        std::abs(
+            area_of_ring({{0, 0}, right, {right.x + down.x, right.y + down.y}, down}, surface)));
   }
   const Point middle{(frame.columns.first + frame.columns.last) / 2 - frame.shift,
                      (frame.rows.first + frame.rows.last) / 2};
-  const double side = std::sqrt(areas_at({middle}, surface).front());
+  const double side = std::sqrt(areas_at({middle}, block, surface).front());
   const double spacing = std::floor(PixelsOfPlane::farthest_nodes / side);
   const auto pixels = static_cast<std::size_t>(
       spacing > 1 ? std::min(spacing, static_cast<double>(PixelsOfPlane::most_spacing)) : 1);
-  return std::make_unique<const PixelsOfPlane>(areas_at(nodes_of(frame, pixels), surface),
-                                               static_cast<std::size_t>(frame.columns.count()),
-                                               pixels);
+  return std::make_unique<const PixelsOfPlane>(areas_at(nodes_of(frame, pixels), block, surface),
+                                               frame.window_columns(), pixels);
 }
 
-std::vector<double> RasterGround::areas_at(const std::vector<Point>& positions,
+std::vector<double> RasterGround::areas_at(const std::vector<Point>& positions, Point block,
                                            const Surface& surface) const {
   std::vector<Point> corners;
   for (const Point p : positions) {
     for (const Point d : {Point{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
-      corners.push_back({p.x + d.x, p.y + d.y});
+      corners.push_back({p.x + d.x * block.x, p.y + d.y * block.y});
     }
   }
   corners = to_study(std::move(corners));

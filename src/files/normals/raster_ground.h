@@ -29,8 +29,19 @@ struct RasterFrame {
   Range columns;
   Range rows;
   double shift = 0;  ///< how many columns the study's longitudes were moved to lie in the raster
+  /// How many columns and rows of the raster make one of the window: blocks of pixels may stand for
+  /// them where they are many. The last block may reach beyond the range.
+  std::size_t block_columns = 1;
+  std::size_t block_rows = 1;
 
   bool holds_all() const { return columns.is_whole && rows.is_whole; }
+  std::size_t window_columns() const { return blocks(columns, block_columns); }
+  std::size_t window_rows() const { return blocks(rows, block_rows); }
+
+ private:
+  static std::size_t blocks(const Range& range, std::size_t pixels) {
+    return (static_cast<std::size_t>(range.count()) + pixels - 1) / pixels;
+  }
 };
 
 /// A raster under a study, in its own CRS: which of its pixels hold the gauges, which a basin
@@ -51,16 +62,21 @@ class RasterGround {
   /// Where a basin lies; nothing where it lies outside, with a complaint. Throws Error where it has
   /// too many pixels.
   std::optional<RasterFrame> frame_of(std::size_t basin, Complaints& complaints) const;
-  /// All values of a frame.
+  /// Has blocks of at most so many pixels stand for them in the window of a basin, where it has
+  /// more than `enough_blocks` pixels along a side.
+  void set_blocks(RasterFrame& frame, double most_columns, double most_rows) const;
+  static constexpr double enough_blocks = 128;
+  /// All values of a frame, pixel by pixel.
   WindowValues values_of(const RasterFrame& frame) const;
   /// Reads as many rows of a frame as `values` has, from its row `row` on.
   void read(const RasterFrame& frame, std::size_t row, WindowValues& values) const;
-  /// The window of a basin with these values of its frame; `references` has one for each band.
+  /// The window of a basin with these values of its frame, block by block; `references` has one for
+  /// each band.
   NormalWindow window(std::size_t basin, const RasterFrame& frame, WindowValues values,
                       const std::vector<double>& references) const;
   /// The share of a basin's ground on which `marks` has values.
   double share_of(std::size_t basin, const RasterFrame& frame, WindowValues marks) const;
-  /// The mapping from the study to the pixels of a frame, counted from its corner.
+  /// The mapping from the study to the blocks of a frame, counted from its corner.
   std::unique_ptr<const PixelMapping> mapping_of(const Basin& basin,
                                                  const RasterFrame& frame) const;
   /// Brings positions in pixels to the study's coordinates. On the Earth their longitudes may be
@@ -91,11 +107,12 @@ class RasterGround {
   std::vector<double> at_pixel(Point at) const;
   /// The mapping to the raster's own pixels; null where the projection does not reach.
   std::unique_ptr<const PixelMapping> mapping_of(const Basin& basin) const;
-  /// The mapping to pixels counted from a corner.
-  std::unique_ptr<const PixelMapping> shifted(const Basin& basin, Point corner) const;
+  /// The mapping to blocks of pixels counted from a corner.
+  std::unique_ptr<const PixelMapping> shifted(const Basin& basin, Point corner, Point block) const;
   std::unique_ptr<const PixelAreas> areas_of(const RasterFrame& frame) const;
-  /// The areas of a pixel round each of these positions.
-  std::vector<double> areas_at(const std::vector<Point>& positions, const Surface& surface) const;
+  /// The areas of a block of pixels round each of these positions.
+  std::vector<double> areas_at(const std::vector<Point>& positions, Point block,
+                               const Surface& surface) const;
 
   RasterSource source_;
   const Study& study_;

@@ -11,10 +11,9 @@
 namespace thiessen {
 namespace {
 
-/// The number of the last node at or before the centre of a pixel.
-std::int64_t node_before(std::int64_t pixel, std::size_t apart) {
-  return static_cast<std::int64_t>(
-      std::floor((static_cast<double>(pixel) + 0.5) / static_cast<double>(apart)));
+/// The number of the last node at or before a position.
+std::int64_t node_before(double position, std::size_t apart) {
+  return static_cast<std::int64_t>(std::floor(position / static_cast<double>(apart)));
 }
 
 std::uint64_t key_of(ElevationPatch::Corner node) {
@@ -42,48 +41,43 @@ ToldNormal nothing_told() {
 
 }  // namespace
 
-void ElevationPatch::fill(std::size_t row, std::span<const double> elevations,
-                          std::span<double> normals, std::span<char> held) const {
-  const std::int64_t at_row = corner_.row + static_cast<std::int64_t>(row);
-  const std::int64_t above = node_before(at_row, rows_apart_);
+void ElevationPatch::fill(const Row& row, std::span<const double> elevations,
+                          std::span<const double> spreads, std::span<double> normals,
+                          std::span<char> held) const {
+  const std::int64_t above = node_before(row.first.y, rows_apart_);
   const auto j = static_cast<std::size_t>(above - first_node_.row);
-  const double down = (static_cast<double>(at_row) + 0.5) / static_cast<double>(rows_apart_) -
-                      static_cast<double>(above);
+  const double down = row.first.y / static_cast<double>(rows_apart_) - static_cast<double>(above);
+  const auto apart = static_cast<double>(columns_apart_);
+  const double step = row.apart / apart;
   for (std::size_t month = 0; month < months_; ++month) {
     const std::span<double> out = normals.subspan(month * elevations.size(), elevations.size());
     for (std::size_t c = 0; c < elevations.size();) {
-      const std::int64_t at_column = corner_.column + static_cast<std::int64_t>(c);
-      const std::int64_t before = node_before(at_column, columns_apart_);
+      const double at = row.first.x + row.apart * static_cast<double>(c);
+      const std::int64_t before = node_before(at, columns_apart_);
       const auto i = static_cast<std::size_t>(before - first_node_.column);
       const Blend left = between(node(i, j, month), node(i, j + 1, month), down);
       const Blend right = between(node(i + 1, j, month), node(i + 1, j + 1, month), down);
-      const std::int64_t next = (before + 1) * static_cast<std::int64_t>(columns_apart_);
-      const std::size_t end =
-          std::min(elevations.size(), c + static_cast<std::size_t>(next - at_column));
-      const double step = 1 / static_cast<double>(columns_apart_);
-      double along = (static_cast<double>(at_column) + 0.5) * step - static_cast<double>(before);
-      for (; c < end; ++c, along += step) {
+      double along = at / apart - static_cast<double>(before);
+      do {
         const auto mix = [&](double from, double to) { return from + along * (to - from); };
-        const double logarithm =
-            mix(left.constant, right.constant) + mix(left.slope, right.slope) * elevations[c];
+        const double slope = mix(left.slope, right.slope);
+        const double logarithm = mix(left.constant, right.constant) + slope * elevations[c];
         const double kept = held_logarithm(logarithm, mix(left.nearest, right.nearest));
         if (kept < logarithm || kept > logarithm) held[c] = 1;
-        out[c] = std::exp(kept);
-      }
+        out[c] = std::exp(kept) * (1 + slope * slope * spreads[c] / 2);
+        ++c;
+        along += step;
+      } while (c < elevations.size() && along < 1);
     }
   }
 }
 
-double ElevationPatch::variance(std::size_t row, std::size_t column, double elevation,
-                                std::size_t month) const {
-  const auto nearest = [](std::int64_t pixel, std::size_t apart, std::int64_t first) {
-    return static_cast<std::size_t>(
-        std::llround((static_cast<double>(pixel) + 0.5) / static_cast<double>(apart)) - first);
+double ElevationPatch::variance(Point at, double elevation, std::size_t month) const {
+  const auto nearest = [](double position, std::size_t apart, std::int64_t first) {
+    return static_cast<std::size_t>(std::llround(position / static_cast<double>(apart)) - first);
   };
-  return node(nearest(corner_.column + static_cast<std::int64_t>(column), columns_apart_,
-                      first_node_.column),
-              nearest(corner_.row + static_cast<std::int64_t>(row), rows_apart_, first_node_.row),
-              month)
+  return node(nearest(at.x, columns_apart_, first_node_.column),
+              nearest(at.y, rows_apart_, first_node_.row), month)
       .line.variance(elevation);
 }
 
@@ -99,16 +93,16 @@ ElevationLattice::ElevationLattice(const ElevationFit& fit, ToStudy to_study,
 ElevationPatch ElevationLattice::over(ElevationPatch::Corner corner, std::size_t columns,
                                       std::size_t rows) {
   ElevationPatch patch;
-  patch.corner_ = corner;
   patch.columns_apart_ = columns_apart_;
   patch.rows_apart_ = rows_apart_;
   patch.months_ = fit_.months();
-  const ElevationPatch::Corner end{corner.column + static_cast<std::int64_t>(columns) - 1,
-                                   corner.row + static_cast<std::int64_t>(rows) - 1};
-  patch.first_node_ = {node_before(corner.column, columns_apart_),
-                       node_before(corner.row, rows_apart_)};
-  const ElevationPatch::Corner last{node_before(end.column, columns_apart_) + 1,
-                                    node_before(end.row, rows_apart_) + 1};
+  patch.first_node_ = {node_before(static_cast<double>(corner.column), columns_apart_),
+                       node_before(static_cast<double>(corner.row), rows_apart_)};
+  const ElevationPatch::Corner last{
+      node_before(static_cast<double>(corner.column) + static_cast<double>(columns),
+                  columns_apart_) +
+          1,
+      node_before(static_cast<double>(corner.row) + static_cast<double>(rows), rows_apart_) + 1};
   patch.nodes_in_row_ = static_cast<std::size_t>(last.column - patch.first_node_.column + 1);
   std::vector<ElevationPatch::Corner> nodes;
   for (std::int64_t row = patch.first_node_.row; row <= last.row; ++row) {

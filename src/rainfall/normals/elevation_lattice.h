@@ -14,9 +14,15 @@ namespace thiessen {
 
 /// The normals of a window of pixels whose elevations are known, from what a fit tells at the nodes
 /// of a lattice round it. Between nodes ln N at elevation 0, its slope and the nearest gauge's ln N
-/// are taken to be bilinear. Pixels are those of the window. Safe for several threads at once.
+/// are taken to be bilinear. Safe for several threads at once.
 class ElevationPatch {
  public:
+  /// A row of values, evenly apart: where its first one lies in the lattice's raster, in pixels,
+  /// and how many pixels the next one is away. The middle of the first pixel is 0.5, 0.5.
+  struct Row {
+    Point first;
+    double apart = 1;
+  };
   /// A pixel of the lattice's raster, or the number of a node.
   struct Corner {
     std::int64_t column;
@@ -24,12 +30,14 @@ class ElevationPatch {
   };
 
   std::size_t months() const { return months_; }
-  /// The normals of a row of pixels: those of each month in turn, one for each elevation; NaN where
-  /// that is NaN. `held` becomes true where some month's is held by the nearest gauge's.
-  void fill(std::size_t row, std::span<const double> elevations, std::span<double> normals,
-            std::span<char> held) const;
-  /// The variance of ln N in a pixel at an elevation, as it is at the nearest node.
-  double variance(std::size_t row, std::size_t column, double elevation, std::size_t month) const;
+  /// The normals of a row: those of each month in turn, one for each elevation; NaN where that is
+  /// NaN. `spreads` are the variances of the elevations for which one stands: the normal is then
+  /// the mean of theirs, to the second order. `held` becomes true where some month's is held by the
+  /// nearest gauge's.
+  void fill(const Row& row, std::span<const double> elevations, std::span<const double> spreads,
+            std::span<double> normals, std::span<char> held) const;
+  /// The variance of ln N at a position and elevation, as it is at the nearest node.
+  double variance(Point at, double elevation, std::size_t month) const;
 
  private:
   friend class ElevationLattice;
@@ -37,7 +45,6 @@ class ElevationPatch {
     return nodes_[(j * nodes_in_row_ + i) * months_ + month];
   }
 
-  Corner corner_{};      // the window's first pixel
   Corner first_node_{};  // its number
   std::size_t columns_apart_ = 1;
   std::size_t rows_apart_ = 1;

@@ -60,6 +60,33 @@ TEST(FittedGround, multiplies_the_rasters_values_by_a_scale) {
   EXPECT_NEAR(found.normals->in(0).whole(0).mean, mean_of_pixels(0.5), 1e-4);
 }
 
+TEST(FittedGround, of_many_pixels_is_that_of_their_blocks) {
+  // 640 pixels along a side are more than 128: blocks of two stand for them.
+  MountainStudy given;
+  const Study& study = given.made();
+  const ElevationFit fit = exact_fit(given);
+  const auto rough = [](double x, double y) {
+    return std::round(MountainStudy::ground(x, y) + 80 * std::sin(300 * x) * std::sin(200 * y));
+  };
+  constexpr int pixels = 640;
+  const RasterGround ground(given.raster(rough, "dem.asc", pixels), study, *given.files,
+                            given.warnings);
+  Complaints none;
+  RasterFrame frame = *ground.frame_of(0, none);
+  ground.set_blocks(frame, 100, 1.5);
+  EXPECT_EQ(frame.block_columns, 5u);
+  EXPECT_EQ(frame.block_rows, 1u);
+  EXPECT_EQ(frame.window_columns(), 128u);
+  const FittedGround found = normals_of_elevations(fit, ground, 1, study, 1, given.warnings);
+  double sum = 0;
+  for (int i = 0; i < pixels; ++i) {
+    for (int j = 0; j < pixels; ++j)
+      sum += 50 * std::exp(4e-4 * rough((i + 0.5) / 80, (j + 0.5) / 80));
+  }
+  const double mean = sum / (pixels * pixels);
+  EXPECT_NEAR(found.normals->in(0).whole(0).mean, mean, 2e-6 * mean);
+}
+
 TEST(FittedGround, without_elevations_has_no_normals) {
   MountainStudy given;
   const Study& study = given.made();

@@ -52,14 +52,19 @@ struct MountainStudy {
     study = std::make_unique<Study>(files, StudySettings{}, warnings);
     return *study;
   }
-  /// Writes a raster of 8 by 8 pixels over the basin, of what `value` says at their middles.
+  /// Writes a raster over the basin, of what `value` says at the middles of its pixels, of which
+  /// there are so many along each side.
   std::string raster(const std::function<double(double, double)>& value = ground,
-                     const std::string& name = "dem.asc") const {
-    std::string text =
-        "ncols 8\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 1\nNODATA_value -9999\n";
-    for (int row = 0; row < 8; ++row) {
-      for (int column = 0; column < 8; ++column)
-        text += shortest_text(value(column + 0.5, 7.5 - row)) + (column < 7 ? " " : "\n");
+                     const std::string& name = "dem.asc", int pixels = 8) const {
+    const std::string count = std::to_string(pixels);
+    const double side = 8.0 / pixels;
+    std::string text = "ncols " + count + "\nnrows " + count +
+                       "\nxllcorner 0\nyllcorner 0\ncellsize " + shortest_text(side) +
+                       "\nNODATA_value -9999\n";
+    for (int row = 0; row < pixels; ++row) {
+      for (int column = 0; column < pixels; ++column)
+        text += shortest_text(value((column + 0.5) * side, 8 - (row + 0.5) * side)) + " ";
+      text += "\n";
     }
     return folder.write(name, text);
   }
