@@ -7,6 +7,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
@@ -81,6 +82,7 @@ class CellsCommand : public Command {
     const std::unique_ptr<GeoPackageCopy> older =
         file == nullptr ? nullptr : older_layers(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.threads = common_.threads}, warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;

@@ -6,6 +6,7 @@
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/rainfall_options.h"
@@ -42,6 +43,7 @@ class CheckCommand : public Command {
 
   void run(Warnings& warnings) override {
     Inputs inputs(study_, 10, rainfall_, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.threads = common_.threads}, warnings);
     std::string report = describe_study(inputs) + odd_gauges_text(inputs);
     if (inputs.has_basins()) report += describe_basins(inputs, warnings);
     if (rainfall_.given()) report += describe_readings(inputs, warnings);

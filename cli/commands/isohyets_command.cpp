@@ -5,6 +5,7 @@
 #include "base/outputs.h"
 #include "base/utf8.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
@@ -70,6 +71,7 @@ class IsohyetsCommand : public Command {
     OutputFile& file = outputs.add(output_.output);
     const std::unique_ptr<GeoPackageCopy> older = older_layers(output_.output);
     Inputs inputs(study_, 0, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.threads = common_.threads}, warnings);
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     units_ = unit_shown(readings->unit, units_, units_option_->is_given(), rainfall_.name());
     const auto isohyets = isohyets_of(inputs, *readings);

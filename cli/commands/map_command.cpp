@@ -4,6 +4,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
@@ -110,6 +111,8 @@ class MapCommand : public Command {
     if (kind == Kind::tiff) return write_raster(outputs, warnings);
     OutputFile& file = outputs.add(output_.output);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.stamp = range_.stamp(), .threads = common_.threads},
+                warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const std::vector<GaugeReadings> steps = shown(inputs, warnings);
     if (!steps.empty()) settle_unit(steps.front().unit);
@@ -141,6 +144,8 @@ class MapCommand : public Command {
   void write_raster(Outputs& outputs, Warnings& warnings) {
     const RasterPlace place = raster_place(outputs);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.stamp = range_.stamp(), .threads = common_.threads},
+                warnings);
     if (!rainfall_.given()) note_whole_network(inputs, warnings);
     const std::vector<GaugeReadings> steps = shown(inputs, warnings);
     if (!steps.empty()) settle_unit(steps.front().unit);
@@ -208,6 +213,8 @@ class MapCommand : public Command {
                                   ? RasterPlace{.file_on_disk = outputs.add_foreign(output_.output)}
                                   : raster_place(outputs);
     Inputs inputs(study_, view_.margin, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.stamp = range_.stamp(), .threads = common_.threads},
+                warnings);
     Warnings told_later;
     const auto first = inputs.open_readings(study_, rainfall_, told_later, range_.times());
     settle_unit(first->unit());

@@ -10,6 +10,7 @@
 #include "base/interrupt.h"
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/inputs/summed_rates.h"
@@ -120,6 +121,8 @@ class RainCommand : public Command {
     }
     OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.stamp = periods_.stamp(), .threads = common_.threads},
+                warnings);
     RainFormat format = table_format();
     const auto rainfall = step_rainfall(inputs, format, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);

@@ -8,6 +8,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/inputs.h"
 #include "cli/inputs/summed_rates.h"
@@ -139,6 +140,8 @@ class RunCommand : public Command {
     const std::unique_ptr<GeoPackageCopy> older = older_layers(files.package.name());
 
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
+    fit_normals(inputs, study_, rainfall_, {.stamp = periods_.stamp(), .threads = common_.threads},
+                warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     periods_.settle_stamp(readings->stamp(), rainfall_.name());
     view_.units =

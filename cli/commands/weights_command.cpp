@@ -5,6 +5,7 @@
 
 #include "base/outputs.h"
 #include "cli/commands/commands.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
 #include "cli/options/gap_options.h"
@@ -71,6 +72,11 @@ class WeightsCommand : public Command {
     model_.check({.is_influence = rainfall_.given(),
                   .is_change = changes_.given(),
                   .is_database = output_.is_database()});
+    if (study_.fits_normals() && !rainfall_.given()) {
+      throw UsageError{"normals are fitted by elevation to RAINFALL, and there is none",
+                       "--influence RAINFALL has some; run writes a weights.csv with factors, and "
+                       "--normals and --normal-field take normals that are known"};
+    }
     if (model_.model() && study_.has_normals()) {
       throw UsageError{model_.name() + " has no place for factors, and normals make them",
                        "--format csv has a column factor; without normals --format holds weights"};
@@ -91,6 +97,9 @@ class WeightsCommand : public Command {
     std::string unit;
     study_.opened = changes_.opened();
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
+    // Influence is of one normal a gauge.
+    fit_normals(inputs, study_, rainfall_, {.may_have_months = false, .threads = common_.threads},
+                warnings);
     if (rainfall_.given()) {
       write_influence(file, inputs.weighing(), influence(inputs, times, unit, warnings));
     } else if (changes_.given()) {

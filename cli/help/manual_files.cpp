@@ -25,6 +25,7 @@ std::string names_section() {
          names_entry("latitude or northing", known::northings) +
          names_entry("basin's id (whose values are all there and all different)",
                      known::basin_ids) +
+         names_entry("elevation of a station or a basin", known::elevations) +
          names_entry("time of a table of one reading a row", known::times) +
          names_entry("its value, with or without a unit behind it", known::values) + ".PP\n" +
          roff_paragraph(

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/options/rainfall_options.h"
@@ -23,7 +24,8 @@ class Inputs {
  public:
   /// Reads stations and basins. Without basins the extent of the stations, grown by `margin`
   /// percent, is the study area. All stations are of the network. Warns of a plane that moves
-  /// weights. Takes the normals that the options name. Throws Error.
+  /// weights. Takes the normals that the options name, but for those that are fitted: see
+  /// fit_normals. Throws Error.
   Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings);
   /// The same, with the full network: the stations with at least one reading in RAINFALL. Where
   /// RAINFALL is not given, or can be read only once, all stations are, and a notice says so.
@@ -45,6 +47,10 @@ class Inputs {
   /// What the plane does to weights and areas; nothing where that is not known, or on the Earth.
   const std::optional<PlaneError>& plane_error() const { return plane_error_; }
   ReportingStations all_report() const { return study_.all_report(); }
+  /// Has gauges weighed with these normals from now on; see Weighing::take_normals.
+  void take_normals(std::shared_ptr<const NormalField> normals) {
+    study_.take_normals(std::move(normals));
+  }
 
   /// Opens RAINFALL; where times are wanted, only their steps are read from it. Any thread may ask
   /// it which share has been read. Where there are totals beside RAINFALL they are spread over its

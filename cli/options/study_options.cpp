@@ -88,11 +88,26 @@ void StudyOptions::declare_normals(OptionGroup group) {
       "--normal-field", text(normal_field_, "FIELD"),
       "the same from a field of STATIONS and of BASINS, or twelve, FIELD_01 to FIELD_12");
   of_basins_.push_back(normal_field_option_);
+  declare_elevations(group);
+}
+
+void StudyOptions::declare_elevations(OptionGroup group) {
+  elevation_option_ = &group.add(
+      "--elevation", file(elevation_, "RASTER"),
+      "normals fitted to RAINFALL, which is read once more, by the ground's elevation; those of "
+      "calendar months where ten gauges have ten years of each. A gauge's elevation is that of a "
+      "field of STATIONS (elev, elevation, z, alt or altitude), else of its pixel. An error where "
+      "leaving each gauge out shows that elevation tells too little of rain");
+  elevation_field_option_ = &group.add(
+      "--elevation-field", text(elevation_field_, "FIELD"),
+      "the field of STATIONS with their elevations; without --elevation a field of BASINS, too, "
+      "with their mean ones");
 }
 
 std::vector<std::string> StudyOptions::files() const {
   std::vector<std::string> all{stations, basins};
   if (has_normal_raster()) all.push_back(normals_);
+  if (elevation_option_->is_given()) all.push_back(elevation_);
   return all;
 }
 
@@ -111,16 +126,31 @@ void StudyOptions::check() const {
   if (plane_option_->is_given() && metric_ == "geodesic") {
     throw UsageError{"--plane is planar, and --metric says geodesic", "leave one of them out"};
   }
-  if (normals_option_->is_given() && normal_field_option_->is_given()) {
-    throw UsageError{"--normals and --normal-field both say where normals are",
-                     "leave one of them out"};
-  }
+  check_normals();
   if (mend_ && !basins_option_->is_given())
     throw UsageError{mend_option_->name + " mends basins, and there are none", "give BASINS"};
   for (const Option* option : of_basins_) {
     if (!option->is_given() || has_basins()) continue;
     throw UsageError{option->name + " is about basins, and there is no BASINS",
                      "give BASINS, or leave it out"};
+  }
+}
+
+void StudyOptions::check_normals() const {
+  std::vector<std::string> given;
+  for (const Option* option : {normals_option_, normal_field_option_}) {
+    if (option->is_given()) given.push_back(option->name);
+  }
+  const Option* const by =
+      elevation_option_->is_given() ? elevation_option_ : elevation_field_option_;
+  if (by->is_given()) given.push_back(by->name);
+  if (given.size() > 1) {
+    throw UsageError{given[0] + " and " + given[1] + " both say where normals are",
+                     "leave one of them out"};
+  }
+  if (by == elevation_field_option_ && by->is_given() && !has_basins()) {
+    throw UsageError{by->name + " alone is about basins, too, and there is no BASINS",
+                     "give BASINS, or --elevation RASTER"};
   }
 }
 
@@ -142,6 +172,7 @@ StudyRequest StudyOptions::request() const {
   if (labels()) request.stations.label = label_;
   request.stations.attributes = attributes;
   request.stations.normal_field = normal_field_;
+  if (fits_normals()) request.stations.elevation_field = elevation_field_;
   if (basins_option_->is_given()) {
     BasinsRequest& b = request.basins.emplace();
     b.source = {basins,         basins_layer_,  basins_where_, basins_crs_,
@@ -149,6 +180,7 @@ StudyRequest StudyOptions::request() const {
     b.source.csv.input = "basins";
     b.id = basin_id_;
     b.normal_field = normal_field_;
+    if (!elevation_option_->is_given() && fits_normals()) b.elevation_field = elevation_field_;
   }
   request.opened = opened;
   request.opened_from = "--with";

@@ -35,7 +35,15 @@ class StudyOptions : public OptionBlock {
   bool has_normal_raster() const { return normals_option_->is_given(); }
   /// The field of normals of stations and basins; empty where none is given.
   const std::string& normal_field() const { return normal_field_; }
-  bool has_normals() const { return has_normal_raster() || !normal_field_.empty(); }
+  /// The raster of the ground's elevations, by which normals are fitted; empty where none is given.
+  const std::string& elevation() const { return elevation_; }
+  /// The field of elevations; empty where none is named.
+  const std::string& elevation_field() const { return elevation_field_; }
+  /// Whether normals are to be fitted to RAINFALL by elevation.
+  bool fits_normals() const { return elevation_option_->is_given() || !elevation_field_.empty(); }
+  bool has_normals() const {
+    return has_normal_raster() || !normal_field_.empty() || fits_normals();
+  }
   /// The files that are read.
   std::vector<std::string> files() const;
   bool allow_far() const { return allow_far_; }
@@ -51,10 +59,12 @@ class StudyOptions : public OptionBlock {
   void declare_layers(OptionGroup group);
   void declare_method(OptionGroup group);
   void declare_normals(OptionGroup group);
+  void declare_elevations(OptionGroup group);
+  void check_normals() const;
   void check_texts() const;
 
   std::string id_, x_, y_, basin_id_, label_;
-  std::string normals_, normal_field_;
+  std::string normals_, normal_field_, elevation_, elevation_field_;
   std::string crs_, basins_crs_, plane_, metric_;
   std::string stations_layer_, basins_layer_, stations_where_, basins_where_;
   double tolerance_ = 0.1;
@@ -68,6 +78,8 @@ class StudyOptions : public OptionBlock {
   const Option* mend_option_ = nullptr;
   const Option* normals_option_ = nullptr;
   const Option* normal_field_option_ = nullptr;
+  const Option* elevation_option_ = nullptr;
+  const Option* elevation_field_option_ = nullptr;
   std::vector<const Option*> crs_options_;
   std::vector<const Option*> of_basins_;  ///< options that are about BASINS alone
 };

@@ -18,7 +18,9 @@ Provenance provenance_of(const Inputs& inputs, const StudyOptions& options,
   made_by.tolerance = options.tolerance();
   made_by.method = "thiessen";
   if (const NormalField* const normals = inputs.weighing().normals(); normals != nullptr) {
-    made_by.normals = options.has_normal_raster() ? "raster" : "fields";
+    made_by.normals = options.fits_normals()        ? "fitted by elevation"
+                      : options.has_normal_raster() ? "raster"
+                                                    : "fields";
     if (normals->months() > 1) made_by.normals += " of calendar months";
   }
   if (readings == nullptr) return made_by;

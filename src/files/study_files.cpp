@@ -351,7 +351,10 @@ class StudyMaker {
     study_.attributes = std::move(stations_.attributes);
     study_.labels = std::move(stations_.labels);
     study_.station_normals = std::move(stations_.normals);
+    study_.station_elevations = std::move(stations_.elevations);
+    study_.elevation_field = std::move(stations_.elevation_field);
     if (basins_) study_.basin_normals = std::move(basins_->normals);
+    if (basins_) study_.basin_elevations = std::move(basins_->elevations);
     study_.filtered_ids = std::move(stations_.filtered_ids);
     study_.stations_crs = stations_.crs;
     if (basins_) {

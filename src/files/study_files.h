@@ -39,6 +39,11 @@ struct StudyFiles : StudyParts {
   /// The normals of the stations and of the basins, by their ids: see StationsFile.
   std::unordered_map<std::string, std::vector<double>> station_normals;
   std::unordered_map<std::string, std::vector<double>> basin_normals;
+  /// The elevations of the stations and of the basins, by their ids, and the stations' field of
+  /// them: see StationsFile.
+  std::unordered_map<std::string, double> station_elevations;
+  std::unordered_map<std::string, double> basin_elevations;
+  std::string elevation_field;
   std::vector<MultiPolygon> native_basins;  ///< the basins, mended, in `basins_crs`, with the edges
                                             ///< that the file gives them
   /// The ids of the stations whose coordinates are 0 and 0 in a known CRS, in the file's order:

@@ -471,4 +471,8 @@ inline constexpr std::array<std::string_view, 53> units = {
 /// A column at the end of a table that holds nothing but its own name, or a mark of the end.
 inline constexpr std::string_view end_of_record = "eor";
 
+/// The elevation of a station or a basin.
+inline constexpr std::array<std::string_view, 5> elevations = {"elev", "elevation", "z", "alt",
+                                                               "altitude"};
+
 }  // namespace thiessen::known

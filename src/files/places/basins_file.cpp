@@ -10,6 +10,7 @@
 
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/normals/elevation_column.h"
 #include "files/normals/normal_columns.h"
 #include "files/places/crs_fit.h"
 #include "files/tables/features.h"
@@ -31,6 +32,7 @@ struct Candidate {
   std::string place;
   MultiPolygon polygons;
   std::vector<double> normals;
+  double elevation = 0;
 };
 
 class BasinsReader {
@@ -44,6 +46,7 @@ class BasinsReader {
     }
     find_id_fields();
     normals_.emplace(features_, request_.normal_field);
+    elevations_.emplace(features_, request_.elevation_field);
   }
 
   BasinsFile read() {
@@ -120,6 +123,11 @@ class BasinsReader {
           features_, candidate.ids.empty() ? "basin" : "basin " + quoted(candidate.ids[0], 80),
           complaints_);
     }
+    if (elevations_->any()) {
+      candidate.elevation = elevations_->read(
+          features_, candidate.ids.empty() ? "basin" : "basin " + quoted(candidate.ids[0], 80),
+          complaints_);
+    }
     candidates_.push_back(std::move(candidate));
   }
 
@@ -180,6 +188,7 @@ class BasinsReader {
         result_.basins.push_back({std::move(id), std::move(place), candidate.line, {}});
       }
       if (normals_->any()) take_normals(candidate, result_.basins[at->second]);
+      if (elevations_->any()) take_elevation(candidate, result_.basins[at->second]);
       MultiPolygon& polygons = result_.basins[at->second].polygons;
       std::move(candidate.polygons.begin(), candidate.polygons.end(), std::back_inserter(polygons));
     }
@@ -199,6 +208,18 @@ class BasinsReader {
                  "the features of one basin have the same normals"});
   }
 
+  /// The features of one basin have its mean elevation.
+  void take_elevation(const Candidate& candidate, const RawBasin& basin) {
+    const auto [at, fresh] = result_.elevations.emplace(basin.id, candidate.elevation);
+    const double before = at->second;
+    if (fresh || before == candidate.elevation ||
+        (std::isnan(before) && std::isnan(candidate.elevation)))
+      return;
+    throw Error({features_.file(), candidate.line,
+                 basin.place + " has another elevation in another of its features",
+                 "the features of one basin have the basin's mean elevation"});
+  }
+
   const BasinsRequest& request_;
   Warnings& warnings_;
   Features features_;
@@ -206,6 +227,7 @@ class BasinsReader {
   BasinsFile result_;
   std::vector<std::size_t> fields_;
   std::optional<NormalColumns> normals_;
+  std::optional<ElevationColumn> elevations_;
   std::vector<Candidate> candidates_;
   std::size_t number_ = 0;
   bool heights_ = false;

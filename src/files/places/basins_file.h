@@ -17,7 +17,8 @@ namespace thiessen {
 struct BasinsRequest {
   Source source;
   std::string id;  ///< name of the field of ids; empty: found by the usual names and by its values
-  std::string normal_field;  ///< see StationsRequest
+  std::string normal_field;                    ///< see StationsRequest
+  std::optional<std::string> elevation_field;  ///< of mean elevations; see StationsRequest
 };
 
 /// The basins of a file, in its coordinates, with the CRS that they are known to have.
@@ -26,6 +27,8 @@ struct BasinsFile : BasinList {
   CrsOrigin crs_origin = CrsOrigin::none;
   /// The normals of the basins, by their ids: see StationsFile.
   std::unordered_map<std::string, std::vector<double>> normals;
+  /// The elevations of the basins, by their ids: see StationsFile.
+  std::unordered_map<std::string, double> elevations;
 };
 
 /// Reads the basins: polygons of any vector file that GDAL reads, or of the column named WKT of a

@@ -8,6 +8,7 @@
 
 #include "base/secrets.h"
 #include "base/utf8.h"
+#include "files/normals/elevation_column.h"
 #include "files/normals/normal_columns.h"
 #include "files/places/crs_fit.h"
 #include "files/places/station_fields.h"
@@ -38,6 +39,8 @@ class StationsReader {
     fields_ = find_station_fields(features_, request_);
     positions_.emplace(features_, fields_, request_, complaints_);
     normals_.emplace(features_, request_.normal_field);
+    elevations_.emplace(features_, request_.elevation_field);
+    result_.elevation_field = elevations_->name();
   }
 
   StationsFile read() {
@@ -104,6 +107,11 @@ class StationsReader {
     if (normals_->any()) {
       result_.normals.emplace(
           station.id, normals_->read(features_, "station " + quoted(station.id, 80), complaints_));
+    }
+    if (elevations_->any()) {
+      result_.elevations.emplace(
+          station.id,
+          elevations_->read(features_, "station " + quoted(station.id, 80), complaints_));
     }
     result_.stations.push_back(std::move(station));
     if (request_.attributes) keep_attributes(row);
@@ -192,6 +200,7 @@ class StationsReader {
   StationFields fields_;
   std::optional<StationPositions> positions_;
   std::optional<NormalColumns> normals_;
+  std::optional<ElevationColumn> elevations_;
   std::unordered_map<std::string, Known> known_;
   std::size_t read_ = 0;
   std::size_t repeated_ = 0;

@@ -23,6 +23,9 @@ struct StationsRequest {
   /// The field of normals, or of which twelve fields have the name with _01 to _12 behind it;
   /// empty: none are read.
   std::string normal_field;
+  /// The field of elevations; empty: found by usual names, or none where there is none; nothing:
+  /// none are read.
+  std::optional<std::string> elevation_field;
   bool attributes = false;
   bool skip_unplaced = false;  ///< stations without coordinates are passed over, with a warning
 };
@@ -35,6 +38,10 @@ struct StationsFile : StationList {  ///< positions in `crs`, or in a plane with
   /// The normals of the stations, by their ids, one or twelve, where asked for; NaN where one is
   /// empty.
   std::unordered_map<std::string, std::vector<double>> normals;
+  /// The elevations of the stations, by their ids, where asked for and there is a field; NaN where
+  /// one is empty or a code for missing ones.
+  std::unordered_map<std::string, double> elevations;
+  std::string elevation_field;  ///< the name of that field; empty where there is none
   std::unordered_set<std::string> filtered_ids;  ///< ids of the stations that the filter left out
   std::optional<Crs> crs;
   CrsOrigin crs_origin = CrsOrigin::none;

@@ -170,6 +170,11 @@ std::size_t RasterSource::bands() const {
   return held_->bands.size();
 }
 
+std::string RasterSource::unit() const {
+  const char* const unit = held_->bands.front().band->GetUnitType();
+  return unit == nullptr ? "" : unit;
+}
+
 bool RasterSource::is_wide() const {
   return std::any_of(held_->bands.begin(), held_->bands.end(), [](const Band& band) {
     switch (band.band->GetRasterDataType()) {

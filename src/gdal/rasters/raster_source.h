@@ -39,6 +39,8 @@ class RasterSource {
   /// The raster's coordinates of a position in pixels: x is [0] + column [1] + row [2], y is [3] +
   /// column [4] + row [5].
   const std::array<double, 6>& transform() const { return transform_; }
+  /// The unit that the first band names for its values; empty where it names none.
+  std::string unit() const;
   /// Whether the values of some band need eight bytes.
   bool is_wide() const;
   /// Reads all bands of a part of the raster into `values`, from its column `at` on. Values that

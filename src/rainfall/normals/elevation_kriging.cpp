@@ -179,7 +179,9 @@ void ElevationKriging::leave_out(unsigned threads) {
                      told.variance(z) + variogram_.nugget};
   });
   double ratios = 0;
-  for (const Errors& of : errors) {
+  for (std::size_t place = 0; place < errors.size(); ++place) {
+    const Errors& of = errors[place];
+    told_.push_back(values_[place] + of.left_out);
     left_out_error_ += of.left_out * of.left_out;
     nearest_error_ += of.nearest * of.nearest;
     ratios += of.left_out * of.left_out / of.expected;

@@ -52,6 +52,8 @@ class ElevationKriging {
   ElevationLine at(Point x) const;
   /// What all other places tell of this place: its value without the error of its own.
   ElevationLine without(std::size_t place) const;
+  /// The value of that at the place's elevation, which is known without computing it again.
+  double told_without(std::size_t place) const { return told_[place]; }
 
   /// The variogram of S, in squares of the values' unit, as it was fitted: before variances are
   /// brought down to what leaving out tells.
@@ -81,6 +83,7 @@ class ElevationKriging {
   VariogramModel variogram_;
   double calibration_ = 1;
   std::vector<double> calibrations_;  // by place: what leaving it out tells
+  std::vector<double> told_;  // by place: what all others tell
   double left_out_error_ = 0;
   double nearest_error_ = 0;
 };

@@ -27,7 +27,6 @@ FittedNormals::FittedNormals(std::span<const Point> places, std::span<const doub
 FittedNormals::FittedNormals(Known known, std::span<const Point> places,
                              std::span<const double> elevations, Metric metric, unsigned threads)
     : number_(std::move(known.number)),
-      elevations_(elevations.begin(), elevations.end()),
       kriging_(known.places, known.elevations, known.logarithms, metric, threads) {
   at_place_.reserve(places.size());
   for (std::size_t place = 0; place < places.size(); ++place) {
@@ -39,7 +38,7 @@ FittedNormals::FittedNormals(Known known, std::span<const Point> places,
 
 double FittedNormals::without(std::size_t place) const {
   if (!number_[place]) return at_place_[place];
-  return std::exp(kriging_.without(*number_[place]).value(elevations_[place]));
+  return std::exp(kriging_.told_without(*number_[place]));
 }
 
 }  // namespace thiessen

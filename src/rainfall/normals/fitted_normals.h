@@ -54,7 +54,6 @@ class FittedNormals {
                 Metric metric, unsigned threads);
 
   std::vector<std::optional<std::size_t>> number_;
-  std::vector<double> elevations_;
   ElevationKriging kriging_;
   std::vector<double> at_place_;
 };
