@@ -1,4 +1,6 @@
 #include <cmath>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -9,10 +11,13 @@
 #include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/common_options.h"
+#include "cli/options/option_values.h"
 #include "cli/options/rainfall_options.h"
 #include "cli/options/study_options.h"
+#include "cli/options/usage_error.h"
 #include "cli/outputs/check_report.h"
 #include "cli/outputs/distances_report.h"
+#include "cli/outputs/methods_report.h"
 #include "rainfall/series/step_intervals.h"
 #include "study/weight_findings.h"
 
@@ -25,6 +30,12 @@ class CheckCommand : public Command {
     study_.declare(options(), Need::optional);
     rainfall_.declare(options(), Need::optional, study_.stations);
     rainfall_.declare_stamp(options());
+    options().group("Method").add(
+        "--methods", flag(methods_),
+        "leave each gauge out of each step of RAINFALL, and say how far off thiessen, arithmetic, "
+        "idw, natural and linear are that tell it by the others, with normals and without, at the "
+        "steps and at sums of a year, by the gauges' elevations (field elev, elevation, z, alt or "
+        "altitude), and which is best here");
     common_.declare(options());
   }
 
@@ -39,9 +50,13 @@ class CheckCommand : public Command {
   void check() const override {
     study_.check();
     rainfall_.check();
+    if (methods_ && !rainfall_.given())
+      throw UsageError{"--methods leaves gauges out of RAINFALL, and there is none",
+                       "give RAINFALL, or leave --methods out"};
   }
 
   void run(Warnings& warnings) override {
+    study_.attributes = methods_;  // among them elevations
     Inputs inputs(study_, 10, rainfall_, common_.threads, warnings);
     fit_normals(inputs, study_, rainfall_, {.threads = common_.threads}, warnings);
     std::string report = describe_study(inputs) + odd_gauges_text(inputs);
@@ -72,6 +87,11 @@ class CheckCommand : public Command {
 
   std::string describe_readings(Inputs& inputs, Warnings& warnings) const {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings);
+    std::optional<MethodsReport> methods;
+    if (methods_) {
+      methods.emplace(inputs, elevations_in_attributes(inputs.study()), rainfall_.name(),
+                      readings->stamp().value_or(Stamp::begin));
+    }
     std::size_t steps = 0;
     std::size_t missing = 0;
     StepIntervals intervals;
@@ -80,14 +100,18 @@ class CheckCommand : public Command {
       throw_if_interrupted();
       ++steps;
       intervals.note(calendar_time(step.time, step.written));
+      if (methods) methods->add(step);
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
     }
-    return describe_steps(inputs, {steps, missing, intervals, readings->unit()});
+    const std::string text = describe_steps(inputs, {steps, missing, intervals, readings->unit()});
+    if (!methods) return text;
+    return text + methods->text(readings->unit(), static_cast<unsigned>(common_.threads));
   }
 
   StudyOptions study_;
   RainfallOptions rainfall_;
   CommonOptions common_;
+  bool methods_ = false;
 };
 
 }  // namespace

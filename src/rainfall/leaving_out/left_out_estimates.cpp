@@ -76,6 +76,15 @@ void LeftOutEstimates::report(const ReportingPlaces& reports) {
   is_tessellated_ = false;
 }
 
+void LeftOutEstimates::tessellate() {
+  if (is_tessellated_) return;
+  weighing_.report(reports_);
+  for (std::uint32_t p = 0; p < reports_.size(); ++p) {
+    if (reports_[PlaceIndex{p}]) weighing_.at(PlaceIndex{p});
+  }
+  is_tessellated_ = true;
+}
+
 /// Finds up to so many of the nearest other places that report.
 void LeftOutEstimates::find_reporting(std::size_t place, std::size_t count) {
   found_.clear();
@@ -155,11 +164,7 @@ void LeftOutEstimates::tell_means(std::span<const double> values, std::span<doub
 void LeftOutEstimates::tell(PointMethod method, std::span<const double> values,
                             std::span<double> told) {
   if (method == PointMethod::arithmetic) return tell_means(values, told);
-  const bool is_tessellated = method == PointMethod::natural || method == PointMethod::linear;
-  if (is_tessellated && !is_tessellated_) {
-    weighing_.report(reports_);
-    is_tessellated_ = true;
-  }
+  if (method == PointMethod::natural || method == PointMethod::linear) tessellate();
   for (std::uint32_t p = 0; p < values.size(); ++p) {
     if (!reports_[PlaceIndex{p}]) continue;
     if (method == PointMethod::thiessen) {

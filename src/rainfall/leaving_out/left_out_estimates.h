@@ -36,6 +36,8 @@ class LeftOutEstimates {
 
   /// Has these places report from now on.
   void report(const ReportingPlaces& reports);
+  /// Finds the weights that natural and linear share, which they else find when they are asked.
+  void tessellate();
   /// Tells the value at each place that reports by the values of the others; NaN where nobody else
   /// reports. `values` and `told` have an entry for each place, and those that do not report are
   /// not looked at.

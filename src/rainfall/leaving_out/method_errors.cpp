@@ -52,17 +52,21 @@ MethodErrors::MethodErrors(const Network& network, Metric metric, const std::vec
   }
 }
 
-/// Tells all places by all methods. The time is taken without normals, for it is the same with
-/// them; of natural and linear whoever comes first makes the tessellation of the step, which counts
-/// for both.
+/// Tells all places by all methods. Their time is taken without normals, for it is the same with
+/// them; what natural and linear share counts for both.
 void MethodErrors::tell_all(const LeftOutStep& step) {
   const std::vector<double> values = readings_by_place(network_, step.readings);
   std::vector<double> relative;
   if (normals_ != nullptr)
     relative = readings_by_place(network_, relative_readings(normals_, step.readings, step.month));
   estimates_.report(reporting_places(network_, step.readings));
+  double before = thread_seconds();
+  estimates_.tessellate();
+  const double shared = thread_seconds() - before;
+  for (const PointMethod method : {PointMethod::natural, PointMethod::linear})
+    seconds_[static_cast<std::size_t>(method)] += shared;
   for (std::size_t m = 0; m < methods_.size(); ++m) {
-    const double before = thread_seconds();
+    before = thread_seconds();
     estimates_.tell(methods_[m].method, methods_[m].with_normals ? relative : values, told_[m]);
     if (!methods_[m].with_normals)
       seconds_[static_cast<std::size_t>(methods_[m].method)] += thread_seconds() - before;
