@@ -8,7 +8,8 @@
 
 #include "basin/ground_measure.h"
 #include "earth/sphere/gnomonic_chart.h"
-#include "rainfall/network/network.h"
+#include "geometry/point.h"
+#include "rainfall/network/station_index.h"
 
 namespace thiessen {
 
