@@ -53,25 +53,23 @@ class RunSeries {
         rainfall_(rainfall),
         table_(table),
         error_(rainfall, inputs.weighing()),
-        has_normals_(inputs.weighing().normals() != nullptr),
-        tells_months_(has_normals_ && inputs.weighing().normals()->months() > 1) {
+        has_normals_(inputs.weighing().normals() != nullptr) {
     table.tell(
         [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
   }
   RunSeries(const RunSeries&) = delete;
   RunSeries& operator=(const RunSeries&) = delete;
 
-  void add(const RainStep& step) {
+  void add(const RainStep& step, const NormalMonth& month) {
     table_.add(step);
     means.add(step.readings);
     means.note(step.time, calendar_time(step.time, step.written));
     if (!has_normals_) error_.add(step.readings);
-    summary.add(step);
+    summary.add(step, month);
     report.add(step);
   }
   void finish(unsigned threads) {
-    if (rainfall_.leaves_silent_out() && !tells_months_)
-      summary.find_most_influential(rainfall_, threads);
+    if (rainfall_.leaves_silent_out()) summary.find_most_influential(rainfall_, threads);
     if (has_normals_) {
       summary.set_errors_of_mean({}, "they are of weights, and normals make factors beside them");
       return;
@@ -90,7 +88,6 @@ class RunSeries {
   RainTable& table_;
   MeanError error_;
   bool has_normals_;
-  bool tells_months_;
 };
 
 class RunCommand : public Command {
@@ -164,7 +161,7 @@ class RunCommand : public Command {
           *readings, by_month ? static_cast<const StepRainfall&>(*by_month) : rainfall, work,
           [&](RainStep& step) { table.prepare(step); },
           [&](const RainStep& step) {
-            series.add(step);
+            series.add(step, by_month ? NormalMonth(work.month_of(step)) : NormalMonth());
             progress.advance();
           });
     }

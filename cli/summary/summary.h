@@ -8,6 +8,7 @@
 #include "cli/inputs/inputs.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
+#include "rainfall/normals/normal_field.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/rain_statistics.h"
 #include "results/summary_file.h"
@@ -21,7 +22,8 @@ namespace thiessen::cli {
 class Summary {
  public:
   Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
-  void add(const RainStep& step);
+  /// `month` is that of the step where months have normals of their own.
+  void add(const RainStep& step, const NormalMonth& month = {});
   /// Takes the standard errors of the means over all steps, by basin, NaN where one cannot be had.
   /// `shortfall` says why none can, or is empty.
   void set_errors_of_mean(std::vector<double> errors, const std::string& shortfall) {
