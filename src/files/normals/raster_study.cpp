@@ -70,6 +70,10 @@ class RasterReader {
                        " bands, and normals have one, or twelve for the calendar months",
                    "gdal_translate -b N makes a raster of one"});
     }
+    if (source_.bands() == 12) {
+      warnings.add_notice(
+          {file, 0, "its twelve bands are taken to be the months from January to December", ""});
+    }
     settle_crs();
   }
 
@@ -189,18 +193,54 @@ class RasterReader {
     points.reserve(stations.size());
     for (const Station& station : stations) points.push_back(station.position);
     points = to_pixels(std::move(points));
+    require_some_within(points);
     std::vector<std::vector<double>> normals;
     Complaints complaints;
     for (std::size_t s = 0; s < stations.size(); ++s) {
-      normals.push_back(at_pixel(points[s]));
-      complain_of_gauge(stations[s], normals.back(), complaints);
+      const std::optional<RasterPart> pixel = pixel_that_holds(points[s]);
+      normals.push_back(at_pixel(pixel));
+      complain_of_gauge(stations[s], normals.back(), pixel.has_value(), complaints);
     }
     complaints.throw_if_any();
     return normals;
   }
 
-  std::vector<double> at_pixel(Point at) const {
-    WindowValues values(1, 1, source_.bands(), true);
+  /// Throws Error where all stations lie elsewhere.
+  void require_some_within(const std::vector<Point>& points) const {
+    Box stations;
+    for (const Point at : points) {
+      if (pixel_that_holds(at)) return;
+      const Point there = position_of(at);
+      if (std::isfinite(there.x) && std::isfinite(there.y)) stations.take_in(there);
+    }
+    Box raster;
+    const auto columns = static_cast<double>(source_.columns());
+    const auto rows = static_cast<double>(source_.rows());
+    for (const Point corner : {Point{0, 0}, {columns, 0}, {0, rows}, {columns, rows}})
+      raster.take_in(position_of(corner));
+    const std::string where = stations.empty() ? "" : ", and theirs are " + span_text(stations);
+    throw Error({source_.file(), 0,
+                 "none of the stations stands in it: its coordinates" +
+                     (crs_ ? " (" + crs_->name() + ")" : std::string()) + " are " +
+                     span_text(raster) + where,
+                 "the raster is of another place, or in another CRS than it says, which "
+                 "gdal_translate -a_srs puts right"});
+  }
+
+  static std::string span_text(const Box& box) {
+    const auto text = [](double value) { return shortest_text(std::round(1e3 * value) / 1e3); };
+    return "x from " + text(box.low.x) + " to " + text(box.high.x) + " and y from " +
+           text(box.low.y) + " to " + text(box.high.y);
+  }
+
+  /// The raster's coordinates of a position in pixels.
+  Point position_of(Point pixel) const {
+    const auto& t = source_.transform();
+    return {t[0] + pixel.x * t[1] + pixel.y * t[2], t[3] + pixel.x * t[4] + pixel.y * t[5]};
+  }
+
+  /// The pixel that holds a position; nothing where none does.
+  std::optional<RasterPart> pixel_that_holds(Point at) const {
     const double turn = columns_of_turn();
     const auto columns = static_cast<double>(source_.columns());
     double column = at.x + turn * turns_to(at.x, at.x);
@@ -208,24 +248,31 @@ class RasterReader {
     // The far edges of the raster belong to its last pixels.
     if (column == columns) column -= 0.5;
     const double row = at.y == static_cast<double>(source_.rows()) ? at.y - 0.5 : at.y;
-    std::vector<double> normals(source_.bands(), std::numeric_limits<double>::quiet_NaN());
     if (!(column >= 0 && column < columns && row >= 0 && row < static_cast<double>(source_.rows())))
-      return normals;
-    source_.read({static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1, 1}, values,
-                 0);
+      return std::nullopt;
+    return RasterPart{static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1, 1};
+  }
+
+  /// The normals of a pixel, band by band; NaN where there are none.
+  std::vector<double> at_pixel(const std::optional<RasterPart>& pixel) const {
+    std::vector<double> normals(source_.bands(), std::numeric_limits<double>::quiet_NaN());
+    if (!pixel) return normals;
+    WindowValues values(1, 1, source_.bands(), true);
+    source_.read(*pixel, values, 0);
     for (std::size_t b = 0; b < normals.size(); ++b) normals[b] = values.at(b, 0, 0);
     return normals;
   }
 
-  void complain_of_gauge(const Station& station, const std::vector<double>& normals,
+  void complain_of_gauge(const Station& station, const std::vector<double>& normals, bool is_within,
                          Complaints& complaints) const {
     const auto bad = std::find_if_not(normals.begin(), normals.end(), is_good);
     if (bad == normals.end()) return;
     const std::string in_month =
         normals.size() == 1 ? "" : " in month " + std::to_string(bad - normals.begin() + 1);
-    const std::string what = std::isnan(*bad) ? "has no normal" + in_month
-                                              : "has the normal " + shortest_text(*bad) + in_month +
-                                                    ", and normals are above 0";
+    const std::string what = !is_within         ? "lies outside of the raster"
+                             : std::isnan(*bad) ? "has no normal" + in_month
+                                                : "has the normal " + shortest_text(*bad) +
+                                                      in_month + ", and normals are above 0";
     complaints.add({source_.file(), 0, "station " + quoted(station.id, 80) + " " + what,
                     setting("stations_where") + " leaves stations out of the network"});
   }
