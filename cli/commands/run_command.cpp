@@ -59,8 +59,7 @@ class RunSeries {
         report(inputs),
         rainfall_(rainfall),
         table_(table),
-        error_(rainfall, inputs.weighing()),
-        tells_months_(tells_months(inputs)) {
+        error_(rainfall, inputs.weighing()) {
     table.tell(
         [&](const std::string& time, std::span<const double> values) { held.add(time, values); });
   }
@@ -72,12 +71,11 @@ class RunSeries {
     means.add(step.readings);
     means.note(step.time, calendar_time(step.time, step.written));
     error_.add(step.readings, step.basins, month);
-    summary.add(step);
+    summary.add(step, month);
     report.add(step);
   }
   void finish(unsigned threads) {
-    if (rainfall_.leaves_silent_out() && !tells_months_)
-      summary.find_most_influential(rainfall_, threads);
+    if (rainfall_.leaves_silent_out()) summary.find_most_influential(rainfall_, threads);
     std::vector<double> errors = error_.result(threads);
     summary.set_errors_of_mean(std::move(errors), error_.shortfall());
   }
@@ -91,7 +89,6 @@ class RunSeries {
   const ArealRainfall& rainfall_;
   RainTable& table_;
   MeanError error_;
-  bool tells_months_;
 };
 
 class RunCommand : public Command {

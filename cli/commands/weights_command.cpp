@@ -20,6 +20,7 @@
 #include "cli/terminal/progress.h"
 #include "rainfall/influence/influence.h"
 #include "rainfall/influence/step_blocks.h"
+#include "rainfall/series/step_months.h"
 #include "results/influence_file.h"
 #include "results/weights_file.h"
 #include "study/network_change.h"
@@ -37,11 +38,13 @@ class WeightsCommand : public Command {
         options(), "What if", "--influence",
         "what each gauge is worth by these readings (- reads standard input): CSV "
         "basin,station,weight,rms_change,mean_change, of a basin's rainfall without the gauge less "
-        "that with it, both by the cells of the gauges that report, over all steps that have both; "
-        "weight 0: it weighs only while others are silent");
-    rainfall_.declare_stamp(options());
+        "that with it, both by the cells of the gauges that report, over all steps that have both, "
+        "and with the normals of each step's month where months have their own; weight 0: it "
+        "weighs only while others are silent");
     changes_.declare(options());
     range_.declare_range(options());
+    range_.declare_stamp(options());
+    rainfall_.times_are_of(range_);
     gaps_.declare_cache(options());
     output_.declare(options(), Need::optional, "weights.csv",
                     "where the table goes, PG:... is a database; default standard output");
@@ -69,6 +72,7 @@ class WeightsCommand : public Command {
     changes_.check();
     range_.check();
     study_.check();
+    check_stamp();
     model_.check({.is_influence = rainfall_.given(),
                   .is_change = changes_.given(),
                   .is_database = output_.is_database()});
@@ -79,7 +83,8 @@ class WeightsCommand : public Command {
     }
     if (model_.model() && study_.has_normals()) {
       throw UsageError{model_.name() + " has no place for factors, and normals make them",
-                       "--format csv has a column factor; without normals --format holds weights"};
+                       "--format csv has a column factor, and rain --format writes the basins' "
+                       "rainfall with normals"};
     }
     output_.check();
   }
@@ -97,8 +102,7 @@ class WeightsCommand : public Command {
     std::string unit;
     study_.opened = changes_.opened();
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
-    // Influence is of one normal a gauge.
-    fit_normals(inputs, study_, rainfall_, {.may_have_months = false, .threads = common_.threads},
+    fit_normals(inputs, study_, rainfall_, {.stamp = range_.stamp(), .threads = common_.threads},
                 warnings);
     if (rainfall_.given()) {
       write_influence(file, inputs.weighing(), influence(inputs, times, unit, warnings));
@@ -136,6 +140,15 @@ class WeightsCommand : public Command {
                      "ask for one at a time"};
   }
 
+  void check_stamp() const {
+    if (range_.stamp_option() == nullptr || study_.has_normals() || rainfall_.totals().given())
+      return;
+    throw UsageError{
+        "--stamp decides which month's normals count, and when totals of --totals "
+        "ended, and there are neither",
+        "leave it out"};
+  }
+
   void refuse_options_of_readings() const {
     const std::array<const OptionBlock*, 4> blocks{&rainfall_, &rainfall_.totals(), &range_,
                                                    &gaps_};
@@ -161,23 +174,29 @@ class WeightsCommand : public Command {
   /// `unit` becomes that of the changes; empty where it is not known.
   std::vector<std::vector<GaugeInfluence>> influence(Inputs& inputs,
                                                      const std::optional<StepTimes>& times,
-                                                     std::string& unit, Warnings& warnings) const {
-    const NormalField* const normals = inputs.weighing().normals();
-    if (normals != nullptr && normals->months() > 1) {
-      throw UsageError{"--influence is of one normal a gauge, and these are of calendar months",
-                       "give normals of the year"};
-    }
+                                                     std::string& unit, Warnings& warnings) {
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     unit = readings->unit();
+    range_.settle_stamp(readings->stamp(), rainfall_.name());
     const Handovers handovers(inputs.weighing(), threads());
     Influence influence(handovers, gaps_.settings().remembered_bytes, threads());
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
-    for_each_block(*readings, steps_in_a_block, threads(), [&](StepRows rows) {
-      influence.add(rows);
-      progress.advance(rows.size());
-    });
+    for_each_block(*readings, steps_in_a_block, threads(), month_of(inputs),
+                   [&](const StepBlock& block) {
+                     influence.add(block.rows, block.months);
+                     progress.advance(block.rows.size());
+                   });
     return influence.result();
+  }
+
+  /// What tells the month of a step, where months have normals of their own; else empty.
+  MonthOfTime month_of(const Inputs& inputs) const {
+    const NormalField* const normals = inputs.weighing().normals();
+    if (normals == nullptr || normals->months() == 1) return {};
+    return [months = StepMonths(rainfall_.name(), range_.stamp())](const TimeStep& step) {
+      return months.of(step.time, step.written, step.line);
+    };
   }
 
   StudyOptions study_;

@@ -43,15 +43,20 @@ std::vector<GaugeReadings> shown_steps(Inputs& inputs, const StudyOptions& study
   std::vector<GaugeReadings> steps =
       shown_steps(*inputs.open_readings(study, rainfall, warnings), inputs.network(),
                   rainfall.name(), times, warnings);
+  require_months(inputs, rainfall.name(), steps);
+  return steps;
+}
+
+void require_months(const Inputs& inputs, const std::string& rainfall,
+                    std::span<const GaugeReadings> steps) {
   const NormalField* const normals = inputs.weighing().normals();
   for (const GaugeReadings& shown : steps) {
     if (normals == nullptr || normals->months() == 1 || shown.month) continue;
-    throw Error({rainfall.name(), 0,
+    throw Error({rainfall, 0,
                  "time " + quoted(shown.label, 80) +
                      " tells no calendar month, and normals are of calendar months",
                  "give normals of the year"});
   }
-  return steps;
 }
 
 std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& network,

@@ -22,6 +22,11 @@ std::vector<GaugeReadings> shown_steps(Readings& readings, const Network& networ
                                        const std::string& name, std::span<const std::string> times,
                                        Warnings& warnings);
 
+/// Throws Error where calendar months have normals of their own, and a step tells no month.
+/// `rainfall` is for messages.
+void require_months(const Inputs& inputs, const std::string& rainfall,
+                    std::span<const GaugeReadings> steps);
+
 /// Says that means over all steps are shown by the year's normals, where months have their own.
 void tell_of_year(const Inputs& inputs, const RainfallOptions& rainfall, Warnings& warnings);
 

@@ -93,6 +93,7 @@ std::string StudyReport::page(const ReportParts& parts, const Warnings& warnings
   report.places = places_of(inputs_.network());
   report.basins = parts.summary->basins();
   report.remarks = parts.summary->remarks();
+  report.has_factors = inputs_.weighing().normals() != nullptr;
   report.weights = weight_rows(inputs_.weighing(), *parts.weights, inputs_.area_unit());
   report.series = &series_;
   report.gaps = parts.gaps;

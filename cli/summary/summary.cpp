@@ -42,10 +42,10 @@ void Summary::find_depths(const std::string& unit) {
   largest_depths_ = depths_->result(known ? time_of_rate(*known) : std::nullopt);
 }
 
-void Summary::add(const RainStep& step) {
+void Summary::add(const RainStep& step, const NormalMonth& month) {
   if (depths_) depths_->add(step);
   statistics_.add(step.basins);
-  sample_.add(step.readings);
+  sample_.add(step.readings, month);
 }
 
 void Summary::find_most_influential(const ArealRainfall& rainfall, unsigned threads) {
@@ -88,11 +88,9 @@ std::string Summary::remarks() const {
   std::string text;
   if (!shortfall_.empty()) text += "No standard errors: " + shortfall_ + ".\n";
   if (influence_.gauges.empty() && statistics_.steps() > 0) {
-    const NormalField* const normals = inputs_.weighing().normals();
-    text += normals != nullptr && normals->months() > 1
-                ? "The most influential gauges are not told with normals of calendar months.\n"
-                : "The most influential gauges are told with --gaps retessellate and without "
-                  "--min-gauges.\n";
+    text +=
+        "The most influential gauges are told with --gaps retessellate and without "
+        "--min-gauges.\n";
   } else if (influence_.steps < statistics_.steps()) {
     text += "The most influential gauges are those of " + std::to_string(influence_.steps) +
             " of the " + std::to_string(statistics_.steps()) +

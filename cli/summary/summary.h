@@ -10,6 +10,7 @@
 #include "cli/options/period_values.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/influence/most_influential.h"
+#include "rainfall/normals/normal_field.h"
 #include "rainfall/series/largest_depths.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/rain_statistics.h"
@@ -26,7 +27,8 @@ class Summary {
   Summary(const Inputs& inputs, const std::vector<BasinWeights>& weights);
   /// Has the largest depths in these lengths of time looked for. `file` is that of the readings.
   void want_depths(const std::vector<NamedDuration>& lengths, const std::string& file);
-  void add(const RainStep& step);
+  /// `month` is that of the step where months have normals of their own.
+  void add(const RainStep& step, const NormalMonth& month = {});
   /// Takes the largest depths, of values in a unit; call it when all steps have been added. Throws
   /// Error where there can be none.
   void find_depths(const std::string& unit);

@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <exception>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -104,7 +105,7 @@ py::array owned(std::vector<Number> values, std::vector<py::ssize_t> shape) {
 class PartsTable {
  public:
   explicit PartsTable(std::size_t numbers) : numbers_(numbers) {}
-  void add(std::size_t basin, StationIndex station, std::initializer_list<double> numbers) {
+  void add(std::size_t basin, StationIndex station, const std::vector<double>& numbers) {
     basins_.push_back(basin);
     stations_.push_back(index(station));
     auto column = numbers_.begin();
@@ -129,6 +130,11 @@ class PartsTable {
   std::vector<std::vector<double>> numbers_;
 };
 
+/// A factor; NaN where there is no weight.
+double factor_of(const StationWeight& part) {
+  return part.weight > 0 ? part.factor : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::unique_ptr<PythonStudy> make_study(std::optional<StationsFile> stations,
                                         std::optional<BasinsFile> basins,
                                         const std::optional<Doubles>& readings,
@@ -140,12 +146,17 @@ std::unique_ptr<PythonStudy> make_study(std::optional<StationsFile> stations,
 }
 
 py::list weights(const PythonStudy& study) {
-  std::vector<BasinWeights> weights;
+  std::vector<std::vector<BasinWeights>> weights;
   wait_for([&] { weights = study.weights(); }, {}, py::none());
-  PartsTable table(2);
-  for (std::size_t b = 0; b < weights.size(); ++b) {
-    for (const StationWeight& part : weights[b].stations)
-      table.add(b, part.station, {part.area * study.inputs().area_unit().km2, part.weight});
+  const std::size_t factors = study.has_normals() ? weights.size() : 0;
+  PartsTable table(2 + factors);
+  for (std::size_t b = 0; b < weights.front().size(); ++b) {
+    for (std::size_t i = 0; i < weights.front()[b].stations.size(); ++i) {
+      const StationWeight& part = weights.front()[b].stations[i];
+      std::vector<double> row{part.area * study.inputs().area_unit().km2, part.weight};
+      for (std::size_t m = 0; m < factors; ++m) row.push_back(weights[m][b].stations[i].factor);
+      table.add(b, part.station, row);
+    }
   }
   return table.columns();
 }
@@ -171,12 +182,19 @@ py::tuple changed_weights(std::optional<StationsFile> stations, std::optional<Ba
     if (message.file == opened_gauges) told.push_back(message);
   }
   const double km2 = study->inputs().area_unit().km2;
-  PartsTable table(4);
-  for (std::size_t b = 0; b < changed.basins.size(); ++b) {
-    for (const ChangedWeight& part : changed.basins[b])
-      table.add(
-          b, part.before.station,
-          {part.before.area * km2, part.before.weight, part.after.area * km2, part.after.weight});
+  const std::size_t factors = study->has_normals() ? changed.months.size() : 0;
+  PartsTable table(4 + 2 * factors);
+  for (std::size_t b = 0; b < changed.months.front().size(); ++b) {
+    for (std::size_t i = 0; i < changed.months.front()[b].size(); ++i) {
+      const ChangedWeight& part = changed.months.front()[b][i];
+      std::vector<double> row{part.before.area * km2, part.before.weight, part.after.area * km2,
+                              part.after.weight};
+      for (std::size_t m = 0; m < factors; ++m) {
+        row.push_back(factor_of(changed.months[m][b][i].before));
+        row.push_back(factor_of(changed.months[m][b][i].after));
+      }
+      table.add(b, part.before.station, row);
+    }
   }
   return py::make_tuple(table.columns(), changed.stations, shown(told));
 }
@@ -192,18 +210,18 @@ py::tuple cells(PythonStudy& study, const std::optional<Doubles>& readings,
 }
 
 /// Throws what is wrong with the keywords of a series, before its readings are known.
-void check_series(const Keywords& keywords, const std::optional<bool>& dated) {
+void check_series(const Keywords& keywords, const std::optional<bool>& dated, bool has_normals) {
   const SeriesKeywords said(keywords,
                             !dated   ? ReadingsAt::unknown
                             : *dated ? ReadingsAt::dated_memory
                                      : ReadingsAt::memory,
-                            Call::rain);
+                            Call::rain, has_normals);
 }
 
 py::dict rain(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
               const std::vector<std::string>& times, const Keywords& keywords,
               const py::object& told) {
-  SeriesKeywords said(keywords, place_of(readings, dated), Call::rain);
+  SeriesKeywords said(keywords, place_of(readings, dated), Call::rain, study.has_normals());
   const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
@@ -229,7 +247,7 @@ py::dict rain(PythonStudy& study, const std::optional<Doubles>& readings, bool d
 py::tuple influence(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
                     const std::vector<std::string>& times, const Keywords& keywords,
                     const py::object& told) {
-  const SeriesKeywords said(keywords, place_of(readings, dated), Call::influence);
+  SeriesKeywords said(keywords, place_of(readings, dated), Call::influence, study.has_normals());
   const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
@@ -287,6 +305,8 @@ static void declare(py::module_& module) {
       .def("rain", rain)
       .def("influence", influence)
       .def_property_readonly("has_readings", &PythonStudy::has_readings)
+      .def_property_readonly("has_normals", &PythonStudy::has_normals)
+      .def_property_readonly("tells_months", &PythonStudy::tells_months)
       .def_property_readonly("given_ids", &PythonStudy::given_ids)
       .def_property_readonly(
           "stations",

@@ -149,6 +149,7 @@ SeriesKeywords::SeriesKeywords(Call call) {
   if (call == Call::influence) {
     gaps.declare_cache(list);
     range.declare_range(list);
+    range.declare_stamp(list);
     return;
   }
   method.declare(list);
@@ -157,15 +158,22 @@ SeriesKeywords::SeriesKeywords(Call call) {
   list.group("Method").add("--error", cli::flag(errors), "standard errors beside the values");
 }
 
-SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call)
+SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call,
+                               bool has_normals)
     : SeriesKeywords(call) {
   Warnings none;  // only a file of options is warned of, and a series has none
   read(list, keywords, call, none);
   check_readings(readings);
   rainfall.check();
-  range.check(rainfall.totals().given() ||
+  range.check(has_normals || rainfall.totals().given() ||
               (readings == ReadingsAt::files && !rainfall.given()));
-  if (call == Call::influence) return;
+  if (call == Call::influence) {
+    if (range.stamp_option() == nullptr || has_normals || rainfall.totals().given()) return;
+    throw cli::UsageError{
+        "--stamp decides which month's normals count, and when totals of "
+        "--totals ended, and there are neither",
+        "leave it out"};
+  }
   method.check();
   method.check(gaps);
   if (!errors) return;

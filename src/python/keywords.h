@@ -70,7 +70,8 @@ struct SeriesKeywords {
   /// Declares them, with none given. `call` is Call::rain or Call::influence, which takes fewer.
   explicit SeriesKeywords(Call call);
   /// Throws as StudyKeywords does.
-  SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call);
+  /// `has_normals`: what times are of their steps decides whose month's normals count.
+  SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call, bool has_normals);
 
   cli::OptionList list;
   std::string no_stations;  // there is no event among keywords of a series

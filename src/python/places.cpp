@@ -57,7 +57,8 @@ Doubles array_of(const Ring& ring) {
 }  // namespace
 
 StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& positions,
-                         const std::string& crs, const std::string& origin) {
+                         const std::string& crs, const std::string& origin,
+                         const Normals& normals) {
   require_pairs(positions);
   if (ids.size() != static_cast<std::size_t>(positions.shape(0))) {
     throw py::value_error(std::to_string(positions.shape(0)) + " stations, and " +
@@ -73,12 +74,13 @@ StationsFile stations_of(const std::vector<std::string>& ids, const Doubles& pos
   StationsFile file;
   static_cast<StationList&>(file) = given_stations(std::move(stations));
   name(file, "stations", crs, origin);
+  for (std::size_t i = 0; i < normals.size(); ++i) file.normals.emplace(ids.at(i), normals[i]);
   return file;
 }
 
 BasinsFile basins_of(const std::vector<std::string>& ids,
                      const std::vector<std::vector<Rings>>& shapes, const std::string& crs,
-                     const std::string& origin) {
+                     const std::string& origin, const Normals& normals) {
   std::vector<Basin> basins;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     Basin basin{ids[i], {}, {}};
@@ -95,6 +97,7 @@ BasinsFile basins_of(const std::vector<std::string>& ids,
   BasinsFile file;
   static_cast<BasinList&>(file) = given_basins(std::move(basins));
   name(file, "basins", crs, origin);
+  for (std::size_t i = 0; i < normals.size(); ++i) file.normals.emplace(ids.at(i), normals[i]);
   return file;
 }
 

@@ -105,10 +105,6 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
     const auto column = column_of.find(station.id);
     if (column != column_of.end()) columns_.push_back(column->second);  // and is not opened
   }
-  if (keywords_.study.has_normals()) {
-    throw cli::UsageError{"normals are of the program, and the module does not weigh by them",
-                          "thiessen weights and thiessen rain do"};
-  }
   inputs_ = std::make_unique<cli::Inputs>(std::move(files), keywords_.study, keywords_.view.margin,
                                           keywords_.common.threads, warnings_);
 }
@@ -147,18 +143,25 @@ ChangedNetwork PythonStudy::changed_weights(Warnings& warnings) const {
     throw cli::UsageError{"without closes every gauge that reports",
                           "leave one open, or open one with with_"};
   }
-  const auto weights_before = inputs_->weighing().weights(before, threads());
-  const auto weights_after = inputs_->weighing().weights(after, threads());
-  change.warn_of_no_effect(weights_before, weights_after, warnings);
+  const auto weights_before = inputs_->weighing().weights_by_month(before, threads());
+  const auto weights_after = inputs_->weighing().weights_by_month(after, threads());
+  change.warn_of_no_effect(weights_before.front(), weights_after.front(), warnings);
   ChangedNetwork changed;
-  for (std::size_t b = 0; b < weights_before.size(); ++b)
-    changed.basins.push_back(thiessen::changed_weights(weights_before[b], weights_after[b]));
+  for (std::size_t m = 0; m < weights_before.size(); ++m) {
+    auto& basins = changed.months.emplace_back();
+    for (std::size_t b = 0; b < weights_before[m].size(); ++b)
+      basins.push_back(thiessen::changed_weights(weights_before[m][b], weights_after[m][b]));
+  }
   for (const Station& station : stations) changed.stations.push_back(station.id);
   return changed;
 }
 
-std::vector<BasinWeights> PythonStudy::weights() const {
-  return inputs_->weighing().weights(inputs_->all_report(), threads());
+bool PythonStudy::tells_months() const {
+  return has_normals() && inputs_->weighing().normals()->months() > 1;
+}
+
+std::vector<std::vector<BasinWeights>> PythonStudy::weights() const {
+  return inputs_->weighing().weights_by_month(inputs_->all_report(), threads());
 }
 
 /// The readings that cells show: the step at `time`, or the means where it is empty.
@@ -168,7 +171,9 @@ std::optional<GaugeReadings> PythonStudy::shown(const std::optional<GivenReading
     return cli::shown_readings(*inputs_, keywords_.study, keywords_.rainfall, time, warnings);
   DatedRows rows(*readings, columns_);
   if (time.empty()) return read_gauges(rows, inputs_->network(), "");
-  return cli::shown_steps(rows, inputs_->network(), "", {&time, 1}, warnings).front();
+  const auto steps = cli::shown_steps(rows, inputs_->network(), "", {&time, 1}, warnings);
+  cli::require_months(*inputs_, "", steps);
+  return steps.front();
 }
 
 std::string PythonStudy::cells_geojson(const std::optional<GivenReadings>& readings,
@@ -205,6 +210,24 @@ std::unique_ptr<Readings> PythonStudy::open(const std::optional<GivenReadings>& 
   return std::make_unique<DatedReadings>(std::move(rows), "", *wanted, warnings);
 }
 
+/// What tells the months of steps, where months have normals of their own. Takes what files say of
+/// their times into the keywords.
+std::optional<StepMonths> PythonStudy::months(const std::optional<GivenReadings>& readings,
+                                              SeriesKeywords& keywords,
+                                              const Readings& opened) const {
+  if (!tells_months()) return std::nullopt;
+  if (readings) return StepMonths("", keywords.range.stamp());
+  keywords.range.settle_stamp(opened.stamp(), files_of(keywords).name());
+  return StepMonths(files_of(keywords).name(), keywords.range.stamp());
+}
+
+/// Throws where steps need times, and readings in memory have none.
+void require_times(const std::optional<GivenReadings>& readings, bool are_needed) {
+  if (!readings || !are_needed || !readings->times.empty()) return;
+  throw Error({"", 0, "the readings have no times, and normals are of calendar months",
+               "a frame has them in its index"});
+}
+
 /// The periods over which the steps are summed, if they are.
 std::optional<Totalling> PythonStudy::totals(const Readings& opened,
                                              const std::optional<GivenReadings>& readings,
@@ -218,34 +241,40 @@ std::optional<Totalling> PythonStudy::totals(const Readings& opened,
   return totalling;
 }
 
-void PythonStudy::read_for_errors(const HeldRows* rows, const SeriesKeywords& keywords,
-                                  ErrorsOfSeries& errors) {
-  if (rows != nullptr) {
+void PythonStudy::read_for_errors(const HeldRows* rows, const std::optional<GivenReadings>& given,
+                                  SeriesKeywords& keywords, ErrorsOfSeries& errors) {
+  if (rows != nullptr && !tells_months()) {
     std::vector<double> buffer;
     for (std::size_t step = 0; step < rows->size(); ++step) errors.add(rows->row(step, buffer), {});
     return;
   }
   Warnings told_later;  // when the files are read again
-  const auto readings =
-      inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt,
-                             keywords.range.stamp());
+  std::unique_ptr<Readings> readings;
+  if (given) {
+    readings = std::make_unique<DatedRows>(*given, columns_);
+  } else {
+    readings = inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt,
+                                      keywords.range.stamp());
+  }
+  const std::optional<StepMonths> months = this->months(given, keywords, *readings);
   for (TimeStep step; readings->next(step);) {
     throw_if_interrupted();
-    errors.add(step.readings, {});
+    errors.add(step.readings,
+               months ? months->of(step.time, step.written, step.line) : NormalMonth());
   }
 }
 
 /// What computes each step, with its errors where these are wanted.
-std::unique_ptr<const StepRainfall> PythonStudy::step_rainfall(const HeldRows* rows,
-                                                               const SeriesKeywords& keywords,
-                                                               Warnings& warnings) {
+std::unique_ptr<const StepRainfall> PythonStudy::step_rainfall(
+    const HeldRows* rows, const std::optional<GivenReadings>& given, SeriesKeywords& keywords,
+    Warnings& warnings) {
   ArealRainfallSettings settings = keywords.gaps.settings();
   settings.accounts = false;
   std::optional<ErrorsOfSeries> errors;
   std::string shortfall;
   AroundRainfall around;
   if (keywords.errors) {
-    read_for_errors(rows, keywords, errors.emplace(inputs_->weighing()));
+    read_for_errors(rows, given, keywords, errors.emplace(inputs_->weighing()));
     around = [&](std::unique_ptr<const WeighedRainfall> values, const NormalMonth& month) {
       auto error = errors->of(std::move(values), month, threads());
       shortfall = error->shortfall();
@@ -295,6 +324,7 @@ void PythonStudy::compute(const HeldRows& rows, const StepRainfall& rainfall, bo
 
 Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKeywords& keywords,
                          Progress& progress, Warnings& warnings) {
+  require_times(readings, tells_months());
   Series series = series_with_names(keywords);
   std::optional<HeldRows> rows;
   if (readings) {
@@ -302,8 +332,8 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
     rows.emplace(readings->matrix, columns_);
   }
   const std::unique_ptr<const StepRainfall> rainfall =
-      step_rainfall(rows ? &*rows : nullptr, keywords, warnings);
-  if (rows && !keywords.range.times()) {
+      step_rainfall(rows ? &*rows : nullptr, readings, keywords, warnings);
+  if (rows && !keywords.range.times() && !rainfall->tells_months()) {
     compute(*rows, *rainfall, keywords.errors, series, progress);
     return series;
   }
@@ -323,24 +353,37 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
     }
     progress.advance(1);
   };
+  SeriesWork work{threads()};
+  if (const auto told = months(readings, keywords, *opened)) {
+    work.month_of = [told](const RainStep& step) {
+      return told->of(step.time, step.written, step.line);
+    };
+  }
   for_each_step(
-      *opened, *rainfall, {threads()}, [](RainStep&) {}, take);
+      *opened, *rainfall, work, [](RainStep&) {}, take);
   if (periods) periods->finish(warnings);
   return series;
 }
 
 std::vector<std::vector<GaugeInfluence>> PythonStudy::influence(
-    const std::optional<GivenReadings>& readings, const SeriesKeywords& keywords,
-    Progress& progress, Warnings& warnings) {
+    const std::optional<GivenReadings>& readings, SeriesKeywords& keywords, Progress& progress,
+    Warnings& warnings) {
+  require_times(readings, tells_months());
   const Handovers handovers(inputs_->weighing(), threads());
   Influence influence(handovers, keywords.gaps.settings().remembered_bytes, threads());
   if (readings) check_readings(readings->matrix, given_ids_);
-  if (!readings || keywords.range.times()) {
+  if (!readings || keywords.range.times() || tells_months()) {
     const auto opened = open(readings, keywords, warnings);
-    for_each_block(*opened, steps_in_a_block, threads(), [&](StepRows block) {
+    MonthOfTime month_of;
+    if (const auto told = months(readings, keywords, *opened)) {
+      month_of = [told](const TimeStep& step) {
+        return told->of(step.time, step.written, step.line);
+      };
+    }
+    for_each_block(*opened, steps_in_a_block, threads(), month_of, [&](const StepBlock& block) {
       throw_if_interrupted();
-      influence.add(block);
-      progress.advance(block.size());
+      influence.add(block.rows, block.months);
+      progress.advance(block.rows.size());
     });
     return influence.result();
   }

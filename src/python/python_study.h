@@ -17,6 +17,8 @@
 #include "rainfall/influence/influence.h"
 #include "rainfall/series/gauge_readings.h"
 #include "rainfall/series/rain_totals.h"
+#include "rainfall/series/readings.h"
+#include "rainfall/series/step_months.h"
 #include "results/weights_file.h"
 
 namespace thiessen::python {
@@ -34,9 +36,10 @@ struct Series {
   std::vector<std::size_t> missing;  ///< of totals: how many steps have no value
 };
 
-/// The weights of a basin's stations before and after gauges close and open.
+/// The weights of basins' stations before and after gauges close and open, once or, where months
+/// have normals of their own, with the factors of each.
 struct ChangedNetwork {
-  std::vector<std::vector<ChangedWeight>> basins;
+  std::vector<std::vector<std::vector<ChangedWeight>>> months;  ///< by month, then by basin
   std::vector<std::string> stations;  ///< the ids of all stations, the opened behind the others
 };
 
@@ -63,7 +66,11 @@ class PythonStudy {
   /// The ids of all stations, in the order in which they were given.
   const std::vector<std::string>& given_ids() const { return given_ids_; }
   bool has_readings() const { return keywords_.rainfall.given(); }
-  std::vector<BasinWeights> weights() const;
+  bool has_normals() const { return inputs_->weighing().normals() != nullptr; }
+  /// Whether calendar months have normals of their own, so that steps need times.
+  bool tells_months() const;
+  /// The weights, once or, where months have normals of their own, with the factors of each.
+  std::vector<std::vector<BasinWeights>> weights() const;
   /// The weights before and after the change that the keywords say, of the stations but those that
   /// never report.
   ChangedNetwork changed_weights(Warnings& warnings) const;
@@ -76,17 +83,17 @@ class PythonStudy {
   Series rain(const std::optional<GivenReadings>& readings, SeriesKeywords& keywords,
               Progress& progress, Warnings& warnings);
   std::vector<std::vector<GaugeInfluence>> influence(const std::optional<GivenReadings>& readings,
-                                                     const SeriesKeywords& keywords,
-                                                     Progress& progress, Warnings& warnings);
+                                                     SeriesKeywords& keywords, Progress& progress,
+                                                     Warnings& warnings);
   /// What was assumed, found out or mended.
   const Warnings& warnings() const { return warnings_; }
 
  private:
-  void read_for_errors(const HeldRows* rows, const SeriesKeywords& keywords,
-                       ErrorsOfSeries& errors);
+  void read_for_errors(const HeldRows* rows, const std::optional<GivenReadings>& given,
+                       SeriesKeywords& keywords, ErrorsOfSeries& errors);
   std::unique_ptr<const StepRainfall> step_rainfall(const HeldRows* rows,
-                                                    const SeriesKeywords& keywords,
-                                                    Warnings& warnings);
+                                                    const std::optional<GivenReadings>& given,
+                                                    SeriesKeywords& keywords, Warnings& warnings);
   Series series_with_names(const SeriesKeywords& keywords) const;
   void compute(const HeldRows& rows, const StepRainfall& rainfall, bool errors, Series& series,
                Progress& progress) const;
@@ -100,6 +107,8 @@ class PythonStudy {
                                      const std::string& time, Warnings& warnings);
   void keep_full_network(const GivenParts& given, StudyFiles& files);
   const cli::RainfallOptions& files_of(const SeriesKeywords& keywords) const;
+  std::optional<StepMonths> months(const std::optional<GivenReadings>& readings,
+                                   SeriesKeywords& keywords, const Readings& opened) const;
 
   Warnings warnings_;
   StudyKeywords keywords_;

@@ -32,6 +32,7 @@ struct Report {
   std::vector<BasinSummary> basins;
   std::string remarks;  ///< what is to be said of the summary; lines
   std::vector<WeightRow> weights;
+  bool has_factors = false;  ///< whether normals make factors beside the weights, of the year
   const ThinnedSeries* series = nullptr;
   Gaps gaps = Gaps::retessellate;  ///< what a step with silent gauges got
   bool has_totals = false;         ///< whether rain.csv has totals over periods, and not the steps

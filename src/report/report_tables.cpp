@@ -152,11 +152,14 @@ std::string basins_table(const Report& report) {
 }
 
 std::string weights_table(const Report& report) {
-  HtmlTable table("Weights of the full network",
-                  {{"basin"}, {"gauge"}, {area_heading(report), true}, {"weight", true}});
+  std::vector<Column> columns{{"basin"}, {"gauge"}, {area_heading(report), true}, {"weight", true}};
+  if (report.has_factors) columns.push_back({"factor", true});
+  HtmlTable table("Weights of the full network", columns);
   for (const WeightRow& weight : report.weights) {
-    table.add({weight.basin, weight.station, significant_text(weight.area, 4),
-               significant_text(weight.weight, 4)});
+    std::vector<std::string> row{weight.basin, weight.station, significant_text(weight.area, 4),
+                                 significant_text(weight.weight, 4)};
+    if (report.has_factors) row.push_back(significant_text(weight.factor, 4));
+    table.add(row);
   }
   return std::move(table).text("weights.csv");
 }

@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "rainfall/areal_rainfall.h"
+#include "rainfall/normals/uniform_normals.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
 #include "study/given_lists.h"
@@ -30,6 +31,37 @@ void check_settings(const ThiessenInput& input) {
   check(tolerances.holds(input.tolerance), "the tolerance is not between 0.001 and 1e6 metres");
   check(margins.holds(input.margin), "the margin is not between 0 and 1000 percent");
   complaints.throw_if_any();
+}
+
+/// The normals that are given; null where there are none.
+std::shared_ptr<const NormalField> normals_of(const ThiessenInput& input) {
+  if (input.station_normals.empty() && input.basin_normals.empty()) return nullptr;
+  Complaints complaints;
+  const auto by_one = [&](const std::vector<double>& normals, std::size_t count, const char* what) {
+    if (normals.size() != count) {
+      complaints.add({"", 0,
+                      std::to_string(count) + " " + what + ", and " +
+                          std::to_string(normals.size()) + " normals: one for each is needed",
+                      ""});
+    }
+    std::vector<std::vector<double>> all;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      if (!std::isfinite(normals[i]) || normals[i] <= 0) {
+        complaints.add(
+            {"", 0,
+             "the normal of number " + std::to_string(i) + " of the " + what + " is not above 0",
+             ""});
+      }
+      all.push_back({normals[i]});
+    }
+    return all;
+  };
+  auto stations = by_one(input.station_normals, input.stations.size(), "stations");
+  const bool has_basins = !input.basins.empty();
+  const auto basins = by_one(input.basin_normals, has_basins ? input.basins.size() : 1,
+                             has_basins ? "basins" : "study area");
+  complaints.throw_if_any();
+  return std::make_shared<const UniformNormals>(std::move(stations), basins);
 }
 
 std::shared_ptr<StudyParts> parts_of(ThiessenInput input, Warnings& warnings) {
@@ -60,9 +92,15 @@ std::shared_ptr<StudyParts> parts_of(ThiessenInput input, Warnings& warnings) {
 struct Thiessen::Held {
   Held(ThiessenInput input, unsigned threads_wanted)
       : settings{input.margin, input.tolerance, input.allow_far},
+        normals(normals_of(input)),
         study(parts_of(std::move(input), warnings), settings, warnings),
-        rainfall(study.weighing(), {}, threads_wanted),
+        rainfall(weighing(), {}, threads_wanted),
         threads(threads_wanted) {}
+
+  const Weighing& weighing() {
+    if (normals) study.take_normals(normals);
+    return study.weighing();
+  }
 
   void require_one_each(std::size_t count, const char* of_what) const {
     const std::size_t stations = study.network().stations().size();
@@ -75,6 +113,7 @@ struct Thiessen::Held {
 
   Warnings warnings;
   StudySettings settings;
+  std::shared_ptr<const NormalField> normals;
   Study study;
   ArealRainfall rainfall;
   unsigned threads;

@@ -44,6 +44,12 @@ struct ThiessenInput {
   double margin = 0;
   /// Metres, from 0.001 to 1e6, that an edge of a cell may lie from the true one.
   double tolerance = 0.1;
+  /// Normals, or none: a long-term mean at each station and over each basin (over the study area,
+  /// where there are no basins), all above 0 and in one unit, whichever it is. A reading counts
+  /// times the basin's normal over the gauge's, which is StationWeight::factor. Where calendar
+  /// months have normals of their own, each wants a Thiessen.
+  std::vector<double> station_normals;
+  std::vector<double> basin_normals;
   /// Whether basins that cross themselves are mended by union, with a warning that names the ground
   /// in dispute, instead of refused.
   bool mend = false;
@@ -61,8 +67,8 @@ class Thiessen {
   /// that is not a number, is no degree where it has to be one, or lies outside the exact range of
   /// predicates.h; a basin that has no area, crosses itself, or has an edge of more than 180 to 270
   /// degrees of longitude; stations without extent and no basin; gauges and basins nowhere near
-  /// each other. Warns of basins far from every gauge. Cost: n log n in the stations and in the
-  /// vertices of the basins.
+  /// each other; normals that are not one for each, or not above 0. Warns of basins far from every
+  /// gauge. Cost: n log n in the stations and in the vertices of the basins.
   explicit Thiessen(ThiessenInput input, unsigned threads = 1);
   ~Thiessen();
   Thiessen(Thiessen&&) noexcept;

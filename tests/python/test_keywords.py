@@ -54,13 +54,13 @@ def test_the_lists_are_those_of_the_calls():
 VALUES = {"stations_skip": 1, "basins_skip": 1, "rainfall_skip": 1, "skip": 1, "scale": 2, "from_unit": "cm", "to_unit": "cm",
           "stations_separator": ";", "basins_separator": ";", "rainfall_separator": ";", "separator": ";",
           "stations_encoding": "cp932", "basins_encoding": "cp932", "rainfall_encoding": "cp932", "encoding": "cp932",
-          "metric": "planar", "plane": "EPSG:32633", "crs": "EPSG:32633", "basins_crs": "EPSG:32633", "tolerance": 1,
+          "normals": "nowhere.tif", "metric": "planar", "plane": "EPSG:32633", "crs": "EPSG:32633", "basins_crs": "EPSG:32633", "tolerance": 1,
           "margin": 1, "threads": 1, "cache": 1, "time_format": "excel", "config": "nowhere.toml"}
 FLAGS = {"skip_unplaced", "mend", "decimal_comma", "stations_decimal_comma", "basins_decimal_comma",
          "rainfall_decimal_comma", "allow_far", "ignore_unknown", "ids_as_numbers", "keep_flagged", "cumulative",
          "attributes", "quiet"}
 # What acts on a study in memory with basins.
-ACT = {"crs", "basins_crs", "mend", "metric", "plane", "allow_far", "tolerance", "threads", "quiet", "config"}
+ACT = {"crs", "basins_crs", "mend", "metric", "plane", "allow_far", "tolerance", "threads", "quiet", "config", "normals"}
 
 
 @pytest.mark.parametrize("name", sorted(set(CALLS["Study"]) - ACT))

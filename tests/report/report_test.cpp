@@ -72,6 +72,16 @@ TEST(ReportPage, is_the_same_for_the_same_study) {
   EXPECT_EQ(report_page(TwoCells().report), report_page(TwoCells().report));
 }
 
+TEST(ReportPage, has_a_column_of_factors_where_normals_make_them) {
+  TwoCells study;
+  EXPECT_FALSE(has(report_page(study.report), ">factor</button>"));
+  study.report.has_factors = true;
+  study.report.weights.back().factor = 1.375;
+  const std::string page = report_page(study.report);
+  EXPECT_TRUE(has(page, ">factor</button>"));
+  EXPECT_TRUE(has(page, "<td class=\"n\">0.5000</td><td class=\"n\">1.375</td></tr>"));
+}
+
 TEST(ReportPage, has_no_part_left_open) {
   EXPECT_FALSE(has(report_page(TwoCells().report), "{{"));
 }

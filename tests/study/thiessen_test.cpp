@@ -172,6 +172,30 @@ TEST(Thiessen, rainfall_is_the_sum_of_weight_and_reading_and_a_silent_gauge_hand
   EXPECT_EQ(study.weights({false, true})[0].stations[0].weight, 1);
 }
 
+// The factors are 60 / 40 and 60 / 80: 0.5 x 1.5 x 10 + 0.5 x 0.75 x 13 = 12.375; of a alone 15.
+TEST(Thiessen, readings_count_by_normals) {
+  ThiessenInput input = two_gauges();
+  input.station_normals = {40, 80};
+  input.basin_normals = {60};
+  const Thiessen study(input);
+  expect_halves(study);
+  EXPECT_EQ(study.weights()[0].stations[0].factor, 1.5);
+  EXPECT_EQ(study.weights({true, false})[0].stations[0].factor, 1.5);
+  EXPECT_EQ(study.cells()[0][1].factor, 0.75);
+  EXPECT_DOUBLE_EQ(study.rainfall(std::vector{10.0, 13.0})[0].rainfall, 12.375);
+  EXPECT_DOUBLE_EQ(study.rainfall(std::vector{10.0, nan})[0].rainfall, 15);
+}
+
+TEST(Thiessen, refuses_normals_that_are_not_one_for_each_and_above_0) {
+  ThiessenInput input = two_gauges();
+  input.station_normals = {40, 0, nan};
+  EXPECT_EQ(faults_of(input),
+            (std::vector<std::string>{"2 stations, and 3 normals: one for each is needed",
+                                      "the normal of number 1 of the stations is not above 0",
+                                      "the normal of number 2 of the stations is not above 0",
+                                      "1 basins, and 0 normals: one for each is needed"}));
+}
+
 TEST(Thiessen, refuses_more_or_fewer_readings_than_stations) {
   const Thiessen study(two_gauges());
   EXPECT_EQ(complaints_of([&] { study.rainfall(std::vector<double>{1}); }),

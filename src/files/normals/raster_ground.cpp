@@ -78,6 +78,12 @@ std::vector<Point> nodes_of(const RasterFrame& frame, std::size_t spacing) {
   return nodes;
 }
 
+std::string span_text(const Box& box) {
+  const auto text = [](double value) { return shortest_text(std::round(1e3 * value) / 1e3); };
+  return "x from " + text(box.low.x) + " to " + text(box.high.x) + " and y from " +
+         text(box.low.y) + " to " + text(box.high.y);
+}
+
 Point block_of(const RasterFrame& frame) {
   return {static_cast<double>(frame.block_columns), static_cast<double>(frame.block_rows)};
 }
@@ -155,8 +161,7 @@ std::vector<Point> RasterGround::to_pixels(std::vector<Point> points) const {
 }
 
 std::vector<Point> RasterGround::to_study(std::vector<Point> positions) const {
-  const auto& t = source_.transform();
-  for (Point& p : positions) p = {t[0] + p.x * t[1] + p.y * t[2], t[3] + p.x * t[4] + p.y * t[5]};
+  for (Point& p : positions) p = position_of(p);
   if (!is_same_) back_->apply_unproved(positions);
   return positions;
 }
@@ -175,18 +180,53 @@ double RasterGround::turns_to(double first, double last) const {
   return best;
 }
 
-std::vector<std::vector<double>> RasterGround::at_stations() const {
+std::vector<std::optional<RasterPart>> RasterGround::pixels_of_stations() const {
   const std::vector<Station>& stations = study_.network().stations();
   std::vector<Point> points;
   points.reserve(stations.size());
   for (const Station& station : stations) points.push_back(station.position);
+  points = to_pixels(std::move(points));
+  std::vector<std::optional<RasterPart>> pixels;
+  pixels.reserve(points.size());
+  for (const Point p : points) pixels.push_back(pixel_that_holds(p));
+  if (std::none_of(pixels.begin(), pixels.end(), [](const auto& pixel) { return pixel; }))
+    throw_elsewhere(points);
+  return pixels;
+}
+
+std::vector<std::vector<double>> RasterGround::at_stations() const {
   std::vector<std::vector<double>> values;
-  for (const Point p : to_pixels(std::move(points))) values.push_back(at_pixel(p));
+  for (const std::optional<RasterPart>& pixel : pixels_of_stations())
+    values.push_back(at_pixel(pixel));
   return values;
 }
 
-std::vector<double> RasterGround::at_pixel(Point at) const {
-  WindowValues values(1, 1, source_.bands(), true);
+void RasterGround::throw_elsewhere(const std::vector<Point>& stations) const {
+  Box theirs;
+  for (const Point at : stations) {
+    const Point there = position_of(at);
+    if (std::isfinite(there.x) && std::isfinite(there.y)) theirs.take_in(there);
+  }
+  Box raster;
+  const auto columns = static_cast<double>(source_.columns());
+  const auto rows = static_cast<double>(source_.rows());
+  for (const Point corner : {Point{0, 0}, {columns, 0}, {0, rows}, {columns, rows}})
+    raster.take_in(position_of(corner));
+  const std::string where = theirs.empty() ? "" : ", and theirs are " + span_text(theirs);
+  throw Error({source_.file(), 0,
+               "none of the stations stands in it: its coordinates" +
+                   (crs_ ? " (" + crs_->name() + ")" : std::string()) + " are " +
+                   span_text(raster) + where,
+               "the raster is of another place, or in another CRS than it says, which "
+               "gdal_translate -a_srs puts right"});
+}
+
+Point RasterGround::position_of(Point pixel) const {
+  const auto& t = source_.transform();
+  return {t[0] + pixel.x * t[1] + pixel.y * t[2], t[3] + pixel.x * t[4] + pixel.y * t[5]};
+}
+
+std::optional<RasterPart> RasterGround::pixel_that_holds(Point at) const {
   const double turn = columns_of_turn();
   const auto columns = static_cast<double>(source_.columns());
   double column = at.x + turn * turns_to(at.x, at.x);
@@ -194,12 +234,18 @@ std::vector<double> RasterGround::at_pixel(Point at) const {
   // The far edges of the raster belong to its last pixels.
   if (column == columns) column -= 0.5;
   const double row = at.y == static_cast<double>(source_.rows()) ? at.y - 0.5 : at.y;
-  std::vector<double> normals(source_.bands(), std::numeric_limits<double>::quiet_NaN());
   if (!(column >= 0 && column < columns && row >= 0 && row < static_cast<double>(source_.rows())))
-    return normals;
-  source_.read({static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1, 1}, values, 0);
-  for (std::size_t b = 0; b < normals.size(); ++b) normals[b] = values.at(b, 0, 0);
-  return normals;
+    return std::nullopt;
+  return RasterPart{static_cast<std::size_t>(column), static_cast<std::size_t>(row), 1, 1};
+}
+
+std::vector<double> RasterGround::at_pixel(const std::optional<RasterPart>& pixel) const {
+  std::vector<double> found(source_.bands(), std::numeric_limits<double>::quiet_NaN());
+  if (!pixel) return found;
+  WindowValues values(1, 1, source_.bands(), true);
+  source_.read(*pixel, values, 0);
+  for (std::size_t b = 0; b < found.size(); ++b) found[b] = values.at(b, 0, 0);
+  return found;
 }
 
 std::string RasterGround::place_of(std::size_t basin) const {

@@ -57,6 +57,11 @@ class RasterGround {
                Warnings& warnings);
 
   const RasterSource& source() const { return source_; }
+  /// The pixel that holds each station; nothing where none does. Throws Error where all stations
+  /// lie elsewhere.
+  std::vector<std::optional<RasterPart>> pixels_of_stations() const;
+  /// The values of a pixel, band by band; NaN where there are none.
+  std::vector<double> at_pixel(const std::optional<RasterPart>& pixel) const;
   /// The values at each station, band by band; NaN where there is none.
   std::vector<std::vector<double>> at_stations() const;
   /// Where a basin lies; nothing where it lies outside, with a complaint. Throws Error where it has
@@ -104,7 +109,12 @@ class RasterGround {
   bool goes_round() const;
   /// By how many turns a range of columns is to be moved to lie in the raster as far as it can.
   double turns_to(double first, double last) const;
-  std::vector<double> at_pixel(Point at) const;
+  /// The pixel that holds a position; nothing where none does.
+  std::optional<RasterPart> pixel_that_holds(Point at) const;
+  /// The raster's coordinates of a position in pixels.
+  Point position_of(Point pixel) const;
+  /// Says that all stations, which are at these positions in pixels, lie elsewhere.
+  [[noreturn]] void throw_elsewhere(const std::vector<Point>& stations) const;
   /// The mapping to the raster's own pixels; null where the projection does not reach.
   std::unique_ptr<const PixelMapping> mapping_of(const Basin& basin) const;
   /// The mapping to blocks of pixels counted from a corner.

@@ -19,7 +19,12 @@ bool is_good(double normal) {
   return std::isfinite(normal) && normal > 0;
 }
 
-void require_bands(const RasterSource& source) {
+void settle_bands(const RasterSource& source, Warnings& warnings) {
+  if (source.bands() == 12) {
+    warnings.add_notice({source.file(), 0,
+                         "its twelve bands are taken to be the months from January to December",
+                         ""});
+  }
   if (source.bands() == 1 || source.bands() == 12) return;
   throw Error({source.file(), 0,
                "has " + std::to_string(source.bands()) +
@@ -28,14 +33,15 @@ void require_bands(const RasterSource& source) {
 }
 
 void complain_of_gauge(const std::string& file, const Station& station,
-                       const std::vector<double>& normals, Complaints& complaints) {
+                       const std::vector<double>& normals, bool is_within, Complaints& complaints) {
   const auto bad = std::find_if_not(normals.begin(), normals.end(), is_good);
   if (bad == normals.end()) return;
   const std::string in_month =
       normals.size() == 1 ? "" : " in month " + std::to_string(bad - normals.begin() + 1);
-  const std::string what = std::isnan(*bad) ? "has no normal" + in_month
-                                            : "has the normal " + shortest_text(*bad) + in_month +
-                                                  ", and normals are above 0";
+  const std::string what = !is_within         ? "lies outside of the raster"
+                           : std::isnan(*bad) ? "has no normal" + in_month
+                                              : "has the normal " + shortest_text(*bad) + in_month +
+                                                    ", and normals are above 0";
   complaints.add({file, 0, "station " + quoted(station.id, 80) + " " + what,
                   setting("stations_where") + " leaves stations out of the network"});
 }
@@ -69,11 +75,15 @@ void complain_of_values(const RasterGround& ground, std::size_t basin, const Ras
 std::shared_ptr<const NormalField> normals_of_raster(const std::string& file, const Study& study,
                                                      const StudyFiles& files, Warnings& warnings) {
   const RasterGround ground(file, study, files, warnings);
-  require_bands(ground.source());
-  std::vector<std::vector<double>> gauges = ground.at_stations();
+  settle_bands(ground.source(), warnings);
+  const std::vector<std::optional<RasterPart>> pixels = ground.pixels_of_stations();
+  std::vector<std::vector<double>> gauges;
   Complaints complaints;
-  for (std::size_t s = 0; s < gauges.size(); ++s)
-    complain_of_gauge(file, study.network().stations()[s], gauges[s], complaints);
+  for (std::size_t s = 0; s < pixels.size(); ++s) {
+    gauges.push_back(ground.at_pixel(pixels[s]));
+    complain_of_gauge(file, study.network().stations()[s], gauges[s], pixels[s].has_value(),
+                      complaints);
+  }
   complaints.throw_if_any();
   const std::vector<double> references = gauges.front();
   std::vector<NormalWindow> windows;

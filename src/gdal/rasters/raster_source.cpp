@@ -9,7 +9,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <mutex>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -115,6 +117,61 @@ Band band_of(GDALDataset& dataset, int number) {
   return found;
 }
 
+/// How many pixels of a band are read at once, where blocks are not larger.
+constexpr std::size_t chunk_pixels = std::size_t{1} << 16;
+
+/// Some rows of a band.
+struct Chunk {
+  RasterPart part;
+  std::vector<double> values;  ///< row by row; NaN where there is none
+  std::vector<unsigned char> mask;
+};
+
+/// Reads the values of a chunk's part. Throws Error where GDAL cannot.
+void read_chunk(const Band& band, const std::string& file, Chunk& chunk) {
+  const GdalErrors errors;
+  const int column = static_cast<int>(chunk.part.column);
+  const int line = static_cast<int>(chunk.part.row);
+  const int columns = static_cast<int>(chunk.part.columns);
+  const int rows = static_cast<int>(chunk.part.rows);
+  const auto read = [&](GDALRasterBand* from, void* to, GDALDataType type) {
+    if (from->RasterIO(GF_Read, column, line, columns, rows, to, columns, rows, type, 0, 0,
+                       nullptr) != CE_None)
+      refuse(file, "cannot be read: " + errors.text());
+  };
+  chunk.values.resize(chunk.part.columns * chunk.part.rows);
+  read(band.band, chunk.values.data(), GDT_Float64);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  if (band.has_no_value) {
+    const bool is_narrow = band.band->GetRasterDataType() == GDT_Float32;
+    const double no_value =
+        is_narrow ? static_cast<double>(static_cast<float>(band.no_value)) : band.no_value;
+    for (double& value : chunk.values) value = value == no_value ? none : value;
+  }
+  if (band.has_mask) {
+    chunk.mask.resize(chunk.values.size());
+    read(band.band->GetMaskBand(), chunk.mask.data(), GDT_Byte);
+    for (std::size_t i = 0; i < chunk.values.size(); ++i) {
+      if (chunk.mask[i] == 0) chunk.values[i] = none;
+    }
+  }
+  if (band.scale == 1 && band.offset == 0) return;
+  for (double& value : chunk.values) value = band.scale * value + band.offset;
+}
+
+/// Refuses numbers that stand for colours, and not for values.
+void refuse_colours(const std::string& file, GDALRasterBand& band, int number) {
+  const GDALColorInterp colour = band.GetColorInterpretation();
+  const bool is_part = colour == GCI_RedBand || colour == GCI_GreenBand || colour == GCI_BlueBand;
+  const bool is_small = band.GetRasterDataType() == GDT_Byte;
+  if (colour != GCI_PaletteIndex && !(is_part && is_small)) return;
+  refuse(file,
+         "is a picture: the numbers of its band " + std::to_string(number) + " stand for " +
+             (is_part ? "a part of colours" : "colours of a palette"),
+         "where they are values all the same, gdal_translate -b " + std::to_string(number) +
+             " -colorinterp gray makes a raster of them");
+}
+
 }  // namespace
 
 struct RasterSource::Held {
@@ -143,6 +200,7 @@ RasterSource::RasterSource(const std::string& file) : file_(file), held_(std::ma
     held_->bands.push_back(band_of(dataset, b));
     if (GDALDataTypeIsComplex(held_->bands.back().band->GetRasterDataType()) != FALSE)
       refuse(file, "holds complex numbers");
+    refuse_colours(file, *held_->bands.back().band, b);
   }
   if (dataset.GetGeoTransform(transform_.data()) != CE_None) {
     refuse(file, "does not tell where its pixels lie: it has no geotransform",
@@ -190,32 +248,24 @@ bool RasterSource::is_wide() const {
 }
 
 void RasterSource::read(const RasterPart& part, WindowValues& values, std::size_t at) const {
-  const GdalErrors errors;
-  const auto fail = [&] { refuse(file_, "cannot be read: " + errors.text()); };
-  std::vector<double> row(part.columns);
-  std::vector<unsigned char> mask(part.columns);
-  for (std::size_t b = 0; b < held_->bands.size(); ++b) {
-    const Band& band = held_->bands[b];
-    const bool is_narrow = band.band->GetRasterDataType() == GDT_Float32;
-    const double no_value =
-        is_narrow ? static_cast<double>(static_cast<float>(band.no_value)) : band.no_value;
-    for (std::size_t r = 0; r < part.rows; ++r) {
-      throw_if_interrupted();
-      const int column = static_cast<int>(part.column);
-      const int line = static_cast<int>(part.row + r);
-      const int count = static_cast<int>(part.columns);
-      if (band.band->RasterIO(GF_Read, column, line, count, 1, row.data(), count, 1, GDT_Float64, 0,
-                              0, nullptr) != CE_None)
-        fail();
-      if (band.has_mask &&
-          band.band->GetMaskBand()->RasterIO(GF_Read, column, line, count, 1, mask.data(), count, 1,
-                                             GDT_Byte, 0, 0, nullptr) != CE_None)
-        fail();
-      for (std::size_t c = 0; c < part.columns; ++c) {
-        const double value = row[c];
-        const bool is_there = !(band.has_no_value && value == no_value) &&
-                              !(band.has_mask && mask[c] == 0) && !std::isnan(value);
-        if (is_there) values.set(b, r, at + c, band.scale * value + band.offset);
+  int across = 0;
+  int down = 0;
+  held_->bands.front().band->GetBlockSize(&across, &down);
+  const auto block = static_cast<std::size_t>(std::max(down, 1));
+  const std::size_t most = std::max<std::size_t>(1, chunk_pixels / part.columns);
+  Chunk chunk;
+  // Whole blocks are read at once, and of all bands: a file may hold a pixel's bands side by side.
+  for (std::size_t row = 0; row < part.rows; row += chunk.part.rows) {
+    throw_if_interrupted();
+    const std::size_t first = part.row + row;
+    const std::size_t blocks_end = (first + std::max(most, block)) / block * block;
+    const std::size_t end = blocks_end > first && most >= block ? blocks_end : first + most;
+    chunk.part = {part.column, first, part.columns, std::min(end - first, part.rows - row)};
+    for (std::size_t b = 0; b < held_->bands.size(); ++b) {
+      read_chunk(held_->bands[b], file_, chunk);
+      for (std::size_t r = 0; r < chunk.part.rows; ++r) {
+        values.set(b, row + r, at,
+                   std::span<const double>(chunk.values).subspan(r * part.columns, part.columns));
       }
     }
   }

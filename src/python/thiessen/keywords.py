@@ -15,7 +15,10 @@ OF_STATIONS = ("id", "x", "y", "crs", "skip_unplaced", "stations_layer", "statio
 OF_SERIES = ("gaps", "min_gauges", "cache", "method", "grid", "interval", "from_", "to", "stamp", "every",
              "allow_missing", "day_start", "year_start", "dry")
 # What of these is about the steps that count and about memory, which the worth of a gauge has too.
-OF_INFLUENCE = ("cache", "from_", "to")
+OF_INFLUENCE = ("cache", "from_", "to", "stamp")
+
+# What gives a study normals: what times are of their steps then decides in which month a step is.
+OF_NORMALS = ("normals", "normal_field")
 
 # What is about the times of steps.
 OF_TIMES = ("from_", "to", "stamp", "every", "allow_missing", "day_start", "year_start", "dry")

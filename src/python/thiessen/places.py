@@ -3,7 +3,8 @@
 import numpy
 
 from . import _thiessen
-from .forms import column_numbers, id_text, interface, is_frame, is_series, labels_of, named, numbers
+from .forms import (column_numbers, id_text, interface, is_frame, is_missing, is_series, labels_of, named,
+                    numbers)
 from .keywords import crs_text
 
 GEOGRAPHIC = "EPSG:4326"
@@ -13,13 +14,14 @@ class Places:
     """Stations or basins with ids, the CRS that they have of themselves, and where that is from: it stands with them
     (object), names of columns say it, or GeoJSON implies it."""
 
-    def __init__(self, ids, places, crs=("", "")):
+    def __init__(self, ids, places, crs=("", ""), normals=()):
         self.ids = [id_text(one) for one in ids]
         self.places = places
         self.crs, self.origin = crs
+        self.normals = normals  # for each one or twelve; none where none are asked for
 
     def made(self):
-        return self._made(self.ids, self.places, self.crs, self.origin)
+        return self._made(self.ids, self.places, self.crs, self.origin, self.normals)
 
 
 class HeldStations(Places):
@@ -89,6 +91,45 @@ def _property_ids(features, field):
         names = list(properties[0]) if properties else []
         raise _thiessen.Error(f"there is no field {field!r}; found {', '.join(map(repr, names)) or 'none'}")
     return [one[field] for one in properties]
+
+
+def _normal_fields(names, field):
+    """The field of normals among these names, or the twelve of the calendar months."""
+    months = [f"{field}_{month:02}" for month in range(1, 13)]
+    found = [field] if field in names else [name for name in months if name in names]
+    if len(found) in (1, 12):
+        return found
+    raise _thiessen.Error(f"normal_field: there is no field {field!r}, and " + (f"only {len(found)}" if found else "none")
+                          + f" of {months[0]!r} to {months[-1]!r}; found {named(names)}")
+
+
+def _normals_of_features(features, keywords):
+    """The normals in the properties of features, if normal_field asks for them; NaN where one is missing."""
+    field = keywords.get("normal_field")
+    if not field:
+        return ()
+    properties = [feature.get("properties") or {} for feature in features]
+    fields = _normal_fields([str(name) for name in properties[0]] if properties else [], str(field))
+    rows = [[numpy.nan if is_missing(one.get(name)) else one[name] for name in fields] for one in properties]
+    return numbers(rows, "the normals").tolist()
+
+
+def _normals_of_frame(frame, keywords):
+    """The normals in the columns of a frame, if normal_field asks for them."""
+    field = keywords.get("normal_field")
+    if not field:
+        return ()
+    names = [str(name) for name in frame.columns]
+    fields = _normal_fields(names, str(field))
+    return numpy.column_stack([column_numbers(frame.iloc[:, names.index(name)], f"the normals in column {name!r}")
+                               for name in fields]).tolist()
+
+
+def _refuse_normals(keywords, what):
+    if not keywords.get("normal_field"):
+        return
+    raise _thiessen.Error(f"normal_field is about fields, and these {what} have none\n"
+                          "hint: columns of a frame are, and properties of GeoJSON; normals is a raster")
 
 
 def _station_ids(features, field):
@@ -161,21 +202,21 @@ def _pairs(points):
     return points
 
 
-def _stations_of_values(values, ids, what=None):
+def _stations_of_values(values, ids, what=None, normals=()):
     """Stations of two numbers each, or of shapes that are points."""
     if not hasattr(values, "__iter__"):
         raise _thiessen.Error(f"the stations are a {type(values).__name__!r}: a list of places is wanted")
     shapes = not isinstance(values, numpy.ndarray) or values.dtype.kind in "OSU"
     values = list(values) if shapes else values
     if not shapes or not any(map(_is_shape, values)):
-        return HeldStations(range(1, len(values) + 1) if ids is None else ids, _pairs(values))
+        return HeldStations(range(1, len(values) + 1) if ids is None else ids, _pairs(values), normals=normals)
     ids = list(range(1, len(values) + 1) if ids is None else ids)
     if len(ids) != len(values):
         raise _thiessen.Error(f"{len(values)} stations, and {len(ids)} ids: one for each is needed")
     found = [_point(value, name) for value, name in zip(values, ids)]
     text = _one_of({crs for _, crs in found}, "stations")
     crs = (text, "object") if text else _own_crs(what, values, "stations")
-    return HeldStations(ids, _pairs([point for point, _ in found]), crs)
+    return HeldStations(ids, _pairs([point for point, _ in found]), crs, normals)
 
 
 def _collected(values):
@@ -195,9 +236,10 @@ def stations_of(stations, ids, keywords):
         features = _features(geojson)
         if ids is None:
             ids = _station_ids(features, keywords.pop("id", None))
-        return _stations_of_values(features, ids, stations)
+        return _stations_of_values(features, ids, stations, _normals_of_features(features, keywords))
     if is_frame(stations):
         return _stations_of_frame(stations, ids, keywords)
+    _refuse_normals(keywords, "stations")
     if isinstance(stations, dict):
         if ids is not None:
             raise _thiessen.Error("the stations have ids, as they are a dictionary, and ids gives others\n"
@@ -231,7 +273,8 @@ def _stations_of_frame(frame, ids, keywords):
         ids = frame.index if column is None else frame.iloc[:, column]
     points = numpy.column_stack([column_numbers(frame.iloc[:, one], f"the coordinates in column {names[one]!r}")
                                  for one in (x, y)])
-    return HeldStations(ids, _pairs(points), (GEOGRAPHIC, "columns") if are_degrees else ("", ""))
+    return HeldStations(ids, _pairs(points), (GEOGRAPHIC, "columns") if are_degrees else ("", ""),
+                        _normals_of_frame(frame, keywords))
 
 
 def _ring(ring, basin):
@@ -290,10 +333,14 @@ def basins_of(basins, ids, keywords):
     """
     basins = _collected(basins)
     shapes, ids = _shapes_in(basins, ids, keywords)
+    if interface(basins) is None:
+        _refuse_normals(keywords, "basins")
+    normals = _normals_of_features(shapes, keywords)
     ids = [id_text(one) for one in (range(1, len(shapes) + 1) if ids is None else ids)]
     if len(ids) != len(shapes):
         raise _thiessen.Error(f"{len(shapes)} basins, and {len(ids)} basin_ids: one for each is needed")
     merged = {}
+    normals_of = {}
     crss = set()
     for number, (name, shape) in enumerate(zip(ids, shapes), 1):
         if not name:
@@ -301,9 +348,13 @@ def basins_of(basins, ids, keywords):
         polygons, crs = _polygons(shape, name)
         crss.add(crs)
         merged.setdefault(name, []).extend(polygons)
+        if normals and not numpy.array_equal(normals_of.setdefault(name, normals[number - 1]), normals[number - 1],
+                                             equal_nan=True):
+            raise _thiessen.Error(f"basin {name!r} has other normals in another of its features\n"
+                                  "hint: the features of one basin have the same normals")
     text = _one_of(crss, "basins")
     crs = (text, "object") if text else _own_crs(basins, shapes, "basins")
-    return HeldBasins(list(merged), list(merged.values()), crs)
+    return HeldBasins(list(merged), list(merged.values()), crs, list(normals_of.values()))
 
 
 def _basin_ids(features, field, labels):

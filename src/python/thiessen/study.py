@@ -7,9 +7,9 @@ import warnings as warning_list
 import numpy
 
 from . import _thiessen
-from .keywords import OF_INFLUENCE, OF_SERIES, OF_TIMES, is_given, texts_of
+from .keywords import OF_INFLUENCE, OF_NORMALS, OF_SERIES, OF_TIMES, is_given, texts_of
 from .places import basins_of, stations_of
-from .readings import readings_of, text_of_time, texts_of_unique
+from .readings import readings_of, text_of_time, texts_of_unique, time_texts
 from .tables import table
 
 
@@ -45,6 +45,10 @@ class Study:
         extent of the stations, grown by `margin` percent.
     rainfall: readings, which decide which stations are of the network: those with at least one. Files, or what
         `rain` takes. Without them all stations are.
+    normals, normal_field: long-term means, in any unit: a reading counts at a point times the normal there over the
+        gauge's. A raster that GDAL reads, of one band, or of twelve for the calendar months; or the field of stations
+        and of basins that has them, or the twelve fields normal_01 to normal_12 for "normal": in files, in columns of
+        frames, or in properties of features.
     ids, basin_ids: of stations and basins that have none. The labels of a series or a GeoDataFrame are ids where no
         column is.
     progress: called with the steps done and those there are (0 where that is not known), some twenty times a second.
@@ -82,7 +86,8 @@ class Study:
             self._readings_held = _held_readings(rainfall, ids_of_stations, keywords)
         held = self._readings_held
         self._keywords = given + texts_of(keywords)
-        _thiessen.check_series(texts_of(self._of_series), None if held is None else held.times is not None)
+        _thiessen.check_series(texts_of(self._of_series), None if held is None else held.times is not None,
+                               any(is_given(keywords.get(name)) for name in OF_NORMALS))
         self._study = _thiessen.Study(held_stations and held_stations.made(), held_basins and held_basins.made(),
                                       held and held.matrix, self._keywords, progress)
         self._stations = numpy.array(self._study.stations, dtype=object)
@@ -154,19 +159,20 @@ class Study:
 
     def weights(self, *, without=None, with_=None):
         """The share of each basin that lies in each station's cell: basin, station, area_km2 (or area, where the unit
-        of the plane is not known), weight. The weights of a basin add up to 1. A DataFrame, or where pandas is not
-        installed a structured array.
+        of the plane is not known), weight. The weights of a basin add up to 1. With normals also factor, by which a
+        reading counts beside its weight, or factor_01 to factor_12 of calendar months. A DataFrame, or where pandas is
+        not installed a structured array.
 
         without, with_: what if these stations closed (an id, or a list of ids), and gauges opened at these points
             ((x, y), or a list of them, in the stations' coordinates; the first is called 'with 1'): beside them
-            area_km2_after and weight_after.
+            area_km2_after and weight_after, and factor_after, NaN where there is no weight.
         """
         changes = texts_of({"without": without, "with_": with_})
         if changes:
             return self._changed_weights(changes)
-        basin, station, area, weight = self._study.weights()
+        basin, station, area, weight, *factors = self._study.weights()
         return table({"basin": self._basins[basin], "station": self._stations[station],
-                      self._study.area_column: area, "weight": weight})
+                      self._study.area_column: area, "weight": weight, **dict(zip(_factors(len(factors)), factors))})
 
     def _changed_weights(self, changes):
         stations, basins = (held and held.made() for held in self._held)
@@ -174,8 +180,11 @@ class Study:
                                                                             self.never_reporting)
         self._tell(told, depth=4)
         area = self._study.area_column
+        columns = [area, "weight", area + "_after", "weight_after"]
+        for factor in _factors((len(numbers) - len(columns)) // 2):
+            columns += [factor, factor + "_after"]
         return table({"basin": self._basins[basin], "station": numpy.array(names, dtype=object)[station],
-                      **dict(zip((area, "weight", area + "_after", "weight_after"), numbers))})
+                      **dict(zip(columns, numbers))})
 
     def cells(self, *, time=None):
         """The cells, clipped to the basins, as a GeoJSON FeatureCollection: what the program's cells.geojson holds.
@@ -234,7 +243,7 @@ class Study:
 
     def _rain(self, readings, progress, keywords, columns_of):
         held, texts = self._readings(readings, keywords)
-        found = self._study.rain(*_handed(held, keywords), texts, progress)
+        found = self._study.rain(*_handed(held, keywords, self._study.tells_months), texts, progress)
         self._tell(found["warnings"], depth=4)
         return table({"time": _time_column(held, found), **dict(columns_of(found))})
 
@@ -242,11 +251,13 @@ class Study:
         """What each gauge is worth to each basin: basin, station, weight, rms_change, mean_change, by how much the
         rainfall of the basin changes when the gauge is left out, over all steps; both by the cells of the gauges that
         report, whatever the study says of gaps and methods. Takes the readings that `rain` takes, and of its keywords
-        cache, from_, to and those of readings in files.
+        cache, from_, to, with normals stamp, and those of readings in files.
         """
-        keywords = {**{name: value for name, value in self._of_series.items() if name in OF_INFLUENCE}, **keywords}
+        acting = [name for name in OF_INFLUENCE if name != "stamp" or self._study.has_normals]
+        keywords = {**{name: value for name, value in self._of_series.items() if name in acting}, **keywords}
         held, texts = self._readings(readings, keywords)
-        (basin, station, weight, rms, mean), told = self._study.influence(*_handed(held, keywords), texts, progress)
+        (basin, station, weight, rms, mean), told = self._study.influence(*_handed(held, keywords, self._study.tells_months),
+                                                                        texts, progress)
         self._tell(told)
         return table({"basin": self._basins[basin], "station": self._stations[station], "weight": weight,
                       "rms_change": rms, "mean_change": mean})
@@ -273,14 +284,20 @@ def _held_readings(readings, ids_of_stations, keywords):
     return held
 
 
-def _handed(held, keywords):
-    """The array of readings in memory, whether they have times, and these where a keyword is about them."""
+def _handed(held, keywords, by_month):
+    """The array of readings in memory, whether they have times, and these where a keyword is about them, or normals of
+    calendar months are."""
     if held is None:
         return None, False, []
     wanted = any(is_given(keywords.get(name)) for name in OF_TIMES)
-    if held.times is None or not wanted:
+    if held.times is None or not (wanted or by_month):
         return held.matrix, held.times is not None, []
-    return held.matrix, True, texts_of_unique(held.times, is_given(keywords.get("stamp")))
+    return held.matrix, True, (texts_of_unique if wanted else time_texts)(held.times, is_given(keywords.get("stamp")))
+
+
+def _factors(count):
+    """The names of the columns of factors: one of the year, or twelve of the months."""
+    return ["factor"] if count == 1 else [f"factor_{month:02}" for month in range(1, count + 1)]
 
 
 def _time_column(held, found):

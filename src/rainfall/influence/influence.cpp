@@ -13,29 +13,32 @@ Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, u
     : handovers_(handovers),
       remembered_(handovers, remembered_bytes),
       threads_(std::max(1u, threads)),
-      month_(place_of(handovers.normals(), {})),
+      year_(place_of(handovers.normals(), {})),
+      month_(year_),
       full_(handovers.full_weights()),
       readings_(handovers.cells(), handovers.adjacency()),
       cells_(handovers.adjacency().cells()),
       benches_(threads_) {
-  if (handovers.normals() != nullptr) take_normals();
+  for (const NormalMonth& month : months_of(handovers.normals()))
+    normals_.push_back(at_gauges(month));
   for (std::size_t i = 0; i < handovers.full().size(); ++i) {
     const CellWeight& full = handovers.full()[i];
     Part& part = part_of(full.cell, full.basin);
-    part.weight =
-        handovers.normals() == nullptr ? full.weight : handovers.full_normals().at(i, month_);
+    if (handovers.normals() == nullptr) part.weights.front() = full.weight;
+    for (std::size_t m = 0; m < normals_.size(); ++m)
+      part.weights[m] = handovers.full_normals().at(i, m);
     for (Sums& sums : part.sums) sums.weighs = true;
   }
 }
 
-void Influence::take_normals() {
+std::vector<double> Influence::at_gauges(const NormalMonth& month) const {
   std::size_t stations = 0;
   for (std::uint32_t c = 0; c < cells_.size(); ++c)
     stations += handovers_.cells().stations_of(PlaceIndex{c}).size();
-  std::vector<double> at_gauges;
+  std::vector<double> normals;
   for (std::uint32_t s = 0; s < stations; ++s)
-    at_gauges.push_back(relative_at_gauge(*handovers_.normals(), StationIndex{s}, {}));
-  readings_.take_normals(std::move(at_gauges));
+    normals.push_back(relative_at_gauge(*handovers_.normals(), StationIndex{s}, month));
+  return normals;
 }
 
 Influence::Part& Influence::part_of(PlaceIndex cell, std::uint32_t basin) {
@@ -45,11 +48,24 @@ Influence::Part& Influence::part_of(PlaceIndex cell, std::uint32_t basin) {
                        [](const Part& part, std::uint32_t b) { return part.basin < b; });
   if (at != parts.end() && at->basin == basin) return *at;
   const std::size_t stations = handovers_.cells().stations_of(cell).size();
-  return *parts.insert(at, {basin, 0, std::vector<Sums>(stations)});
+  const std::size_t months = std::max<std::size_t>(1, normals_.size());
+  return *parts.insert(at, {basin, std::vector<double>(months), std::vector<Sums>(stations)});
 }
 
-void Influence::add(StepRows rows) {
+void Influence::add(StepRows rows, std::span<const std::size_t> months) {
+  if (months.empty()) return add_in_month(rows, year_);
+  std::vector<std::vector<std::span<const double>>> by_month(year_);
+  for (std::size_t step = 0; step < rows.size(); ++step)
+    by_month[months[step]].push_back(rows[step]);
+  for (std::size_t month = 0; month < by_month.size(); ++month) {
+    if (!by_month[month].empty()) add_in_month(by_month[month], month);
+  }
+}
+
+void Influence::add_in_month(StepRows rows, std::size_t month) {
   rows_ = rows;
+  month_ = month;
+  if (!normals_.empty()) readings_.take_normals(normals_[month]);
   readings_.take_up(rows, threads_);
   count_alone();
   in_parallel(cells_.size(), threads_, [&](std::size_t worker, std::size_t cell) {
@@ -158,7 +174,8 @@ void Influence::find_components(PlaceIndex cell, std::size_t step, Bench& bench)
 void Influence::find_moments(PlaceIndex cell, Bench& bench) const {
   bench.moments.clear();
   for (const Part& part : cells_[index(cell)].parts) {
-    if (part.weight > 0) bench.moments.push_back({part.basin, part.weight, 0});
+    const double weight = part.weights[month_];
+    if (weight > 0) bench.moments.push_back({part.basin, weight, 0});
   }
   for (const auto& handover : bench.handed_over) {
     for (std::size_t i = 0; i < handover->size(); ++i) {

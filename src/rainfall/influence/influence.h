@@ -42,16 +42,18 @@ struct GaugeInfluence {
 /// remembered. If several stations report in a cell, leaving one out moves the cell's mean and
 /// nothing else. So the change is 0 where all readings are the same.
 ///
-/// The sums of a cell are formed in the order of the steps, so they do not depend on the threads.
+/// The sums of a cell are formed in the order of the steps, or month by month within a block where
+/// months have normals of their own, so they do not depend on the threads.
 /// Memory: the block of steps, and 48 bytes for each basin and gauge that weighs in it.
 class Influence {
  public:
-  /// The handovers must outlive this object. Where there are normals the year's count.
+  /// The handovers must outlive this object.
   /// `remembered_bytes` bounds the handovers that are remembered.
   Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads);
 
-  /// Takes the next steps of the series.
-  void add(StepRows rows);
+  /// Takes the next steps of the series. Where there are normals the year's count or, where
+  /// `months` has a calendar month for each step, those of its month.
+  void add(StepRows rows, std::span<const std::size_t> months = {});
 
   /// The influences by basin, in the order of the stations. They are those of stations that weigh
   /// in the basin in the full network or in a step that counts.
@@ -73,7 +75,8 @@ class Influence {
   /// The part of a cell in one basin, over all steps.
   struct Part {
     std::uint32_t basin;
-    double weight;           ///< in the full network; with normals weight x normal
+    /// In the full network, by month of the normals: weight x normal, and the weight without any.
+    std::vector<double> weights;
     std::vector<Sums> sums;  ///< by station of the cell
   };
   struct Cell {
@@ -97,7 +100,8 @@ class Influence {
     std::vector<std::size_t> here;  // positions in the cell of its stations that report
   };
 
-  void take_normals();
+  void add_in_month(StepRows rows, std::size_t month);
+  std::vector<double> at_gauges(const NormalMonth& month) const;
   void count_alone();
   void take(PlaceIndex cell, Bench& bench);
   void find_gaps(PlaceIndex cell, Bench& bench) const;
@@ -114,7 +118,9 @@ class Influence {
   const Handovers& handovers_;
   HandoverCache remembered_;
   unsigned threads_;
-  std::size_t month_;  // the place of the year among the months of the normals
+  std::size_t year_;   // the place of the year among the months of the normals
+  std::size_t month_;  // the place of the month of the steps at hand
+  std::vector<std::vector<double>> normals_;  // by month, then by station; empty without
   std::vector<BasinWeights> full_;
   CellReadings readings_;
   StepRows rows_;  // of the block at hand

@@ -20,7 +20,8 @@ struct SampledInfluence {
 };
 
 /// Finds the most influential gauge of each basin in every `spaced`th step of a sample, at least 1
-/// (see spacing_within); of equal ones it takes the first.
+/// (see spacing_within); of equal ones it takes the first. Where the sample has months, the normals
+/// of these count.
 SampledInfluence most_influential(const Handovers& handovers, const StepSample& sample,
                                   std::size_t spaced, unsigned threads);
 

@@ -1,23 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "earth/yardstick.h"
 #include "geometry/point.h"
+#include "rainfall/network/station_index.h"
 #include "tessellation/place.h"
 
 namespace thiessen {
-
-/// A station's position in its file, from 0.
-enum class StationIndex : std::uint32_t {};
-
-constexpr std::size_t index(StationIndex i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A rain gauge.
 struct Station {

@@ -8,7 +8,8 @@
 
 #include "basin/ground_measure.h"
 #include "earth/sphere/gnomonic_chart.h"
-#include "rainfall/network/network.h"
+#include "geometry/point.h"
+#include "rainfall/network/station_index.h"
 
 namespace thiessen {
 
@@ -30,7 +31,7 @@ class BasinNormals {
   virtual bool is_uniform() const = 0;
   /// What ground of the basin is measured by, whose edges are in the study's coordinates.
   virtual const GroundMeasure* measure() const = 0;
-  /// The same for ground whose edges are in a chart.
+  /// The same for ground whose edges are in a chart; for one thread at a time.
   virtual std::unique_ptr<const GroundMeasure> measure_in(const GnomonicChart& chart) const = 0;
   /// The mean normal over ground with these figures and this area.
   virtual GroundNormal of(std::span<const double> figures, double area,

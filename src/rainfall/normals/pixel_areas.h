@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace thiessen {
@@ -10,13 +12,40 @@ namespace thiessen {
 /// two rows in one pixel's column is the difference of their ordinates times the pixel's scale.
 class PixelAreas {
  public:
+  /// The ordinates within one row: a parabola through its upper edge, its middle and its lower
+  /// edge.
+  struct InRow {
+    double upper;
+    double whole;     ///< by which they rise over the row
+    double bend = 0;  ///< 0 where they are a straight line
+    /// The ordinate a part of the row, from 0 to 1, below its upper edge.
+    double at(double along) const { return upper + along * (whole + bend * (1 - along)); }
+  };
+  /// The scales of some pixels of a row that follow each other: a straight line.
+  struct Scales {
+    std::size_t first;  ///< the first column
+    std::size_t end;    ///< the column behind the last
+    double of_first = 1;
+    double step = 0;
+    double at(std::size_t column) const {
+      return of_first + step * static_cast<double>(column - first);
+    }
+  };
+
   virtual ~PixelAreas() = default;
   /// The area of a column one pixel wide from the window's top down to `row`, which need not be a
   /// whole number. It rises.
   virtual double ordinate(double row) const = 0;
+  /// All ordinates of a row at once, which `ordinate` agrees with but for rounding; nothing where
+  /// they are no parabola.
+  virtual std::optional<InRow> in_row(std::size_t row) const = 0;
   /// Whether pixels of one row differ; else every scale is 1.
   virtual bool vary_along_rows() const { return false; }
-  virtual double scale(std::size_t /*row*/, std::size_t /*column*/) const { return 1; }
+  /// The scales of a row from a column on, as far as they are one straight line.
+  virtual Scales scales(std::size_t /*row*/, std::size_t column) const {
+    return {column, std::numeric_limits<std::size_t>::max()};
+  }
+  double scale(std::size_t row, std::size_t column) const { return scales(row, column).at(column); }
 };
 
 /// Pixels that all have one area, those of a plane.
@@ -24,6 +53,9 @@ class EqualPixels : public PixelAreas {
  public:
   explicit EqualPixels(double area) : area_(area) {}
   double ordinate(double row) const override { return area_ * row; }
+  std::optional<InRow> in_row(std::size_t row) const override {
+    return InRow{area_ * static_cast<double>(row), area_};
+  }
 
  private:
   double area_;
@@ -37,6 +69,7 @@ class PixelsInDegrees : public PixelAreas {
   /// latitudes fall downwards; a column is `width` degrees wide. Requires latitudes within 90.
   PixelsInDegrees(double top, double height, double width, std::size_t rows);
   double ordinate(double row) const override;
+  std::optional<InRow> in_row(std::size_t row) const override;
 
  private:
   double exactly(double row) const;
@@ -66,8 +99,11 @@ class PixelsOfPlane : public PixelAreas {
   }
 
   double ordinate(double row) const override { return row; }
+  std::optional<InRow> in_row(std::size_t row) const override {
+    return InRow{static_cast<double>(row), 1};
+  }
   bool vary_along_rows() const override { return true; }
-  double scale(std::size_t row, std::size_t column) const override;
+  Scales scales(std::size_t row, std::size_t column) const override;
 
  private:
   std::vector<double> nodes_;

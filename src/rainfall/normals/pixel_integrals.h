@@ -22,7 +22,8 @@ namespace thiessen {
 /// less the band's reference, and the area that has a value. A band that is equal to its reference
 /// all over has a first figure that is exactly 0. Accuracy: that of PixelAreas, and 1e-16 of the
 /// figures of the window's rows. Cost: 20 nanoseconds a pixel that an edge crosses and a band.
-/// Memory: half a byte a pixel and band beside the values, and as much again where some have none.
+/// Memory: a byte a pixel and band beside the values, as much again where some have none, and once
+/// more where pixels of a row differ.
 class PixelIntegrals {
  public:
   /// Requires a reference for each band.
@@ -61,22 +62,25 @@ class PixelIntegrals {
     double rise;    ///< of the ordinate from its western to its eastern end
     double beside;  ///< what lies between it and the pixel's left edge, without the pixel's scale
   };
-  using Pieces = std::vector<Piece>;
   class Running;
 
-  void add_stretch(const Stretch& stretch, double sign, Pieces& pieces,
-                   std::span<double> figures) const;
+  void add_stretch(const Stretch& stretch, double sign, std::span<double> figures) const;
+  template <typename Take>
+  void for_each_piece(const Stretch& stretch, const Take& take) const;
   void sum_up();
+  void sum_up_row(std::size_t band, std::size_t row);
 
   WindowValues values_;
   std::vector<double> references_;
   std::unique_ptr<const PixelAreas> areas_;
   std::size_t blocks_;
   bool is_complete_;  // whether every pixel has a value in every band
-  // By band, row and block of columns: the sums over all columns before the block.
-  std::vector<double> excess_before_;
-  std::vector<double> covered_before_;  // empty where all pixels have values
-  std::vector<double> whole_before_;    // by row and block; empty where every scale is 1
+  bool vary_;         // whether pixels of a row have scales of their own
+  std::size_t sums_;  // how many figures a block has
+  // By band, row and block of columns, the sums over all columns before the block, side by side,
+  // for they are far from each other in memory else: of the excess, of what is covered where pixels
+  // lack values, and of scales where these vary.
+  std::vector<double> before_;
 };
 
 }  // namespace thiessen

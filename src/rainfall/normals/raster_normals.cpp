@@ -80,9 +80,21 @@ class WindowMeasure : public GroundMeasure {
   static constexpr std::size_t most_figures = 32;
 
   Point pixel(Point p) const { return window_.mapping->to_pixels(to_study_(p)); }
+  /// The pixel of an edge's end, which one edge in two shares with the edge before.
+  Point pixel_of_end(Point p) const {
+    if constexpr (ToStudy::is_of_one_thread) {
+      for (const Known& known : known_) {
+        if (known.end == p) return known.pixel;
+      }
+      const Known& found = known_[oldest_] = {p, pixel(p)};
+      oldest_ = 1 - oldest_;
+      return found.pixel;
+    }
+    return pixel(p);
+  }
 
   void add_there(Point from, Point to, double bulge, std::span<double> figures) const {
-    Parabola curve{pixel(from), {}, pixel(to)};
+    Parabola curve{pixel_of_end(from), {}, pixel_of_end(to)};
     if (bent_ == 0) {
       curve.middle = between(curve.start, curve.end, 0.5);
       window_.pixels.add_edge(curve.start, curve.end, figures);
@@ -138,14 +150,23 @@ class WindowMeasure : public GroundMeasure {
   const NormalWindow& window_;
   ToStudy to_study_;
   double bent_;
+  /// Ends of edges that came last.
+  struct Known {
+    Point end{std::numeric_limits<double>::quiet_NaN(), 0};
+    Point pixel;
+  };
+  mutable std::array<Known, 2> known_;
+  mutable std::size_t oldest_ = 0;
 };
 
 struct InStudy {
+  static constexpr bool is_of_one_thread = false;
   Point operator()(Point p) const { return p; }
 };
 
 /// From a chart to longitude and latitude, which run on where the basin's do.
 struct FromChart {
+  static constexpr bool is_of_one_thread = true;
   GnomonicChart chart;
   double near_longitude;
   Point operator()(Point p) const {

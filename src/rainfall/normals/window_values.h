@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace thiessen {
@@ -29,20 +30,34 @@ class WindowValues {
   double least() const { return least_; }
   double largest() const { return largest_; }
   double at(std::size_t band, std::size_t row, std::size_t column) const {
-    const std::size_t i = (band * rows_ + row) * columns_ + column;
+    return at(first_of(band, row) + column);
+  }
+  /// The value of a pixel by its place among all of them.
+  double at(std::size_t i) const {
     return wide_.empty() ? static_cast<double>(narrow_[i]) : wide_[i];
+  }
+  /// The place of a row's first pixel; those of its other columns follow.
+  std::size_t first_of(std::size_t band, std::size_t row) const {
+    return (band * rows_ + row) * columns_;
   }
   /// Gives a pixel its value; each is to be given one once at most.
   void set(std::size_t band, std::size_t row, std::size_t column, double value) {
-    if (std::isnan(value)) return;
-    ++given_;
-    least_ = std::min(least_, value);
-    largest_ = std::max(largest_, value);
-    const std::size_t i = (band * rows_ + row) * columns_ + column;
-    if (wide_.empty()) {
-      narrow_[i] = static_cast<float>(value);
-    } else {
-      wide_[i] = value;
+    set(band, row, column, std::span<const double>(&value, 1));
+  }
+  /// Gives pixels of a row from a column on their values; NaN is none.
+  void set(std::size_t band, std::size_t row, std::size_t column, std::span<const double> values) {
+    const std::size_t first = first_of(band, row) + column;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const double value = values[i];
+      if (std::isnan(value)) continue;
+      ++given_;
+      least_ = std::min(least_, value);
+      largest_ = std::max(largest_, value);
+      if (wide_.empty()) {
+        narrow_[first + i] = static_cast<float>(value);
+      } else {
+        wide_[first + i] = value;
+      }
     }
   }
 

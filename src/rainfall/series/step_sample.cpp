@@ -7,7 +7,7 @@ namespace thiessen {
 StepSample::StepSample(std::size_t stations, std::size_t most)
     : stations_(stations), most_(std::max<std::size_t>(most, 2)) {}
 
-void StepSample::add(std::span<const double> readings) {
+void StepSample::add(std::span<const double> readings, const std::optional<std::size_t>& month) {
   const std::size_t number = seen_++;
   if (number % spacing_ != 0) return;
   if (steps() == most_) {
@@ -15,6 +15,7 @@ void StepSample::add(std::span<const double> readings) {
     if (number % spacing_ != 0) return;
   }
   readings_.insert(readings_.end(), readings.begin(), readings.end());
+  if (month) months_.push_back(*month);
 }
 
 void StepSample::drop_every_second() {
@@ -24,6 +25,10 @@ void StepSample::drop_every_second() {
   };
   for (std::size_t i = 1; i < kept; ++i) std::copy(row(2 * i), row(2 * i + 1), row(i));
   readings_.resize(kept * stations_);
+  if (!months_.empty()) {
+    for (std::size_t i = 1; i < kept; ++i) months_[i] = months_[2 * i];
+    months_.resize(kept);
+  }
   spacing_ *= 2;
 }
 

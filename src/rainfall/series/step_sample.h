@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,8 +21,9 @@ class StepSample {
   /// `most` is the number of steps that are held at once, at least 2.
   StepSample(std::size_t stations, std::size_t most);
 
-  /// Takes the next step, with one reading for each station, NaN where it is silent.
-  void add(std::span<const double> readings);
+  /// Takes the next step, with one reading for each station, NaN where it is silent, and with its
+  /// calendar month from 0 if all have one.
+  void add(std::span<const double> readings, const std::optional<std::size_t>& month = {});
 
   std::size_t steps() const { return stations_ == 0 ? 0 : readings_.size() / stations_; }
   std::size_t stations() const { return stations_; }
@@ -29,6 +31,8 @@ class StepSample {
   std::span<const double> operator[](std::size_t step) const {
     return std::span(readings_).subspan(step * stations_, stations_);
   }
+  /// The months of the steps that are kept, where they were given; else none.
+  std::span<const std::size_t> months() const { return months_; }
   /// The number of steps of the series from one that is kept to the next.
   std::size_t spacing() const { return spacing_; }
 
@@ -40,6 +44,7 @@ class StepSample {
   std::size_t spacing_ = 1;
   std::size_t seen_ = 0;
   std::vector<double> readings_;  // a row for each step
+  std::vector<std::size_t> months_;
 };
 
 /// The number of steps that fit in `bytes`, but no more than `most` and no fewer than 2.

@@ -8,6 +8,8 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +17,7 @@
 #include "basin/shapes.h"
 #include "geometry/seeded.h"
 #include "rainfall/areal_rainfall.h"
+#include "rainfall/normals/uniform_normals.h"
 #include "rainfall/textbook.h"
 
 namespace thiessen {
@@ -326,6 +329,54 @@ TEST(Influence, of_a_lone_gauge_and_of_no_steps_is_unknown) {
     for (const GaugeInfluence& gauge : found) {
       EXPECT_TRUE(std::isnan(gauge.rms_change));
       EXPECT_TRUE(std::isnan(gauge.mean_change));
+    }
+  }
+}
+
+// Against the values of a month with the gauge's reading and without it. The year is no month of
+// the series, and comes from a call without months.
+TEST(Influence, counts_the_normals_of_the_month_of_each_step) {
+  Seeded seeded;
+  constexpr std::size_t months = 3;
+  const Network network(random_stations(seeded, 20), Metric::planar);
+  const std::vector<Basin> basins = some_basins(seeded);
+  Weighing weighing(network, basins, {Metric::planar, 1, 0.1});
+  const auto normals_of = [&](std::size_t count) {
+    std::vector<std::vector<double>> all(count, std::vector<double>(months));
+    for (std::vector<double>& normals : all) {
+      for (double& normal : normals) normal = seeded.uniform(0.5, 2);
+    }
+    return all;
+  };
+  weighing.take_normals(std::make_shared<const UniformNormals>(
+      normals_of(network.stations().size()), normals_of(basins.size())));
+  const Series series = random_series(seeded, 20, 30, 0.3);
+  std::vector<std::span<const double>> rows(series.begin(), series.end());
+  std::vector<std::size_t> month_of;
+  for (std::size_t step = 0; step < series.size(); ++step) month_of.push_back(step * step % months);
+  const ArealRainfall of_year(weighing, {}, 1);
+  const Handovers handovers(weighing, 1);
+  for (const bool by_month : {true, false}) {
+    Influence influence(handovers, remembered_bytes, 2);
+    influence.add(rows, by_month ? month_of : std::vector<std::size_t>());
+    const auto found = influence.result();
+    for (std::size_t b = 0; b < basins.size(); ++b) {
+      for (const GaugeInfluence& gauge : found[b]) {
+        double sum = 0;
+        double steps = 0;
+        for (std::size_t step = 0; step < series.size(); ++step) {
+          const auto rainfall =
+              of_year.of_month(by_month ? NormalMonth(month_of[step]) : NormalMonth());
+          std::vector<double> without = series[step];
+          without[index(gauge.station)] = silent;
+          const double change =
+              rainfall->at(without)[b].rainfall - rainfall->at(series[step])[b].rainfall;
+          if (std::isnan(change)) continue;
+          sum += change;
+          ++steps;
+        }
+        EXPECT_NEAR(gauge.mean_change, sum / steps, 1e-11);
+      }
     }
   }
 }

@@ -46,6 +46,17 @@ TEST(StepSample, is_evenly_spaced_over_the_whole_series) {
   }
 }
 
+TEST(StepSample, keeps_the_months_of_the_steps_that_it_keeps) {
+  for (std::size_t most = 2; most < 6; ++most) {
+    StepSample sample(1, most);
+    for (std::size_t t = 0; t < 40; ++t) sample.add(std::vector{static_cast<double>(t)}, t % 12);
+    ASSERT_EQ(sample.months().size(), sample.steps());
+    for (std::size_t i = 0; i < sample.steps(); ++i)
+      EXPECT_EQ(sample.months()[i], static_cast<std::size_t>(sample[i][0]) % 12);
+  }
+  EXPECT_TRUE(sample_of(5, 9).months().empty());
+}
+
 TEST(StepSample, has_the_room_that_the_memory_gives) {
   EXPECT_EQ(steps_within(8'000, 10, 1'000), 100u);
   EXPECT_EQ(steps_within(8'000, 10, 50), 50u);
