@@ -16,25 +16,22 @@ namespace {
 
 using Bytes = std::vector<unsigned char>;
 
-Bytes by_opencv(Bytes &pixels, int width, int height, const char *format,
-                const std::vector<int> &options) {
+Bytes by_opencv(Bytes& pixels, int width, int height, const char* format,
+                const std::vector<int>& options) {
   Bytes bytes;
-  cv::imencode(format, cv::Mat(height, width, CV_8UC3, pixels.data()), bytes,
-               options);
+  cv::imencode(format, cv::Mat(height, width, CV_8UC3, pixels.data()), bytes, options);
   return bytes;
 }
 
 // Noise, blocks of one colour, and slow changes.
-Bytes random_pixels(Seeded &seeded, int width, int height) {
-  Bytes pixels(3 * static_cast<std::size_t>(width) *
-               static_cast<std::size_t>(height));
+Bytes random_pixels(Seeded& seeded, int width, int height) {
+  Bytes pixels(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const std::uint64_t kind = seeded.below(3);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const std::size_t at = i / 3 % static_cast<std::size_t>(width);
-    pixels[i] =
-        static_cast<unsigned char>(kind == 0   ? seeded.below(256)
-                                   : kind == 1 ? at / 9 * 31 + i % 3 * 40
-                                               : at + i % 3 * 50);
+    pixels[i] = static_cast<unsigned char>(kind == 0   ? seeded.below(256)
+                                           : kind == 1 ? at / 9 * 31 + i % 3 * 40
+                                                       : at + i % 3 * 50);
   }
   return pixels;
 }
@@ -46,11 +43,9 @@ TEST(ImageBytes, law_1_files_are_those_of_opencv_to_the_byte) {
     const int height = static_cast<int>(seeded.whole(1, 200));
     Bytes pixels = random_pixels(seeded, width, height);
     EXPECT_EQ(png_bytes({width, height, pixels}),
-              by_opencv(pixels, width, height, ".png",
-                        {cv::IMWRITE_PNG_COMPRESSION, 6}));
+              by_opencv(pixels, width, height, ".png", {cv::IMWRITE_PNG_COMPRESSION, 6}));
     EXPECT_EQ(jpeg_bytes({width, height, pixels}),
-              by_opencv(pixels, width, height, ".jpg",
-                        {cv::IMWRITE_JPEG_QUALITY, 93}));
+              by_opencv(pixels, width, height, ".jpg", {cv::IMWRITE_JPEG_QUALITY, 93}));
   }
 }
 
@@ -61,5 +56,5 @@ TEST(ImageBytes, law_2_what_a_format_cannot_hold_gives_none) {
   EXPECT_TRUE(jpeg_bytes({widest_jpeg + 1, 1, pixels}).empty());
 }
 
-} // namespace
-} // namespace thiessen
+}  // namespace
+}  // namespace thiessen
