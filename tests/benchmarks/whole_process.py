@@ -4,11 +4,13 @@
     tests/benchmarks/whole_process.py [PROGRAM]
 
 `weights` of 10,000 gauges and 1,000 basins of 50 corners that tile their area (goal: 1 s, 200 MB), in longitude and
-latitude and in the plane; the same with twice and four times as many of both, which shows how it grows; `run` on the
-Colorado sample (goal: 1 s); `map` of 1,000 gauges as a GeoTIFF of 4,000 x 4,000 pixels (goal: 1 s);
-geodesic cells in a basin of 10,000 corners (goal: 1 s); `rain` with gauges silent at random (goals: 0.03 ms a step at 5 %,
-over 100,000 steps; 1 ms at 20 %); `weights --influence` of 1,000 gauges, 100 basins and 10,000 steps beside `check`,
-which only reads them (goal: 2 s more), and of fewer steps with silent gauges.
+latitude and in the plane; the same with twice and four times as many of both, which shows how it grows, and of
+100,000 gauges and 1,024 basins; `run` on the Colorado sample (goal: 1 s); `map` of 1,000 gauges as a GeoTIFF of 4,000
+x 4,000 pixels (goal: 1 s); geodesic cells in a basin of 10,000 corners (goal: 1 s); `rain` with gauges silent at
+random (goals: 0.03 ms a step at 5 %, over 100,000 steps; 1 ms at 20 %), and what it takes to count gauges (--long,
+--min-gauges: goal 1.15 times), idw and natural neighbours (20 million points and steps; goals 45 and 60 ns each); the
+whole Earth in the cells of a town's gauges (goal: 5 s, 300 MB); `weights --influence` of 1,000 gauges, 100 basins and
+10,000 steps beside `check`, which only reads them (goal: 2 s more), and of fewer steps with silent gauges.
 """
 
 import math
@@ -114,7 +116,7 @@ def main():
         report("Colorado, run", [program, "run", *inputs, "--basin-id", "name", "-q", "--overwrite", "-o",
                                  folder / "out"])
         for crs, box in (("EPSG:4326", (8, 46, 14, 50)), (None, (0, 0, 500_000, 400_000))):
-            for times, columns, rows in ((1, 40, 25), (2, 50, 40), (4, 80, 50)):
+            for times, columns, rows in ((1, 40, 25), (2, 50, 40), (4, 80, 50), (10, 32, 32)):
                 gauges, basins = folder / "gauges.csv", folder / "basins.csv"
                 write_gauges(gauges, 10_000 * times, box)
                 write_basins(basins, columns, rows, box)
@@ -135,6 +137,23 @@ def main():
                 report(f"rain, 1,000 gauges, 100 basins, {steps:,} steps, {silent:.0%} silent, {crs or 'a plane'}",
                        [program, "rain", gauges, basins, folder / "rain.csv", "-q", *(lon_lat if crs else []),
                         "--overwrite", "-o", folder / "areal.csv"])
+        write_readings(folder / "rain.csv", 1_000, 5_000, 0.05)
+        for options in ([], ["--long"], ["--min-gauges", 2]):
+            report(f"rain, 5,000 steps, 5% silent, a plane {' '.join(str(o) for o in options)}",
+                   [program, "rain", gauges, basins, folder / "rain.csv", "-q", *options, "--overwrite", "-o",
+                    folder / "areal.csv"])
+        for steps in (1, 101):
+            write_readings(folder / "rain.csv", 1_000, steps, 0.05)
+            for method in ("idw", "natural"):
+                report(f"rain --method {method}, 200,000 points, {steps} steps, 5% silent, a plane",
+                       [program, "rain", gauges, basins, folder / "rain.csv", "-q", "--method", method, "--threads", 1,
+                        "--overwrite", "-o", folder / "areal.csv"])
+        write_gauges(gauges, 800, (8.5, 47.3, 8.6, 47.4))
+        basins.write_text('id,WKT\nearth,"POLYGON ((-180 -90, 180 -90, 180 90, -180 90, -180 -90))"\n',
+                          encoding="utf-8")
+        report("weights, 800 gauges of a town, the Earth", [program, "weights", gauges, basins, "-q", *lon_lat])
+        report("cells, 800 gauges of a town, the Earth",
+               [program, "cells", gauges, basins, "-q", *lon_lat, "--overwrite", "-o", folder / "cells.geojson"])
         for crs, box in (("EPSG:4326", (5, 46, 10, 49.5)), (None, (0, 0, 400_000, 400_000))):
             write_gauges(gauges, 1_000, box)
             write_basins(basins, 10, 10, box)

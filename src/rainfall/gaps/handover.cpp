@@ -161,24 +161,29 @@ std::vector<PlaceIndex> Handovers::heirs_of(std::span<const PlaceIndex> componen
   return heirs;
 }
 
-Handover Handovers::of(std::span<const PlaceIndex> component) const {
-  const bool has_ground = std::any_of(component.begin(), component.end(), [&](PlaceIndex cell) {
-    return !regions_[index(cell)].empty();
-  });
-  const std::vector<PlaceIndex> heirs = heirs_of(component);
-  if (!has_ground || heirs.empty()) return {};
-  std::vector<Point> positions;
-  positions.reserve(heirs.size());
-  for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
+Handover Handovers::of(std::span<const PlaceIndex> component, bool tells_parts) const {
+  SharedRegions regions;
+  for (const PlaceIndex cell : component) {
+    for (const Region& region : regions_[index(cell)]) regions.push_back(&region);
+  }
+  std::vector<PlaceIndex> heirs = heirs_of(component);
+  Handover handover;
+  if (regions.empty()) {
+    if (tells_parts) handover.made_of.unmeasured = std::move(heirs);
+    return handover;
+  }
+  if (heirs.empty()) return handover;
   std::map<std::pair<std::uint32_t, PlaceIndex>, GroundSum> grounds;
   const Take take = [&](const Region& region, const MeasuredShares& taken) {
     for (std::size_t i = 0; i < taken.shares.size(); ++i) {
-      grounds[{region.basin, heirs[index(taken.shares[i].place)]}].add(taken.shares[i].area,
-                                                                       taken.figures_of(i));
+      const PlaceIndex heir = heirs[index(taken.shares[i].place)];
+      grounds[{region.basin, heir}].add(taken.shares[i].area, taken.figures_of(i));
+      if (!tells_parts) continue;
+      handover.made_of.parts.push_back({static_cast<std::uint32_t>(region.number), heir,
+                                        taken.shares[i].area / weighing_.basin_area(region.basin)});
     }
   };
-  if (!share_in_chart(component, positions, take)) share(component, positions, take);
-  Handover handover;
+  Borders borders = share(regions, heirs, take);
   handover.shares.reserve(grounds.size());
   for (const auto& [key, ground] : grounds) {
     const double area = ground.area.value();
@@ -186,7 +191,42 @@ Handover Handovers::of(std::span<const PlaceIndex> component) const {
     handover.shares.push_back({key.first, key.second, weight});
     add_normals(handover.weighted, key.first, {weight, area, ground.figures});
   }
+  if (!tells_parts) return handover;
+  handover.made_of.borders.reserve(borders.size());
+  for (const auto& [a, b] : borders) {
+    // Among few places on the sphere one may stand on both sides of another.
+    if (a != b) handover.made_of.borders.emplace_back(heirs[index(a)], heirs[index(b)]);
+  }
   return handover;
+}
+
+std::vector<CellWeight> Handovers::shared_among(std::span<const PlaceIndex> heirs,
+                                                std::span<const std::uint32_t> regions) const {
+  SharedRegions ground;
+  for (const std::uint32_t number : regions) {
+    const std::vector<Region>& of_cell = regions_[index(full_[number].cell)];
+    ground.push_back(&*std::find_if(of_cell.begin(), of_cell.end(),
+                                    [&](const Region& r) { return r.number == number; }));
+  }
+  std::map<std::pair<std::uint32_t, PlaceIndex>, LongSum> areas;
+  if (!heirs.empty()) {
+    share(ground, heirs, [&](const Region& region, const MeasuredShares& taken) {
+      for (const CellShare& share : taken.shares)
+        areas[{region.basin, heirs[index(share.place)]}].add(share.area);
+    });
+  }
+  std::vector<CellWeight> shares;
+  shares.reserve(areas.size());
+  for (const auto& [key, area] : areas)
+    shares.push_back({key.first, key.second, area.value() / weighing_.basin_area(key.first)});
+  return shares;
+}
+
+std::vector<std::uint32_t> Handovers::regions_of(PlaceIndex cell) const {
+  std::vector<std::uint32_t> numbers;
+  for (const Region& region : regions_[index(cell)])
+    numbers.push_back(static_cast<std::uint32_t>(region.number));
+  return numbers;
 }
 
 void Handovers::add_normals(WeightedNormals& weighted, std::uint32_t basin,
@@ -203,75 +243,86 @@ void Handovers::add_normals(WeightedNormals& weighted, std::uint32_t basin,
   }
 }
 
-// Shares the component's ground in one chart, which is possible on the Earth where the ground is
-// small against it; else returns false. The shares of each region are scaled so that they add up to
-// its area, which is known.
-bool Handovers::share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
-                               const Take& take) const {
-  if (weighing_.yardstick().metric == Metric::planar) return false;
+Handovers::Borders Handovers::share(const SharedRegions& regions, std::span<const PlaceIndex> heirs,
+                                    const Take& take) const {
+  std::vector<Point> positions;
+  positions.reserve(heirs.size());
+  for (const PlaceIndex cell : heirs) positions.push_back(cells_.diagram().places[index(cell)]);
+  if (auto borders = share_in_chart(regions, positions, take)) return std::move(*borders);
+  return share_on_surface(regions, positions, take);
+}
+
+// Shares the ground in one chart, which is possible on the Earth where the ground is small against
+// it; else returns nothing. The shares of each region are scaled so that they add up to its area,
+// which is known.
+std::optional<Handovers::Borders> Handovers::share_in_chart(const SharedRegions& regions,
+                                                            std::span<const Point> heirs,
+                                                            const Take& take) const {
+  if (weighing_.yardstick().metric == Metric::planar) return {};
   Box frame;
   Direction sum;
-  for_each_region(component, [&](const Region& region) {
-    frame.take_in(region.shape->box());
-    sum = sum + region.shape->centre();
-  });
-  if (length(sum) == 0) return false;
+  for (const Region* region : regions) {
+    frame.take_in(region->shape->box());
+    sum = sum + region->shape->centre();
+  }
+  if (length(sum) == 0) return {};
   const GnomonicChart chart(unit(sum));
   double reach = 0;
-  for_each_region(component, [&](const Region& region) {
-    const double half = length(region.shape->centre() - chart.centre()) / 2;
-    reach = std::max(reach, 2 * std::asin(std::min(1.0, half)) + region.shape->reach());
-  });
-  if (reach > SphereShape::farthest_reach) return false;
-  const auto diagram =
-      chart_diagram(heirs, {chart, 1.1 * reach, frame},
-                    {Yardstick::accuracy_of_heirs, Yardstick::measuring_tolerance});
-  if (!diagram) return false;
+  for (const Region* region : regions) {
+    const double half = length(region->shape->centre() - chart.centre()) / 2;
+    reach = std::max(reach, 2 * std::asin(std::min(1.0, half)) + region->shape->reach());
+  }
+  if (reach > SphereShape::farthest_reach) return {};
+  auto diagram = chart_diagram(heirs, {chart, 1.1 * reach, frame},
+                               {Yardstick::accuracy_of_heirs, Yardstick::measuring_tolerance});
+  if (!diagram) return {};
   const ChartSurface surface(chart);
   CellClipper clipper(*diagram, surface);
   std::vector<std::pair<const Region*, MeasuredShares>> all;
   std::map<std::uint32_t, std::unique_ptr<const GroundMeasure>> measures;
   bool is_right = true;
-  for_each_region(component, [&](const Region& region) {
+  for (const Region* region : regions) {
     throw_if_interrupted();
-    MeasuredShares& taken = all.emplace_back(&region, MeasuredShares()).second;
+    MeasuredShares& taken = all.emplace_back(region, MeasuredShares()).second;
     std::vector<CellShare>& shares = taken.shares;
-    if (normals() == nullptr || normals()->in(region.basin).is_uniform()) {
-      shares = clipper.shares(region.shape->in_chart(chart));
+    if (normals() == nullptr || normals()->in(region->basin).is_uniform()) {
+      shares = clipper.shares(region->shape->in_chart(chart));
     } else {
-      auto& measure = measures[region.basin];
-      if (!measure) measure = normals()->in(region.basin).measure_in(chart);
-      shares = clipper.shares(region.shape->in_chart(chart), *measure, taken.figures);
+      auto& measure = measures[region->basin];
+      if (!measure) measure = normals()->in(region->basin).measure_in(chart);
+      shares = clipper.shares(region->shape->in_chart(chart), *measure, taken.figures);
     }
     double whole = 0;
     for (const CellShare& share : shares) whole += share.area;
-    is_right = is_right && std::abs(whole - region.area) <= most_astray * region.area;
-    for (CellShare& share : shares) share.area *= region.area / whole;
-  });
+    is_right = is_right && std::abs(whole - region->area) <= most_astray * region->area;
+    for (CellShare& share : shares) share.area *= region->area / whole;
+  }
   // A sliver may be smaller than the rounding in a chart; then the ground is shared without one.
-  if (!is_right) return false;
+  if (!is_right) return {};
   for (const auto& [region, taken] : all) take(*region, taken);
-  return true;
+  return std::move(diagram->neighbours);
 }
 
-void Handovers::share(std::span<const PlaceIndex> component, std::span<const Point> heirs,
-                      const Take& take) const {
+Handovers::Borders Handovers::share_on_surface(const SharedRegions& regions,
+                                               std::span<const Point> heirs,
+                                               const Take& take) const {
   Box frame;
-  for_each_region(component, [&](const Region& region) {
-    for (const Polygon& part : region.ground.shape) {
+  for (const Region* region : regions) {
+    for (const Polygon& part : region->ground.shape) {
       for (const Point p : part.outer) frame.take_in(p);
     }
-  });
-  const Diagram diagram = weighing_.yardstick().diagram_of_heirs(heirs, frame);
+  }
+  Diagram diagram = weighing_.yardstick().diagram_of_heirs(heirs, frame);
   CellClipper clipper(diagram, weighing_.surface());
-  for_each_region(component, [&](const Region& region) {
+  for (const Region* region : regions) {
     throw_if_interrupted();
     MeasuredShares taken;
-    const GroundMeasure* const measure = measure_of(normals(), region.basin);
-    taken.shares = measure == nullptr ? clipper.shares(region.ground)
-                                      : clipper.shares(region.ground, *measure, taken.figures);
-    take(region, taken);
-  });
+    const GroundMeasure* const measure = measure_of(normals(), region->basin);
+    taken.shares = measure == nullptr ? clipper.shares(region->ground)
+                                      : clipper.shares(region->ground, *measure, taken.figures);
+    take(*region, taken);
+  }
+  return std::move(diagram.neighbours);
 }
 
 }  // namespace thiessen

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "basin/basin.h"
@@ -35,11 +36,30 @@ struct WeightedNormals {
   }
 };
 
+/// The part of a silent cell in a basin that one of the reporting cells takes over.
+struct HandedPart {
+  std::uint32_t region;  ///< the silent cell's part in the basin: its number among Handovers::full
+  PlaceIndex heir;
+  double weight;  ///< in that basin
+};
+
+/// What a handover is made of.
+struct HandoverParts {
+  std::vector<HandedPart> parts;  ///< region by region
+  /// The pairs of heirs whose cells border each other in the ground that is handed over, each pair
+  /// once and in any order; there are also pairs that border each other nowhere.
+  std::vector<std::pair<PlaceIndex, PlaceIndex>> borders;
+  /// All heirs, where no ground is handed over that lies in a basin; then any two of them may
+  /// border each other.
+  std::vector<PlaceIndex> unmeasured;
+};
+
 /// The weights that the cells next to a component of silent cells take over, by basin, then by
 /// cell.
 struct Handover {
   std::vector<CellWeight> shares;
   WeightedNormals weighted;
+  HandoverParts made_of;  ///< empty unless it is asked for
 
   bool empty() const { return shares.empty(); }
   std::size_t size() const { return shares.size(); }
@@ -83,7 +103,16 @@ class Handovers {
   /// it. Requires `component` in rising order. In each basin the weights add up to what the
   /// component's cells have in the full network, to 1e-13. Safe for several threads at once. Cost:
   /// the tessellation of the cells next to the component, and the vertices of its own.
-  Handover of(std::span<const PlaceIndex> component) const;
+  /// With `tells_parts` it says what it is made of.
+  Handover of(std::span<const PlaceIndex> component, bool tells_parts = false) const;
+  /// How some regions are shared among some cells, by basin, then by cell: what the cells have of
+  /// them when these cells and no others report. `regions` are numbers among full(). The result
+  /// depends on both lists alone, and normals play no part. Cost: the tessellation of `heirs`, and
+  /// the vertices of the regions. Safe for several threads at once.
+  std::vector<CellWeight> shared_among(std::span<const PlaceIndex> heirs,
+                                       std::span<const std::uint32_t> regions) const;
+  /// The numbers among full() of a cell's parts in the basins.
+  std::vector<std::uint32_t> regions_of(PlaceIndex cell) const;
 
  private:
   /// The part of a cell that lies in a basin.
@@ -94,7 +123,10 @@ class Handovers {
     std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
     std::size_t number;                // its place in full_
   };
-  /// Takes the shares of a component's heirs in one of its regions; it is called region by region.
+  using SharedRegions = std::vector<const Region*>;
+  using Borders = std::vector<std::pair<PlaceIndex, PlaceIndex>>;
+  /// Takes the shares of the heirs in one of the regions; it is called region by region. Places are
+  /// positions in the list of heirs.
   using Take = std::function<void(const Region&, const MeasuredShares&)>;
   /// The cells of each basin, and what normals' measures say of them.
   struct Clipped {
@@ -102,12 +134,6 @@ class Handovers {
     std::vector<double> figures;
   };
 
-  template <typename Visit>
-  void for_each_region(std::span<const PlaceIndex> component, Visit&& visit) const {
-    for (const PlaceIndex cell : component) {
-      for (const Region& region : regions_[index(cell)]) visit(region);
-    }
-  }
   std::vector<PlaceIndex> heirs_of(std::span<const PlaceIndex> component) const;
   void add_regions(std::vector<Clipped> clipped);
   /// A piece of ground that is handed over.
@@ -119,10 +145,12 @@ class Handovers {
   void add_normals(const std::vector<Clipped>& clipped);
   void add_normals(WeightedNormals& weighted, std::uint32_t basin,
                    const MeasuredGround& ground) const;
-  bool share_in_chart(std::span<const PlaceIndex> component, std::span<const Point> heirs,
-                      const Take& take) const;
-  void share(std::span<const PlaceIndex> component, std::span<const Point> heirs,
-             const Take& take) const;
+  Borders share(const SharedRegions& regions, std::span<const PlaceIndex> heirs,
+                const Take& take) const;
+  std::optional<Borders> share_in_chart(const SharedRegions& regions, std::span<const Point> heirs,
+                                        const Take& take) const;
+  Borders share_on_surface(const SharedRegions& regions, std::span<const Point> heirs,
+                           const Take& take) const;
 
   const Weighing& weighing_;
   NetworkCells cells_;

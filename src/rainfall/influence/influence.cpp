@@ -8,10 +8,18 @@
 #include "base/parallel.h"
 
 namespace thiessen {
+namespace {
+
+// With so few silent cells beside a cell the joint component is looked up: it is small, and each of
+// its cells asks for the same one when the others are silent.
+constexpr std::size_t few_silent = 2;
+
+}  // namespace
 
 Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads)
     : handovers_(handovers),
-      remembered_(handovers, remembered_bytes),
+      remembered_(handovers, remembered_bytes / 2, handovers.normals() == nullptr),
+      departures_(handovers, remembered_bytes / 2),
       threads_(std::max(1u, threads)),
       year_(place_of(handovers.normals(), {})),
       month_(year_),
@@ -160,8 +168,12 @@ void Influence::take_step(PlaceIndex cell, std::size_t step, Bench& bench) {
 void Influence::find_components(PlaceIndex cell, std::size_t step, Bench& bench) {
   bench.beside.clear();
   bench.handed_over.clear();
+  bench.reporting.clear();
   for (const PlaceIndex q : handovers_.adjacency().neighbours(cell)) {
-    if (!std::isnan(readings_.of(q)[step])) continue;
+    if (!std::isnan(readings_.of(q)[step])) {
+      bench.reporting.push_back(q);
+      continue;
+    }
     const std::vector<PlaceIndex>* component = &readings_.component_of(q, step);
     if (std::find(bench.beside.begin(), bench.beside.end(), component) != bench.beside.end())
       continue;
@@ -194,27 +206,55 @@ void Influence::find_moments(PlaceIndex cell, Bench& bench) const {
   }
 }
 
+std::size_t Influence::silent_beside(const Bench& bench) {
+  std::size_t silent = 0;
+  for (const std::vector<PlaceIndex>* component : bench.beside) silent += component->size();
+  return silent;
+}
+
 void Influence::find_changes(PlaceIndex cell, std::size_t step, Bench& bench) {
+  if (bench.beside.empty()) {
+    add_changes(handover_of(cell), 1, cell, step, bench.moments);
+  } else if (handovers_.normals() != nullptr || silent_beside(bench) <= few_silent) {
+    find_changes_of_joint(cell, step, bench);
+  } else {
+    find_changes_beside_silent(cell, step, bench);
+  }
+}
+
+void Influence::add_changes(const Handover& handover, double sign, PlaceIndex cell,
+                            std::size_t step, std::vector<Moment>& moments) const {
   const double own = readings_.of(cell)[step];
-  const auto add = [&](const Handover& handover, double sign) {
-    auto moment = bench.moments.begin();
-    for (std::size_t i = 0; i < handover.size(); ++i) {
-      const CellWeight& share = handover[i];
-      while (moment != bench.moments.end() && moment->basin < share.basin) ++moment;
-      if (moment == bench.moments.end()) return;
-      if (moment->basin == share.basin)
-        moment->change +=
-            sign * handover.bearing(i, month_) * (readings_.of(share.cell)[step] - own);
-    }
-  };
-  if (bench.beside.empty()) return add(handover_of(cell), 1);
+  auto moment = moments.begin();
+  for (std::size_t i = 0; i < handover.size(); ++i) {
+    const CellWeight& share = handover[i];
+    while (moment != moments.end() && moment->basin < share.basin) ++moment;
+    if (moment == moments.end()) return;
+    if (moment->basin == share.basin)
+      moment->change += sign * handover.bearing(i, month_) * (readings_.of(share.cell)[step] - own);
+  }
+}
+
+void Influence::find_changes_beside_silent(PlaceIndex cell, std::size_t step, Bench& bench) {
+  const double own = readings_.of(cell)[step];
+  departures_.of(cell, {bench.handed_over, bench.reporting}, bench.departure,
+                 [&](std::uint32_t basin, PlaceIndex heir, double weight) {
+                   const auto moment =
+                       std::find_if(bench.moments.begin(), bench.moments.end(),
+                                    [&](const Moment& m) { return m.basin == basin; });
+                   if (moment != bench.moments.end())
+                     moment->change += weight * (readings_.of(heir)[step] - own);
+                 });
+}
+
+void Influence::find_changes_of_joint(PlaceIndex cell, std::size_t step, Bench& bench) {
   bench.component.assign(1, cell);
   for (std::size_t i = 0; i < bench.beside.size(); ++i) {
     bench.component.insert(bench.component.end(), bench.beside[i]->begin(), bench.beside[i]->end());
-    add(*bench.handed_over[i], -1);
+    add_changes(*bench.handed_over[i], -1, cell, step, bench.moments);
   }
   std::sort(bench.component.begin(), bench.component.end());
-  add(*remembered_.of(bench.component), 1);
+  add_changes(*remembered_.of(bench.component), 1, cell, step, bench.moments);
 }
 
 // When one of several reporting stations is left out, the cell's mean becomes that of the others.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "rainfall/gaps/departures.h"
 #include "rainfall/gaps/handover.h"
 #include "rainfall/gaps/handover_cache.h"
 #include "rainfall/influence/cell_readings.h"
@@ -34,13 +35,14 @@ struct GaugeInfluence {
 /// apart), for without the gauge's column ground that it has no part in is handed over in another
 /// chart.
 ///
-/// When a gauge is left out its cell falls silent, and it joins the silent components beside it
-/// into one. What the joint component hands over, less what its parts did, tells who gets the
-/// cell's ground (see Handovers). The change is the sum of weight x (the new owner's reading - the
-/// gauge's own). Where all neighbours report, a step costs one multiplication for each of them and
-/// each basin. Where some are silent, the joint handover is looked up, and computed if it is not
-/// remembered. If several stations report in a cell, leaving one out moves the cell's mean and
-/// nothing else. So the change is 0 where all readings are the same.
+/// When a gauge is left out its cell falls silent, and its ground goes to the cells that border it
+/// (see Departures). The change is the sum of weight x (the new owner's reading - the gauge's own).
+/// Where all neighbours report, a step costs one multiplication for each of them and each basin.
+/// Where some are silent, who gets the ground is looked up, and computed if it is not remembered.
+/// With normals, and where two cells at most are silent beside it, that is what the cell and the
+/// silent components beside it hand over as one component, less what these did. If several stations
+/// report in a cell, leaving one out moves the cell's mean and nothing else. So the change is 0
+/// where all readings are the same.
 ///
 /// The sums of a cell are formed in the order of the steps, or month by month within a block where
 /// months have normals of their own, so they do not depend on the threads.
@@ -95,7 +97,9 @@ class Influence {
     std::vector<double> change;  // by step
     std::vector<const std::vector<PlaceIndex>*> beside;        // the silent components
     std::vector<std::shared_ptr<const Handover>> handed_over;  // by those components
+    std::vector<PlaceIndex> reporting;                         // the cell's neighbours that report
     std::vector<PlaceIndex> component;
+    Departures::Bench departure;
     std::vector<Moment> moments;
     std::vector<std::size_t> here;  // positions in the cell of its stations that report
   };
@@ -110,6 +114,11 @@ class Influence {
   void find_components(PlaceIndex cell, std::size_t step, Bench& bench);
   void find_moments(PlaceIndex cell, Bench& bench) const;
   void find_changes(PlaceIndex cell, std::size_t step, Bench& bench);
+  static std::size_t silent_beside(const Bench& bench);
+  void find_changes_beside_silent(PlaceIndex cell, std::size_t step, Bench& bench);
+  void find_changes_of_joint(PlaceIndex cell, std::size_t step, Bench& bench);
+  void add_changes(const Handover& handover, double sign, PlaceIndex cell, std::size_t step,
+                   std::vector<Moment>& moments) const;
   void share(PlaceIndex cell, std::size_t step, const Moment& moment,
              const std::vector<std::size_t>& here);
   const Handover& handover_of(PlaceIndex cell);
@@ -117,6 +126,7 @@ class Influence {
 
   const Handovers& handovers_;
   HandoverCache remembered_;
+  Departures departures_;
   unsigned threads_;
   std::size_t year_;   // the place of the year among the months of the normals
   std::size_t month_;  // the place of the month of the steps at hand

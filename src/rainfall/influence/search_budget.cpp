@@ -19,13 +19,14 @@ constexpr double of_a_weight_and_step = 0.02;
 constexpr double of_a_reading = 0.03;
 constexpr double of_a_handover = 20;
 constexpr double of_a_cell_handed_over = 15;
+constexpr double of_a_departure = 35;  // one for each set of silent cells beside it
 
 double handover_of(std::size_t cells) {
   return of_a_handover + of_a_cell_handed_over * static_cast<double>(cells);
 }
 
-/// A component of silent cells, or several joined by one more cell, by its hash; two with the same
-/// hash are taken for one.
+/// A component of silent cells, or a cell and the components beside it, by its hash; two with the
+/// same hash are taken for one.
 using Key = std::uint64_t;
 Key mixed(Key key, std::uint64_t number) {
   key = (key ^ number) * 0x9E3779B97F4A7C15u;
@@ -80,7 +81,9 @@ class Counting {
     }
   }
 
-  // Counts what is handed over if one more cell falls silent.
+  // Counts what is handed over if one more cell falls silent (see Departures). It is often counted
+  // when it is remembered, for what is beside may differ in cells that do not matter. With normals
+  // it is the handover of them all.
   void leave(PlaceIndex cell) {
     beside_.clear();
     for (const PlaceIndex q : handovers_.adjacency().neighbours(cell)) {
@@ -95,7 +98,8 @@ class Counting {
       key = mixed(key, components_[c].key);
       cells += components_[c].cells;
     }
-    if (in_search_.insert(key).second) work_.all += handover_of(cells);
+    if (in_search_.insert(key).second)
+      work_.all += handovers_.normals() == nullptr ? of_a_departure : handover_of(cells);
   }
 
   const Handovers& handovers_;
@@ -131,8 +135,8 @@ SearchWork search_work(const Handovers& handovers, const StepSample& sample,
   return work;
 }
 
-std::size_t spacing_within(const SearchWork& work, double share) {
-  const double left = share * work.run - work.once;
+std::size_t spacing_within(const SearchWork& work, double share, double least) {
+  const double left = std::max(share * work.run, least) - work.once;
   if (work.all <= left) return 1;
   const std::size_t most = std::max<std::size_t>(work.steps, 1);
   if (!(left > 0) || work.all >= left * static_cast<double>(most)) return most;

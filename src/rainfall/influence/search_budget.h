@@ -25,7 +25,7 @@ SearchWork search_work(const Handovers& handovers, const StepSample& sample,
                        std::size_t steps_of_series);
 
 /// How many steps of the sample to go on at a time, so that the search adds no more than `share` to
-/// the run, or only one step is looked at.
-std::size_t spacing_within(const SearchWork& work, double share);
+/// the run, or no more than `least` microseconds, or only one step is looked at.
+std::size_t spacing_within(const SearchWork& work, double share, double least = 0);
 
 }  // namespace thiessen

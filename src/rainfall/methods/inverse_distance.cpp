@@ -24,15 +24,17 @@ class Shares {
     nearest_[count_++] = neighbour;
     total_ += static_cast<double>(neighbour.weight);
   }
-  void add_to(WeightSums& sums, double normal) const {
+  /// Calls add(place, weight) for each of them.
+  template <typename Add>
+  void add_to(const Add& add) const {
     if (total_ == static_cast<double>(at_the_point)) {
       for (std::size_t i = 0; i < count_; ++i) {
-        if (nearest_[i].weight == at_the_point) return sums.add(nearest_[i].place, 1, normal);
+        if (nearest_[i].weight == at_the_point) return add(nearest_[i].place, 1);
       }
     }
     const double scale = 1 / total_;
     for (std::size_t i = 0; i < count_; ++i)
-      sums.add(nearest_[i].place, scale * static_cast<double>(nearest_[i].weight), normal);
+      add(nearest_[i].place, scale * static_cast<double>(nearest_[i].weight));
   }
 
  private:
@@ -111,7 +113,12 @@ std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points, std::
       shares = {};
       for (std::size_t k = 0; k < near.size(); ++k) shares.add(others[k]);
     }
-    shares.add_to(sums, points.normals.empty() ? 1 : points.normals[month][i]);
+    if (points.normals.empty()) {
+      shares.add_to([&](PlaceIndex place, double weight) { sums.add(place, weight); });
+    } else {
+      const double normal = points.normals[month][i];
+      shares.add_to([&](PlaceIndex place, double weight) { sums.add(place, weight, normal); });
+    }
   }
   return sums.take();
 }

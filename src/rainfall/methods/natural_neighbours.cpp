@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
@@ -175,12 +176,13 @@ std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points, std
     const auto end = points.neighbours.begin() + points.first[i + 1];
     const bool as_ever =
         std::all_of(first, end, [&](const Neighbour& w) { return reports[w.place]; });
-    const double normal = points.normals.empty() ? 1 : points.normals[month][i];
-    if (as_ever) {
-      for (auto w = first; w != end; ++w) workplace.sums.add(w->place, w->weight, normal);
+    if (!as_ever) workplace.find(points.at[i], points.positions[i], reports, found);
+    const std::span<const Neighbour> weights = as_ever ? std::span(first, end) : std::span(found);
+    if (points.normals.empty()) {
+      for (const Neighbour& w : weights) workplace.sums.add(w.place, w.weight);
     } else {
-      workplace.find(points.at[i], points.positions[i], reports, found);
-      for (const Neighbour& w : found) workplace.sums.add(w.place, w.weight, normal);
+      for (const Neighbour& w : weights)
+        workplace.sums.add(w.place, w.weight, points.normals[month][i]);
     }
   }
   return workplace.sums.take();

@@ -15,14 +15,20 @@ class WeightSums {
   explicit WeightSums(std::size_t places)
       : sum_(places, 0), of_normals_(places, 0), is_touched_(places, false) {}
 
-  /// Adds what a place weighs at a point that has this normal; 1 without normals.
-  void add(PlaceIndex place, double weight, double normal = 1) {
+  /// Adds what a place weighs at a point without a normal.
+  void add(PlaceIndex place, double weight) {
     if (!is_touched_[index(place)]) {
       is_touched_[index(place)] = true;
       touched_.push_back(place);
     }
     sum_[index(place)] += weight;
+  }
+  /// Adds what a place weighs at a point that has this normal. Requires that all points of the
+  /// basin have one, or none has.
+  void add(PlaceIndex place, double weight, double normal) {
+    add(place, weight);
     of_normals_[index(place)] += weight * normal;
+    has_normals_ = true;
   }
 
   /// Gives the basin's weights, scaled to add up to 1, and begins the next basin. Weights of 1e-14
@@ -35,18 +41,21 @@ class WeightSums {
     std::vector<PlaceWeight> weights;
     for (const PlaceIndex p : touched_) {
       const double weight = sum_[index(p)] / total;
-      if (weight > rounding) weights.push_back({p, weight, of_normals_[index(p)] / sum_[index(p)]});
+      const double normal = has_normals_ ? of_normals_[index(p)] / sum_[index(p)] : 1;
+      if (weight > rounding) weights.push_back({p, weight, normal});
       sum_[index(p)] = 0;
       of_normals_[index(p)] = 0;
       is_touched_[index(p)] = false;
     }
     touched_.clear();
+    has_normals_ = false;
     return weights;
   }
 
  private:
   std::vector<double> sum_;
   std::vector<double> of_normals_;  // the sums of weight x normal
+  bool has_normals_ = false;
   std::vector<char> is_touched_;
   std::vector<PlaceIndex> touched_;
 };

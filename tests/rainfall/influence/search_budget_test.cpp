@@ -48,6 +48,13 @@ TEST(SearchBudget, law_3_the_share_bounds_what_is_looked_at) {
   EXPECT_EQ(spacing_within(work, 0.001), 100u);
 }
 
+TEST(SearchBudget, law_5_the_least_is_there_for_every_run) {
+  const SearchWork work{1000, 20, 400, 100};
+  EXPECT_EQ(spacing_within(work, 0.001, 420), 1u);
+  EXPECT_EQ(spacing_within(work, 0.001, 100), 5u);
+  EXPECT_EQ(spacing_within(work, 0.42, 100), 1u) << "it takes nothing away from the share";
+}
+
 // Law: a longer series has more work, and so room to look at more of the same sample.
 TEST(SearchBudget, law_4_longer_series_have_larger_budgets) {
   Seeded seeded;
