@@ -163,8 +163,7 @@ SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Ca
   read(list, keywords, call, none);
   check_readings(readings);
   rainfall.check();
-  range.check(rainfall.totals().given() ||
-              (readings == ReadingsAt::files && !rainfall.given()));
+  range.check(rainfall.totals().given() || (readings == ReadingsAt::files && !rainfall.given()));
   if (call == Call::influence) return;
   method.check();
   method.check(gaps);

@@ -228,9 +228,8 @@ std::unique_ptr<const StepRainfall> PythonStudy::errors_of(const ArealRainfall& 
     for (std::size_t step = 0; step < rows->size(); ++step) sample.add(rows->row(step, buffer));
   } else {
     Warnings told_later;  // when the files are read again
-    const auto readings =
-        inputs_->open_readings(keywords_.study, files_of(keywords), told_later, std::nullopt,
-                               keywords.range.stamp());
+    const auto readings = inputs_->open_readings(keywords_.study, files_of(keywords), told_later,
+                                                 std::nullopt, keywords.range.stamp());
     for (TimeStep step; readings->next(step);) {
       throw_if_interrupted();
       sample.add(step.readings);

@@ -43,12 +43,29 @@ SurroundingRain::SurroundingRain(const Weighing& weighing)
       have_reported_(weighing.network().places().size(), false),
       neighbourhoods_(weighing.network().places().size()),
       counts_(weighing.network().places().size()) {
+  for (std::uint32_t p = 0; p < have_reported_.size(); ++p) have_not_.push_back(PlaceIndex{p});
   if (weighing.yardstick().metric != Metric::geodesic) return;
   for (const Point p : weighing.network().places()) on_earth_.emplace_back(p);
 }
 
 std::vector<double> SurroundingRain::by_place(std::span<const double> readings,
                                               const NormalMonth& month) {
+  // Where each gauge has a place of its own, places are numbered as gauges are.
+  const bool are_places = weighing_.network().places().size() == readings.size();
+  std::vector<double> rain = are_places && weighing_.normals() == nullptr
+                                 ? std::vector<double>(readings.begin(), readings.end())
+                                 : means_by_place(readings, month);
+  std::erase_if(have_not_, [&](PlaceIndex place) {
+    if (std::isnan(rain[index(place)])) return false;
+    have_reported_.set(place, true);
+    ++reported_;
+    return true;
+  });
+  return rain;
+}
+
+std::vector<double> SurroundingRain::means_by_place(std::span<const double> readings,
+                                                    const NormalMonth& month) {
   const Network& network = weighing_.network();
   const NormalField* const normals = weighing_.normals();
   std::vector<double> rain(network.places().size(), unknown);
@@ -56,14 +73,11 @@ std::vector<double> SurroundingRain::by_place(std::span<const double> readings,
   for (std::uint32_t s = 0; s < readings.size(); ++s) {
     if (std::isnan(readings[s])) continue;
     const StationIndex station{s};
-    const PlaceIndex place = network.place_of(station);
-    const double relative =
-        normals == nullptr ? readings[s] : readings[s] / relative_at_gauge(*normals, station, month);
-    double& here = rain[index(place)];
-    here = counts_[index(place)]++ == 0 ? relative : here + relative;
-    if (have_reported_[place]) continue;
-    have_reported_.set(place, true);
-    ++reported_;
+    const std::size_t place = index(network.place_of(station));
+    const double relative = normals == nullptr
+                                ? readings[s]
+                                : readings[s] / relative_at_gauge(*normals, station, month);
+    rain[place] = counts_[place]++ == 0 ? relative : rain[place] + relative;
   }
   for (std::size_t p = 0; p < rain.size(); ++p) {
     if (counts_[p] > 1) rain[p] /= static_cast<double>(counts_[p]);

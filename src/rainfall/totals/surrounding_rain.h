@@ -53,6 +53,7 @@ class SurroundingRain {
   };
 
   const Neighbourhood& around(PlaceIndex place);
+  std::vector<double> means_by_place(std::span<const double> readings, const NormalMonth& month);
   void weigh(PlaceIndex from, std::vector<Neighbour>& near) const;
   double searched(PlaceIndex from, std::span<const double> by_place);
 
@@ -60,7 +61,8 @@ class SurroundingRain {
   NearestGauges nearest_;
   std::vector<EarthPoint> on_earth_;  ///< the places, where the metric is geodesic
   ReportingPlaces have_reported_;
-  std::size_t reported_ = 0;                  ///< how many of them have
+  std::vector<PlaceIndex> have_not_;           ///< those that have not
+  std::size_t reported_ = 0;                   ///< how many have
   std::vector<Neighbourhood> neighbourhoods_;  ///< by place
   std::vector<NearestGauges::Near> found_;
   std::vector<std::size_t> counts_;  ///< by place: how many of its gauges report at a step
