@@ -26,8 +26,12 @@ Wording told_of_totals(Wording hint) {
   };
   if (names("time_format")) hint += "; of totals that is " + setting("totals_time_format");
   if (names("from_unit")) hint += "; of totals that is " + setting("totals_unit");
-  if (names("value_field") || names("station_field") || names("time_field"))
-    hint += "; of totals columns have their usual names, or those of " + input("rainfall");
+  // These name columns of RAINFALL, which may lack those of the totals.
+  if (names("value_field") || names("station_field") || names("time_field")) {
+    return "totals have a column a station, or columns with usual names such as date, station and "
+           "rainfall, or with those that are said of " +
+           input("rainfall");
+  }
   return hint;
 }
 
