@@ -62,9 +62,8 @@ void add_stations_with_totals(ReportingStations& report, const StudyFiles& files
                               const StudyOptions& study, const RainfallOptions& rainfall,
                               std::span<const std::string> filtered) {
   if (!rainfall.totals().given()) return;
-  const ReportingStations with_totals =
-      stations_with_totals(totals_request(study, rainfall), files.stations, filtered,
-                           totals_options(study, rainfall));
+  const ReportingStations with_totals = stations_with_totals(
+      totals_request(study, rainfall), files.stations, filtered, totals_options(study, rainfall));
   for (std::uint32_t s = 0; s < files.stations.size(); ++s) {
     if (with_totals[StationIndex{s}]) report.set(StationIndex{s}, true);
   }

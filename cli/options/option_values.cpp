@@ -131,8 +131,8 @@ OptionValue iso_time(std::optional<IsoTime>& target) {
 OptionValue clock_time(std::optional<int>& target) {
   return value_of("HH:MM", [&target](const std::string& text) {
     const std::size_t colon = text.find(':');
-    const bool has_form = colon != std::string::npos && colon > 0 && colon < 3 &&
-                          text.size() == colon + 3;
+    const bool has_form =
+        colon != std::string::npos && colon > 0 && colon < 3 && text.size() == colon + 3;
     const auto hour = parse_size(has_form ? text.substr(0, colon) : "");
     const auto minute = parse_size(has_form ? text.substr(colon + 1) : "");
     const bool good = hour && minute && minute.value < 60 &&

@@ -27,10 +27,10 @@ void PeriodOptions::declare_stamp(OptionList& options) {
            .add(
                "--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
                "whether a time with a clock begins its step (default) or ends it: decides in which "
-               "total a step counts (--every), which month's normals count, and what bounds times "
-               "have in "
-               "files that hold them (time_bnds); --from and --to are of times as they are "
-               "written; a NetCDF of "
+               "total a step counts (--every), which month's normals count, over which steps a "
+               "total "
+               "is spread (--totals), and what bounds times have in files that hold them "
+               "(time_bnds); --from and --to are of times as they are written; a NetCDF of "
                "stations "
                "whose times have bounds says it itself");
 }

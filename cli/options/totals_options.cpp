@@ -23,8 +23,10 @@ void TotalsOptions::declare(OptionList& options) {
       &group.add("--observed-day", choice<bool>(before_, {{"same", false}, {"before", true}}),
                  "whether a total of D is read on D (default), or D is the day on which it began "
                  "and it is read the day after");
-  group.add("--totals-time-format", time_format(time_format_),
-            "how the times of the totals are written, as --time-format");
+  group.add(
+      "--totals-time-format", time_format(time_format_),
+      "how the times of the totals are written, as --time-format; their columns have the usual "
+      "names, or those that are said of RAINFALL");
   group.add("--totals-unit", rain_unit_of(unit_),
             "what the totals are in, where no column says it; they are brought to --to-unit");
 }
@@ -52,9 +54,10 @@ void TotalsOptions::check(bool has_rainfall, bool is_event) const {
                      "give a file; RAINFALL may be -"};
   }
   if (observed_day_option_->is_given() && !observed_at_) {
-    throw UsageError{"--observed-day says on which day totals are read, and nothing says at what "
-                     "hour",
-                     "give --observed-at, or leave it out"};
+    throw UsageError{
+        "--observed-day says on which day totals are read, and nothing says at what "
+        "hour",
+        "give --observed-at, or leave it out"};
   }
 }
 
@@ -64,18 +67,20 @@ RainfallRequest TotalsOptions::request(const RainfallRequest& rainfall,
   source.layer_setting = "totals";
   source.where_setting = "totals";
   source.csv = all;
-  source.csv.input = "totals";
+  source.csv.input.clear();
   return {{file_}, source, rainfall.beside};
 }
 
 ReadingsOptions TotalsOptions::readings(const ReadingsOptions& rainfall,
                                         const CsvDialect& all) const {
   ReadingsOptions options;
+  options.time_fields = rainfall.time_fields;
+  options.station_field = rainfall.station_field;
+  options.value_field = rainfall.value_field;
   options.time_format = time_format_;
   options.missing = rainfall.missing;
   options.trace = rainfall.trace;
   options.decimal_comma = all.decimal_comma;
-  options.input = "totals";
   options.from_unit = unit_;
   options.to_unit = rainfall.to_unit;
   options.keep_flagged = rainfall.keep_flagged;

@@ -288,9 +288,9 @@ std::unique_ptr<Readings> open_dly_readings(const std::string& rainfall,
   ReadingsFindings findings(rainfall, *known, options.ignore_unknown, warnings);
   if (options.is_one_of_several || options.is_beside_others) findings.are_of_one_file_of_several();
   if (options.steps_may_differ) findings.steps_may_differ();
-  auto readings = std::make_unique<DlyReadings>(DlySource{rainfall, dly_files(rainfall),
-                                                          std::move(known), std::move(findings),
-                                                          options.keep_flagged, element});
+  auto readings =
+      std::make_unique<DlyReadings>(DlySource{rainfall, dly_files(rainfall), std::move(known),
+                                              std::move(findings), options.keep_flagged, element});
   if (options.read != AmountsRead::days_of_sums)
     return converted(std::move(readings), conversion_from(*rain_unit("mm"), options));
   // What is taken for tenths of a millimetre are days.

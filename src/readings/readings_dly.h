@@ -28,7 +28,8 @@ struct DlySource {
   std::string element = "PRCP";
 };
 
-/// Reads rain (PRCP, or another element) from the `.dly` files of GHCN-Daily: see open_dly_readings.
+/// Reads rain (PRCP, or another element) from the `.dly` files of GHCN-Daily: see
+/// open_dly_readings.
 ///
 /// The files are read twice. The first pass checks them and finds the stretches in which the months
 /// ascend. The second reads a block of months at a time, from each stretch that has some of them.

@@ -57,10 +57,10 @@ struct ReadingsOptions {
   /// Steps of such a pipe may come again, and what came first stays: see FreshReadings.
   bool steps_may_come_again = false;
   AmountsRead read = AmountsRead::of_steps;
-  bool is_beside_others = false;  ///< stations that are silent in it may report in another input
-  bool steps_may_differ = false;  ///< it tells itself how long each reading's step is
+  bool is_beside_others = false;   ///< stations that are silent in it may report in another input
+  bool steps_may_differ = false;   ///< it tells itself how long each reading's step is
   bool steps_by_calendar = false;  ///< they are wanted in the order of time: see JoinedReadings
-  bool ids_as_numbers = false;  ///< ids of digits that differ by leading zeros are one
+  bool ids_as_numbers = false;     ///< ids of digits that differ by leading zeros are one
   /// Finds another column of the stations' source that holds this id, for a hint; may be empty.
   std::function<std::string(const std::string& id)> column_of;
 };

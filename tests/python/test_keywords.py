@@ -55,7 +55,8 @@ VALUES = {"stations_skip": 1, "basins_skip": 1, "rainfall_skip": 1, "skip": 1, "
           "stations_separator": ";", "basins_separator": ";", "rainfall_separator": ";", "separator": ";",
           "stations_encoding": "cp932", "basins_encoding": "cp932", "rainfall_encoding": "cp932", "encoding": "cp932",
           "normals": "nowhere.tif", "metric": "planar", "plane": "EPSG:32633", "crs": "EPSG:32633", "basins_crs": "EPSG:32633", "tolerance": 1,
-          "margin": 1, "threads": 1, "cache": 1, "time_format": "excel", "config": "nowhere.toml"}
+          "margin": 1, "threads": 1, "cache": 1, "time_format": "excel", "config": "nowhere.toml",
+          "totals_time_format": "excel", "totals_unit": "cm", "observed_at": "09:00", "observed_day": "before"}
 FLAGS = {"skip_unplaced", "mend", "decimal_comma", "stations_decimal_comma", "basins_decimal_comma",
          "rainfall_decimal_comma", "allow_far", "ignore_unknown", "ids_as_numbers", "keep_flagged", "cumulative",
          "attributes", "quiet"}

@@ -16,10 +16,19 @@ JoinedReadings::Opened FilesWithoutRain::open_next(const Open& open, const std::
     warnings.have_been_told();  // how a file is written that is not read
     passed_over_.push_back(file);
     for (const Message& message : none.messages()) faults_.add(message);
-    if (passed_over_.size() == count_) faults_.throw_if_any();
+    if (passed_over_.size() == count_) fail();
   }
   if (opened_ == count_ && !passed_over_.empty()) tell(warnings);
   return opened;
+}
+
+/// Throws what was said of each file.
+void FilesWithoutRain::fail() {
+  try {
+    faults_.throw_if_any();
+  } catch (const Error& error) {
+    throw NoRain(error.messages(), error.unlisted());
+  }
 }
 
 void FilesWithoutRain::tell(Warnings& warnings) const {

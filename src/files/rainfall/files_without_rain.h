@@ -12,8 +12,8 @@
 namespace thiessen {
 
 /// Opens the files of several one after the other, and passes over those of a known format that
-/// hold no rain (NoRain). With the last one a notice names them; that none of all has rain is an
-/// error, with what is said of each.
+/// hold no rain (NoRain). With the last one a notice names them; that none of all has rain is
+/// NoRain, too, with what is said of each.
 class FilesWithoutRain {
  public:
   /// `count` files are to be opened; `name` is that of all in messages.
@@ -24,6 +24,7 @@ class FilesWithoutRain {
   JoinedReadings::Opened open_next(const Open& open, const std::string& file, Warnings& warnings);
 
  private:
+  void fail();
   void tell(Warnings& warnings) const;
 
   std::size_t count_;

@@ -249,21 +249,40 @@ PublishedFormat format_read(PublishedFormat format, AmountsRead read, const Tabl
   return format;
 }
 
+/// Has the columns count that the user names of RAINFALL where a table of totals has them, too.
+void take_columns(ReadingsOptions& options, const ReadingsOptions& named, const Table& table) {
+  const auto has = [&](const std::string& name) {
+    return !name.empty() && std::ranges::any_of(table.header(), [&](const std::string& column) {
+      return same_name(column, name);
+    });
+  };
+  if (has(named.station_field)) options.station_field = named.station_field;
+  if (has(named.value_field)) options.value_field = named.value_field;
+  if (std::ranges::all_of(named.time_fields, has)) options.time_fields = named.time_fields;
+}
+
 /// What is read of totals in a table of no known format, of which one column may be of days.
 /// Throws NoRain where it has none.
-RainfallTable read_unknown(std::unique_ptr<Table> table, ReadingsOptions options) {
-  if (options.read == AmountsRead::of_steps || options.read == AmountsRead::totals)
-    return {std::move(table), std::move(options)};
+RainfallTable read_unknown(std::unique_ptr<Table> table, ReadingsOptions options,
+                           const ReadingsOptions& named) {
+  if (options.read == AmountsRead::of_steps) return {std::move(table), std::move(options)};
+  take_columns(options, named, *table);
+  if (options.read == AmountsRead::totals) return {std::move(table), std::move(options)};
   const auto days = find_field(table->header(), known::gathered_days);
   const bool are_days = options.read == AmountsRead::days;
-  if (!are_days || !days || !is_long_header(table->header()))
+  if (!are_days || !days || find_field(table->header(), known::station_ids) == std::nullopt)
     fail_without(table->file(), are_days ? "column of days" : "sums of several days");
   options.value_field = table->header()[*days];
   return {std::move(table), std::move(options)};
 }
 
-/// Has numbers of days be read as they are, whatever the amounts beside them are in.
+/// Has numbers of days be read as they are, whatever the amounts beside them are in. Of totals it
+/// is their format that names columns.
 ReadingsOptions options_read(ReadingsOptions options) {
+  if (options.read == AmountsRead::of_steps) return options;
+  options.station_field.clear();
+  options.value_field.clear();
+  options.time_fields.clear();
   if (options.read != AmountsRead::days && options.read != AmountsRead::days_of_sums)
     return options;
   options.from_unit.reset();
@@ -291,7 +310,7 @@ RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& ask
                  setting("keep_flagged") + " is for GHCN-Daily, whose values have flags of quality",
                  ""});
   }
-  if (found.format == nullptr) return read_unknown(std::move(found.table), options);
+  if (found.format == nullptr) return read_unknown(std::move(found.table), options, asked);
   const PublishedFormat format = format_read(*found.format, options.read, *found.table);
   tell_format(format, *found.table, options, found.tells_encoding, warnings);
   if (found.format == &hourly_order_format()) {
@@ -305,8 +324,7 @@ RainfallTable open_rainfall_table(const Source& said, const ReadingsOptions& ask
   ReadingsOptions others = options;
   others.value_field.clear();
   ReadingsOptions all = options_of(format, *found.table, std::move(others));
-  auto table =
-      std::make_unique<PublishedTable>(std::move(found.table), format, options, warnings);
+  auto table = std::make_unique<PublishedTable>(std::move(found.table), format, options, warnings);
   const bool is_of_one = found.format->station.empty() && all.station_field.empty();
   return {std::move(table), std::move(all), is_of_one, std::move(found.stations_told)};
 }

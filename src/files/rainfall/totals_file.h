@@ -13,8 +13,8 @@ namespace thiessen {
 
 /// Totals of gauges in files of any format of readings (see open_rainfall): the readings of their
 /// steps and, where a column tells of how many days each is, the sums of several days; of
-/// GHCN-Daily also its sums of several days (MDPR with DAPR). The stations and ids must outlive what
-/// the source opens. Requires files that can be read again.
+/// GHCN-Daily also its sums of several days (MDPR with DAPR). The stations and ids must outlive
+/// what the source opens. Requires files that can be read again.
 TotalsSource totals_in(const RainfallRequest& totals, std::span<const Station> stations,
                        std::span<const std::string> passed_over, const ReadingsOptions& options);
 

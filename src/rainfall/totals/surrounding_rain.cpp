@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "earth/nearest/in_space.h"
+
 namespace thiessen {
 namespace {
 
@@ -43,12 +45,31 @@ SurroundingRain::SurroundingRain(const Weighing& weighing)
       have_reported_(weighing.network().places().size(), false),
       neighbourhoods_(weighing.network().places().size()),
       counts_(weighing.network().places().size()) {
+  for (std::uint32_t p = 0; p < have_reported_.size(); ++p) have_not_.push_back(PlaceIndex{p});
+  for (const Point p : weighing.network().places())
+    in_space_.push_back(in_space(p, weighing.yardstick().metric));
   if (weighing.yardstick().metric != Metric::geodesic) return;
   for (const Point p : weighing.network().places()) on_earth_.emplace_back(p);
 }
 
 std::vector<double> SurroundingRain::by_place(std::span<const double> readings,
                                               const NormalMonth& month) {
+  // Where each gauge has a place of its own, places are numbered as gauges are.
+  const bool are_places = weighing_.network().places().size() == readings.size();
+  std::vector<double> rain = are_places && weighing_.normals() == nullptr
+                                 ? std::vector<double>(readings.begin(), readings.end())
+                                 : means_by_place(readings, month);
+  std::erase_if(have_not_, [&](PlaceIndex place) {
+    if (std::isnan(rain[index(place)])) return false;
+    have_reported_.set(place, true);
+    reporters_.push_back(place);
+    return true;
+  });
+  return rain;
+}
+
+std::vector<double> SurroundingRain::means_by_place(std::span<const double> readings,
+                                                    const NormalMonth& month) {
   const Network& network = weighing_.network();
   const NormalField* const normals = weighing_.normals();
   std::vector<double> rain(network.places().size(), unknown);
@@ -56,14 +77,11 @@ std::vector<double> SurroundingRain::by_place(std::span<const double> readings,
   for (std::uint32_t s = 0; s < readings.size(); ++s) {
     if (std::isnan(readings[s])) continue;
     const StationIndex station{s};
-    const PlaceIndex place = network.place_of(station);
-    const double relative =
-        normals == nullptr ? readings[s] : readings[s] / relative_at_gauge(*normals, station, month);
-    double& here = rain[index(place)];
-    here = counts_[index(place)]++ == 0 ? relative : here + relative;
-    if (have_reported_[place]) continue;
-    have_reported_.set(place, true);
-    ++reported_;
+    const std::size_t place = index(network.place_of(station));
+    const double relative = normals == nullptr
+                                ? readings[s]
+                                : readings[s] / relative_at_gauge(*normals, station, month);
+    rain[place] = counts_[place]++ == 0 ? relative : rain[place] + relative;
   }
   for (std::size_t p = 0; p < rain.size(); ++p) {
     if (counts_[p] > 1) rain[p] /= static_cast<double>(counts_[p]);
@@ -74,18 +92,23 @@ std::vector<double> SurroundingRain::by_place(std::span<const double> readings,
 double SurroundingRain::at(StationIndex gauge, std::span<const double> by_place,
                            const NormalMonth& month) {
   const PlaceIndex place = weighing_.network().place_of(gauge);
-  const Neighbourhood& kept_here = around(place);
-  Sum sum;
-  for (const Neighbour& neighbour : kept_here.near) {
-    const double rain = by_place[index(neighbour.place)];
-    if (std::isnan(rain)) continue;
-    sum.add(neighbour.weight, rain);
-    if (sum.is_full()) break;
-  }
-  const bool has_all = kept_here.near.size() == reported_;
-  const double mean = sum.is_full() || has_all ? sum.mean() : searched(place, by_place);
   const NormalField* const normals = weighing_.normals();
-  return normals == nullptr ? mean : mean * relative_at_gauge(*normals, gauge, month);
+  const double normal = normals == nullptr ? 1 : relative_at_gauge(*normals, gauge, month);
+  while (true) {
+    const Neighbourhood& here = around(place);
+    Sum sum;
+    for (const Neighbour& neighbour : here.near) {
+      const double rain = by_place[index(neighbour.place)];
+      if (std::isnan(rain)) continue;
+      sum.add(neighbour.weight, rain);
+      if (sum.is_full()) break;
+    }
+    if (sum.is_full() || here.near.size() == reporters_.size()) return sum.mean() * normal;
+    if (here.wanted == kept_at_most) return searched(place, by_place) * normal;
+    Neighbourhood& wider = neighbourhoods_[index(place)];
+    wider.wanted *= 4;
+    find(place, wider);
+  }
 }
 
 /// The same of whatever places report, where those that are kept are too few.
@@ -94,44 +117,55 @@ double SurroundingRain::searched(PlaceIndex from, std::span<const double> by_pla
   for (std::uint32_t p = 0; p < by_place.size(); ++p)
     reports.set(PlaceIndex{p}, !std::isnan(by_place[p]));
   nearest_.find(weighing_.network().places()[index(from)], most, reports, found_);
-  std::vector<Neighbour> near;
-  for (const NearestGauges::Near& one : found_) near.push_back({one.place, one.square});
-  weigh(from, near);
   Sum sum;
-  for (const Neighbour& neighbour : near) {
+  for (const NearestGauges::Near& one : found_) {
     if (sum.is_full()) break;
-    sum.add(neighbour.weight, by_place[index(neighbour.place)]);
+    sum.add(neighbour(from, one.place, one.square).weight, by_place[index(one.place)]);
   }
   return sum.mean();
 }
 
-/// The places near one, of those that have reported so far.
+/// The places near one, of those that have reported so far. As gauges open one after the other, the
+/// few that are new are put in their places.
 const SurroundingRain::Neighbourhood& SurroundingRain::around(PlaceIndex place) {
   Neighbourhood& here = neighbourhoods_[index(place)];
-  if (here.of == reported_) return here;
-  nearest_.find(weighing_.network().places()[index(place)], kept, have_reported_, found_);
-  here.near.clear();
-  for (const NearestGauges::Near& one : found_) here.near.push_back({one.place, one.square});
-  weigh(place, here.near);
-  here.of = reported_;
+  if (here.of == reporters_.size()) return here;
+  if (reporters_.size() - here.of > kept) {
+    find(place, here);
+  } else {
+    for (; here.of < reporters_.size(); ++here.of) insert(place, reporters_[here.of], here);
+  }
   return here;
 }
 
-/// Makes weights of the squares of distances that stand in their place. They are relative to the
-/// nearest one's, so that no unit of length makes them too large or too small.
-void SurroundingRain::weigh(PlaceIndex from, std::vector<Neighbour>& near) const {
+void SurroundingRain::find(PlaceIndex place, Neighbourhood& here) {
+  nearest_.find(weighing_.network().places()[index(place)], here.wanted, have_reported_, found_);
+  here.near.clear();
+  for (const NearestGauges::Near& one : found_)
+    here.near.push_back(neighbour(place, one.place, one.square));
+  here.of = reporters_.size();
+}
+
+void SurroundingRain::insert(PlaceIndex place, PlaceIndex fresh, Neighbourhood& here) const {
+  const Direction way = in_space_[index(fresh)] - in_space_[index(place)];
+  const double square = dot(way, way);
+  const std::vector<Point>& places = weighing_.network().places();
+  const auto farther = std::find_if(here.near.begin(), here.near.end(), [&](const Neighbour& one) {
+    return one.square != square ? one.square > square
+                                : places[index(fresh)] < places[index(one.place)];
+  });
+  if (farther == here.near.end() && here.near.size() == here.wanted) return;
+  here.near.insert(farther, neighbour(place, fresh, square));
+  if (here.near.size() > here.wanted) here.near.pop_back();
+}
+
+SurroundingRain::Neighbour SurroundingRain::neighbour(PlaceIndex of, PlaceIndex place,
+                                                      double square) const {
   constexpr double accuracy = 1e-3;  // metres
-  double least = 0;
-  for (Neighbour& neighbour : near) {
-    double square = neighbour.weight;
-    if (!on_earth_.empty() && square > 0) {
-      const double distance =
-          arrival(on_earth_[index(neighbour.place)], on_earth_[index(from)], accuracy).distance;
-      square = distance * distance;
-    }
-    if (least == 0) least = square;
-    neighbour.weight = square == 0 ? at_the_place : least / square;
-  }
+  if (square == 0) return {place, square, at_the_place};
+  if (on_earth_.empty()) return {place, square, 1 / square};
+  const double distance = arrival(on_earth_[index(place)], on_earth_[index(of)], accuracy).distance;
+  return {place, square, 1 / (distance * distance)};
 }
 
 }  // namespace thiessen

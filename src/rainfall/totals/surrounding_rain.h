@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "earth/sphere/geodesic.h"
+#include "geometry/direction.h"
 #include "rainfall/methods/nearest_gauges.h"
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
@@ -23,8 +24,8 @@ namespace thiessen {
 /// or geodesics on WGS 84.
 ///
 /// The 32 nearest places of those that have reported so far are kept for each place that is asked
-/// for; where fewer than 8 of these report, the rest of the network is searched. Cost: 50
-/// nanoseconds a place and step, and 30 microseconds a place once.
+/// for, and up to 512 where fewer than 8 of these report; beyond these the network is searched.
+/// Cost: 50 nanoseconds a place and step, and 30 microseconds a place once.
 class SurroundingRain {
  public:
   static constexpr std::size_t most = 8;
@@ -42,25 +43,33 @@ class SurroundingRain {
 
  private:
   static constexpr std::size_t kept = 32;
+  static constexpr std::size_t kept_at_most = 512;
 
   struct Neighbour {
     PlaceIndex place;
-    double weight;  ///< (the nearest one's distance / its own)^2; infinite at distance 0
+    double square;  ///< of the straight distance, by which places are ranked
+    double weight;  ///< 1 / d^2; infinite at distance 0
   };
   struct Neighbourhood {
-    std::vector<Neighbour> near;
-    std::size_t of = 0;  ///< how many places had reported when it was made
+    std::vector<Neighbour> near;  ///< the nearest first
+    std::size_t wanted = kept;    ///< how many of them there are, if that many have reported
+    std::size_t of = 0;           ///< how many places had reported when it was brought up to date
   };
 
   const Neighbourhood& around(PlaceIndex place);
-  void weigh(PlaceIndex from, std::vector<Neighbour>& near) const;
+  void find(PlaceIndex place, Neighbourhood& here);
+  void insert(PlaceIndex place, PlaceIndex fresh, Neighbourhood& here) const;
+  Neighbour neighbour(PlaceIndex of, PlaceIndex place, double square) const;
   double searched(PlaceIndex from, std::span<const double> by_place);
+  std::vector<double> means_by_place(std::span<const double> readings, const NormalMonth& month);
 
   const Weighing& weighing_;
   NearestGauges nearest_;
-  std::vector<EarthPoint> on_earth_;  ///< the places, where the metric is geodesic
+  std::vector<Direction> in_space_;   ///< the places
+  std::vector<EarthPoint> on_earth_;  ///< the same, where the metric is geodesic
   ReportingPlaces have_reported_;
-  std::size_t reported_ = 0;                  ///< how many of them have
+  std::vector<PlaceIndex> reporters_;          ///< those that have, in their order
+  std::vector<PlaceIndex> have_not_;           ///< those that have not
   std::vector<Neighbourhood> neighbourhoods_;  ///< by place
   std::vector<NearestGauges::Near> found_;
   std::vector<std::size_t> counts_;  ///< by place: how many of its gauges report at a step

@@ -24,8 +24,9 @@ IsoTime time_of(const TimeStep& step, const std::string& file) {
                "time " + quoted(step.time, 80) +
                    (has_words ? step.written->fault : Wording(" is not one of the calendar")) +
                    ", and totals are spread by their times",
-               has_words ? step.written->hint
-                         : setting("time_format") + " says how times are written"});
+               has_words
+                   ? step.written->hint + "; of totals that is " + setting("totals_time_format")
+                   : setting("totals_time_format") + " says how their times are written"});
 }
 
 bool is_before(const IsoTime& a, const IsoTime& b) {

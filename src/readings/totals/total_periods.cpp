@@ -88,8 +88,7 @@ TotalPeriod TotalPeriods::of_date(const IsoTime& time, int days, int minutes) co
   } else if (step_ && step_->seconds > day) {
     first = last - step_->seconds / day + 1;
   }
-  const std::int64_t later =
-      (hour_.is_dated_before ? 0 : -day) + std::int64_t{60} * minutes;
+  const std::int64_t later = (hour_.is_dated_before ? 0 : -day) + std::int64_t{60} * minutes;
   return {first * day + later, (last + 1) * day + later};
 }
 

@@ -51,9 +51,10 @@ TotalledReadings::TotalledReadings(std::unique_ptr<Readings> fine, std::string f
       latest_clock_(never),
       latest_moment_(never),
       until_(weighing.network().stations().size(), {never, "", 0}),
-      heard_(until_.size()),
+      have_totals_(until_.size()),
       with_totals_(until_.size()) {
   if (const auto said = fine_->stamp()) hour_.stamp = *said;
+  for (std::uint32_t s = 0; s < until_.size(); ++s) silent_.push_back(StationIndex{s});
 }
 
 bool TotalledReadings::next(TimeStep& step) {
@@ -115,8 +116,7 @@ void TotalledReadings::require_units_alike() const {
   const std::string of_totals = totals_->unit();
   const auto unit = rain_unit(of_fine);
   if (unit && time_of_rate(*unit)) {
-    throw Error({file_, 0,
-                 "its readings are rates in " + of_fine + ", and totals are depths",
+    throw Error({file_, 0, "its readings are rates in " + of_fine + ", and totals are depths",
                  setting("scale") + " by the length of a step makes depths of them, " +
                      setting("from_unit", std::string(unit->depth)) + " says that they are some"});
   }
@@ -128,13 +128,12 @@ void TotalledReadings::require_units_alike() const {
                  setting("to_unit") + " brings both to one unit"});
   }
   const bool is_of_totals = of_totals.empty();
-  warnings_.add_notice({is_of_totals ? source_.name : file_, 0,
-                        std::string("nothing says what ") +
-                            (is_of_totals ? "the totals" : "the readings") +
-                            " are in: they are taken to be in " +
-                            (is_of_totals ? of_fine : of_totals) + ", as " +
-                            quoted(is_of_totals ? file_ : source_.name, longest_shown) + " is",
-                        ""});
+  warnings_.add_notice(
+      {is_of_totals ? source_.name : file_, 0,
+       std::string("nothing says what ") + (is_of_totals ? "the totals" : "the readings") +
+           " are in: they are taken to be in " + (is_of_totals ? of_fine : of_totals) + ", as " +
+           quoted(is_of_totals ? file_ : source_.name, longest_shown) + " is",
+       ""});
 }
 
 /// Requires a time of the calendar that is after that of the step before.
@@ -142,12 +141,12 @@ void TotalledReadings::require_calendar(const TimeStep& step) {
   const ParsedTime parsed = calendar_time(step.time, step.written);
   if (!parsed) {
     const bool has_words = step.written && !step.written->fault.empty();
-    throw Error({file_, step.line,
-                 "time " + quoted(step.time, longest_shown) +
-                     (has_words ? step.written->fault : Wording(" is not one of the calendar")) +
-                     ", and totals are spread by the times of steps",
-                 has_words ? step.written->hint
-                           : setting("time_format") + " says how times are written"});
+    throw Error(
+        {file_, step.line,
+         "time " + quoted(step.time, longest_shown) +
+             (has_words ? step.written->fault : Wording(" is not one of the calendar")) +
+             ", and totals are spread by the times of steps",
+         has_words ? step.written->hint : setting("time_format") + " says how times are written"});
   }
   intervals_.note(parsed);
   if (before_ && order_of_moments(parsed.time, *before_) != std::strong_ordering::greater) {
@@ -174,8 +173,8 @@ void TotalledReadings::hold(const TimeStep& step) {
   held.by_place = surroundings_.by_place(held.readings, held.month);
   held.is_reported = std::any_of(held.by_place.begin(), held.by_place.end(),
                                  [](double rain) { return !std::isnan(rain); });
-  for (std::size_t s = 0; s < held.readings.size(); ++s)
-    heard_[s] = heard_[s] || !std::isnan(held.readings[s]);
+  std::erase_if(silent_,
+                [&](StationIndex station) { return !std::isnan(held.readings[index(station)]); });
   held.clock = clock_seconds(*before_);
   held.moment = moment_seconds(*before_);
   latest_clock_ = std::max(latest_clock_, held.clock);
@@ -204,13 +203,12 @@ void TotalledReadings::check_overlap(const PeriodTotals& totals) {
     Until& until = until_[index(total.station)];
     if (until.end > totals.period.begin) {
       const std::string where = until.line > 0 ? " in line " + std::to_string(until.line) : "";
-      overlaps_.add({source_.name, totals.line,
-                     "the total " +
-                         of_station(weighing_.network().stations()[index(total.station)],
-                                    totals.time) +
-                         " begins before that at " + quoted(until.time, longest_shown) + where +
-                         " ends",
-                     "keep the one that is right"});
+      overlaps_.add(
+          {source_.name, totals.line,
+           "the total " +
+               of_station(weighing_.network().stations()[index(total.station)], totals.time) +
+               " begins before that at " + quoted(until.time, longest_shown) + where + " ends",
+           "keep the one that is right"});
     }
     until = {std::max(until.end, totals.period.end), totals.time, totals.line};
   }
@@ -245,16 +243,14 @@ bool TotalledReadings::is_covered(const PeriodTotals& totals) const {
 
 /// Refuses a total that begins or ends within a step: nothing tells how much of that is its own.
 void TotalledReadings::require_steps_end(const PeriodTotals& totals, std::int64_t boundary) const {
-  const auto after = std::find_if(held_.begin(), held_.end(), [&](const Held& held) {
-    return at(held, totals) >= boundary;
-  });
+  const auto after = std::find_if(held_.begin(), held_.end(),
+                                  [&](const Held& held) { return at(held, totals) >= boundary; });
   if (after == held_.begin() || (after != held_.end() && at(*after, totals) == boundary)) return;
   const bool ends = hour_.stamp == Stamp::end && has_clock_;
   if (ends && after == held_.end()) return;
   const Held& step = ends ? *after : *(after - 1);
   const IsoTime time = calendar_time(step.step.time, step.step.written).time;
-  const TimeBounds of_step =
-      bounds(time, totals.is_by_clock, intervals_.step(), hour_.stamp);
+  const TimeBounds of_step = bounds(time, totals.is_by_clock, intervals_.step(), hour_.stamp);
   const auto at_boundary = static_cast<double>(boundary);
   if (at_boundary <= of_step.begin || at_boundary >= of_step.end) return;
   throw Error({source_.name, totals.line,
@@ -269,11 +265,12 @@ void TotalledReadings::require_steps_end(const PeriodTotals& totals, std::int64_
 void TotalledReadings::require_zones_alike(const PeriodTotals& totals) const {
   if (totals.is_by_clock || !before_) return;
   if (totals.has_zone == before_->ahead_of_utc.has_value()) return;
-  throw Error({source_.name, totals.line,
-               "time " + quoted(totals.time, longest_shown) +
-                   (totals.has_zone ? " has a zone, and those of " : " has no zone, and those of ") +
-                   quoted(file_, longest_shown) + (totals.has_zone ? " have none" : " have one"),
-               "write all times with a zone, or none"});
+  throw Error(
+      {source_.name, totals.line,
+       "time " + quoted(totals.time, longest_shown) +
+           (totals.has_zone ? " has a zone, and those of " : " has no zone, and those of ") +
+           quoted(file_, longest_shown) + (totals.has_zone ? " have none" : " have one"),
+       "write all times with a zone, or none"});
 }
 
 void TotalledReadings::spread(const PeriodTotals& totals) {
@@ -285,7 +282,7 @@ void TotalledReadings::spread(const PeriodTotals& totals) {
     require_steps_end(totals, totals.period.end);
   }
   for (const PeriodTotals::Amount& total : totals.amounts) {
-    heard_[index(total.station)] = true;
+    have_totals_[index(total.station)] = true;
     if (is_there) {
       spread(totals, total, steps);
     } else {
@@ -302,9 +299,8 @@ void TotalledReadings::spread(const PeriodTotals& totals, const PeriodTotals::Am
     const Held& held = held_[i];
     if (!std::isnan(held.readings[station])) return note(own_, totals, total);
     // How nothing is spread does not matter.
-    around_.push_back(total.amount > 0
-                          ? surroundings_.at(total.station, held.by_place, held.month)
-                          : (held.is_reported ? 0 : unknown));
+    around_.push_back(total.amount > 0 ? surroundings_.at(total.station, held.by_place, held.month)
+                                       : (held.is_reported ? 0 : unknown));
   }
   amounts_.resize(around_.size());
   const SpreadBy by = spread_total(total.amount, around_, amounts_);
@@ -317,7 +313,7 @@ void TotalledReadings::spread(const PeriodTotals& totals, const PeriodTotals::Am
   if (by == SpreadBy::evenly_unreported) note(unreported_, totals, total);
 }
 
-void TotalledReadings::note(Count& count, const PeriodTotals& totals,
+void TotalledReadings::note(TotalsTold& count, const PeriodTotals& totals,
                             const PeriodTotals::Amount& total) const {
   if (count.count++ > 0) return;
   count.first = of_station(weighing_.network().stations()[index(total.station)], totals.time);
@@ -326,30 +322,29 @@ void TotalledReadings::note(Count& count, const PeriodTotals& totals,
 
 void TotalledReadings::conclude() {
   if (std::exchange(has_concluded_, true)) return;
-  const auto gauges = static_cast<std::size_t>(
-      std::count(with_totals_.begin(), with_totals_.end(), true));
+  const auto gauges =
+      static_cast<std::size_t>(std::count(with_totals_.begin(), with_totals_.end(), true));
   if (spread_.count > 0) {
-    warnings_.add_notice({source_.name, 0,
-                          counted(spread_.count, " total of ", " totals of ") +
-                              counted(gauges, " gauge", " gauges") + " " +
-                              (spread_.count == 1 ? "is" : "are") +
-                              " spread as the nearest gauges of " +
-                              quoted(file_, longest_shown) + " had their rain",
-                          ""});
+    warnings_.add_notice(
+        {source_.name, 0,
+         counted(spread_.count, " total of ", " totals of ") +
+             counted(gauges, " gauge", " gauges") + " " + (spread_.count == 1 ? "is" : "are") +
+             " spread as the nearest gauges of " + quoted(file_, longest_shown) + " had their rain",
+         ""});
   }
   tell_silent();
   tell(dry_, "spread evenly, for it was dry at the gauges around");
   tell(unreported_, "spread evenly, for no gauge reported in the whole period");
   tell(own_, "passed over, for the gauge reports in " + quoted(file_, longest_shown) +
                  " within the period");
-  tell(beyond_, "left out, for the steps of " + quoted(file_, longest_shown) +
-                    " do not cover the period");
+  tell(beyond_,
+       "left out, for the steps of " + quoted(file_, longest_shown) + " do not cover the period");
   if (totals_->without_days() > 0) {
-    warnings_.add({source_.name, 0,
-                   counted(totals_->without_days(), " sum of several days is",
-                           " sums of several days are") +
-                       " left out, for nothing tells of how many",
-                   ""});
+    warnings_.add(
+        {source_.name, 0,
+         counted(totals_->without_days(), " sum of several days is", " sums of several days are") +
+             " left out, for nothing tells of how many",
+         ""});
   }
 }
 
@@ -357,17 +352,20 @@ void TotalledReadings::conclude() {
 void TotalledReadings::tell_silent() const {
   std::vector<std::string> first;
   std::size_t silent = 0;
-  for (std::size_t s = 0; s < heard_.size(); ++s) {
-    if (heard_[s]) continue;
-    if (++silent <= stations_named) first.push_back(weighing_.network().stations()[s].id);
+  for (const StationIndex station : silent_) {
+    if (have_totals_[index(station)]) continue;
+    if (++silent <= stations_named)
+      first.push_back(weighing_.network().stations()[index(station)].id);
   }
   if (silent > 0) warnings_.add({file_, 0, without_readings(first, silent, ""), ""});
 }
 
-void TotalledReadings::tell(const Count& count, const std::string& what) const {
+void TotalledReadings::tell(const TotalsTold& count, const std::string& what) const {
   if (count.count == 0) return;
-  const std::string others =
-      count.count == 1 ? "" : ", and so are " + std::to_string(count.count - 1) + " more";
+  const std::size_t more = count.count - 1;
+  const std::string others = more == 0   ? ""
+                             : more == 1 ? ", and so is 1 more"
+                                         : ", and so are " + std::to_string(more) + " more";
   warnings_.add(
       {source_.name, count.line, "the total " + count.first + " is " + what + others, ""});
 }

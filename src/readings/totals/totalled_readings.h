@@ -54,7 +54,7 @@ class TotalledReadings : public Readings {
     TimeStep step;
     std::vector<double> readings;  ///< and amounts that were spread
     std::vector<double> by_place;  ///< what gauges had: see SurroundingRain
-    bool is_reported;  ///< by any gauge
+    bool is_reported;              ///< by any gauge
     NormalMonth month;
     std::int64_t clock;   ///< seconds by its clock
     std::int64_t moment;  ///< seconds by UTC, where it has a zone
@@ -65,7 +65,7 @@ class TotalledReadings : public Readings {
     std::size_t end = 0;
   };
   /// Totals of one kind: how many, and the first of them.
-  struct Count {
+  struct TotalsTold {
     std::size_t count = 0;
     std::string first;
     std::size_t line = 0;
@@ -91,11 +91,11 @@ class TotalledReadings : public Readings {
   void require_steps_end(const PeriodTotals& totals, std::int64_t boundary) const;
   void require_zones_alike(const PeriodTotals& totals) const;
   void check_overlap(const PeriodTotals& totals);
-  void note(Count& count, const PeriodTotals& totals, const PeriodTotals::Amount& total) const;
+  void note(TotalsTold& count, const PeriodTotals& totals, const PeriodTotals::Amount& total) const;
   void require_units_alike() const;
   void conclude();
   void tell_silent() const;
-  void tell(const Count& count, const std::string& what) const;
+  void tell(const TotalsTold& count, const std::string& what) const;
 
   std::unique_ptr<Readings> fine_;
   std::string file_;
@@ -126,9 +126,10 @@ class TotalledReadings : public Readings {
   Complaints overlaps_;
   std::vector<double> around_;
   std::vector<double> amounts_;
-  std::vector<bool> heard_;        ///< by station: whether it has a reading or a total
-  std::vector<bool> with_totals_;  ///< by station: whether a total of it was spread
-  Count spread_, dry_, unreported_, own_, beyond_;
+  std::vector<StationIndex> silent_;  ///< the stations that have no reading so far
+  std::vector<bool> have_totals_;     ///< by station
+  std::vector<bool> with_totals_;     ///< by station: whether a total of it was spread
+  TotalsTold spread_, dry_, unreported_, own_, beyond_;
 };
 
 }  // namespace thiessen

@@ -18,8 +18,8 @@ namespace {
 using namespace by_method;
 
 by_method::Study study_of(std::vector<Station> stations, const Yardstick& yardstick = plane) {
-  return {std::move(stations), {shapes::basin({{shapes::rectangle({0, 0}, {1, 1}), {}}})},
-          yardstick};
+  return {
+      std::move(stations), {shapes::basin({{shapes::rectangle({0, 0}, {1, 1}), {}}})}, yardstick};
 }
 
 double around(const by_method::Study& study, std::size_t gauge,
@@ -60,8 +60,8 @@ TEST(SurroundingRain, is_weighed_by_inverse_squares) {
 }
 
 TEST(SurroundingRain, is_that_of_the_place_itself_where_a_gauge_reports_there) {
-  const auto study = study_of(
-      {{"a", {0, 0}, 0}, {"b", {3, 0}, 0}, {"c", {3, 0}, 0}, {"d", {3, 0}, 0}});
+  const auto study =
+      study_of({{"a", {0, 0}, 0}, {"b", {3, 0}, 0}, {"c", {3, 0}, 0}, {"d", {3, 0}, 0}});
   EXPECT_EQ(around(study, 2, {1, 5, silent, 7}), 6) << "the mean of the gauges at one place";
   EXPECT_EQ(around(study, 2, {1, silent, silent, silent}), 1);
 }
@@ -84,7 +84,8 @@ TEST(SurroundingRain, is_of_the_eight_nearest_that_report_whatever_reported_befo
       const double found = rain.at(StationIndex{0}, by_place, {});
       const double expected = mean_of_nearest(stations, 0, readings, yardstick.metric);
       EXPECT_EQ(std::isnan(found), std::isnan(expected));
-      if (!std::isnan(expected)) EXPECT_NEAR(found, expected, 1e-7 * expected);
+      if (std::isnan(expected)) continue;
+      EXPECT_NEAR(found, expected, 1e-7 * expected);
     }
   }
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 
 namespace thiessen {
@@ -10,6 +11,7 @@ namespace {
 constexpr int nine = 9 * 60;
 constexpr int midnight = 24 * 60;
 const StepLength daily{0, 86'400};
+const ObservationHour at_end{std::nullopt, false, Stamp::end};
 
 /// The period of a total, as its beginning and end.
 std::string period(const std::string& time, const ObservationHour& hour,
@@ -34,8 +36,7 @@ TEST(TotalPeriods, of_dates_end_at_the_hour_of_that_day_or_the_day_after) {
 
 TEST(TotalPeriods, of_several_days_end_where_one_would) {
   EXPECT_EQ(period("2020-03-02", {nine}, daily, 3), "2020-02-28T09:00 2020-03-02T09:00");
-  EXPECT_EQ(period("2020-03-02T07:00", {.stamp = Stamp::end}, daily, 2),
-            "2020-02-29T07:00 2020-03-02T07:00");
+  EXPECT_EQ(period("2020-03-02T07:00", at_end, daily, 2), "2020-02-29T07:00 2020-03-02T07:00");
   EXPECT_EQ(period("2020-03-02T07:00", {}, daily, 2), "2020-03-01T07:00 2020-03-03T07:00");
 }
 
@@ -49,16 +50,13 @@ TEST(TotalPeriods, are_as_long_as_the_step_of_their_file) {
   EXPECT_EQ(period("2020-02", {nine}, month), "2020-01-31T09:00 2020-02-29T09:00");
   EXPECT_EQ(period("2020", {midnight}, StepLength{12, 0}), "2020-01-01T00:00 2021-01-01T00:00");
   EXPECT_EQ(period("2020-01-31T09:00", {}, month), "2020-01-31T09:00 2020-02-29T09:00");
-  EXPECT_EQ(period("2020-02-29T09:00", {.stamp = Stamp::end}, month),
-            "2020-01-31T09:00 2020-02-29T09:00");
+  EXPECT_EQ(period("2020-02-29T09:00", at_end, month), "2020-01-31T09:00 2020-02-29T09:00");
 }
 
 TEST(TotalPeriods, with_a_clock_begin_or_end_there) {
   EXPECT_EQ(period("2020-03-01T07:00", {}), "2020-03-01T07:00 2020-03-02T07:00");
-  EXPECT_EQ(period("2020-03-01T07:00", {.stamp = Stamp::end}),
-            "2020-02-29T07:00 2020-03-01T07:00");
-  EXPECT_EQ(period("2020-03-01T07:00+01:00", {.stamp = Stamp::end}),
-            "2020-02-29T06:00 2020-03-01T06:00");
+  EXPECT_EQ(period("2020-03-01T07:00", at_end), "2020-02-29T07:00 2020-03-01T07:00");
+  EXPECT_EQ(period("2020-03-01T07:00+01:00", at_end), "2020-02-29T06:00 2020-03-01T06:00");
 }
 
 TEST(TotalPeriods, take_a_clock_of_midnight_for_none_where_an_hour_is_said) {

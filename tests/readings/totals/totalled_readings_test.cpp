@@ -138,8 +138,8 @@ TEST(TotalledReadings, spread_moments_with_a_zone_over_hours_of_another) {
                      hours("2020-02-29", "Z", from_to(0, 23), {1, silent});
   // From 7:00 in Central Europe, which is 6:00 UTC, so that the hours that end at 7:00 to 6:00 UTC
   // are of it.
-  const auto found = pair.b(fine, {{"2020-02-28T07:00+01:00", {silent, 5}},
-                                   {"2020-02-29T07:00+01:00", {silent, 48}}});
+  const auto found = pair.b(
+      fine, {{"2020-02-28T07:00+01:00", {silent, 5}}, {"2020-02-29T07:00+01:00", {silent, 48}}});
   EXPECT_TRUE(std::isnan(found[6]));
   for (std::size_t i = 7; i <= 24 + 6; ++i) EXPECT_EQ(found[i], 2) << i;
   EXPECT_TRUE(std::isnan(found[24 + 7]));
@@ -150,9 +150,9 @@ TEST(TotalledReadings, leave_out_periods_that_the_file_begins_or_ends_within) {
   pair.hour.minutes = 9 * 60;
   const Steps fine = hours("2020-01-01", "", from_to(0, 23), {1, silent}) +
                      hours("2020-01-02", "", from_to(0, 23), {1, silent});
-  const auto found = pair.b(fine, {{"2020-01-01", {silent, 24}},
-                                   {"2020-01-02", {silent, 24}},
-                                   {"2020-01-03", {silent, 24}}});
+  const auto found = pair.b(
+      fine,
+      {{"2020-01-01", {silent, 24}}, {"2020-01-02", {silent, 24}}, {"2020-01-03", {silent, 24}}});
   EXPECT_TRUE(std::isnan(found[8]));
   EXPECT_EQ(found[9], 1);
   EXPECT_EQ(found[24 + 8], 1);
@@ -207,9 +207,9 @@ TEST(TotalledReadings, refuse_what_cannot_be_known) {
             "t.csv:4: the total of station 'B' at '2020-01-03' begins before that at '2020-01-02' "
             "in line 3 ends");
   Pair zones;
-  EXPECT_EQ(zones.fault(fine, {{"2020-01-01T00:00Z", {silent, 1}},
-                               {"2020-01-02T00:00Z", {silent, 1}}}),
-            "t.csv:2: time '2020-01-01T00:00Z' has a zone, and those of 'r.csv' have none");
+  EXPECT_EQ(
+      zones.fault(fine, {{"2020-01-01T00:00Z", {silent, 1}}, {"2020-01-02T00:00Z", {silent, 1}}}),
+      "t.csv:2: time '2020-01-01T00:00Z' has a zone, and those of 'r.csv' have none");
   Pair order;
   order.hour.minutes = midnight;
   EXPECT_EQ(order.fault(hours("2020-01-01", "", {1, 0}, {1, silent}), {}),
@@ -217,8 +217,7 @@ TEST(TotalledReadings, refuse_what_cannot_be_known) {
             "spread in the order of time");
   Pair rates;
   rates.unit_of_fine = "mm/h";
-  EXPECT_EQ(rates.fault(fine, {}),
-            "r.csv: its readings are rates in mm/h, and totals are depths");
+  EXPECT_EQ(rates.fault(fine, {}), "r.csv: its readings are rates in mm/h, and totals are depths");
   Pair labels;
   EXPECT_EQ(labels.fault({{"first", {1, silent}}}, {}),
             "r.csv:2: time 'first' is not one of the calendar, and totals are spread by the times "
@@ -247,8 +246,9 @@ TEST(TotalledReadings, add_up_to_the_totals_whatever_was_reported) {
     for (std::size_t day = 1; day < 9; ++day) {
       // The total of this period, by the date at its end or its beginning.
       const double total = totals[pair.hour.is_dated_before ? day - 1 : day].readings[1];
-      std::vector<double> amounts(found.begin() + static_cast<std::ptrdiff_t>(24 * (day - 1) + first),
-                                  found.begin() + static_cast<std::ptrdiff_t>(24 * day + first));
+      std::vector<double> amounts(
+          found.begin() + static_cast<std::ptrdiff_t>(24 * (day - 1) + first),
+          found.begin() + static_cast<std::ptrdiff_t>(24 * day + first));
       std::erase_if(amounts, [](double amount) { return std::isnan(amount); });
       EXPECT_NEAR(sum(amounts, 0, amounts.size()), total, 1e-12 * (total + 1));
     }
