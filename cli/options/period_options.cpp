@@ -80,14 +80,6 @@ void PeriodOptions::check(bool has_bounds) const {
   }
 }
 
-void PeriodOptions::check_errors() const {
-  if (!every_) return;
-  throw UsageError{
-      "--error is of steps, and --every sums them: how far their errors cancel is "
-      "not known",
-      "leave one of them out, or sum the readings first"};
-}
-
 std::optional<StepTimes> PeriodOptions::times() const {
   if (!range_.from && !range_.to && !every_) return std::nullopt;
   return StepTimes{range_, every_.value_or(TimePrecision::year)};

@@ -31,8 +31,6 @@ class PeriodOptions : public OptionBlock {
   /// Throws UsageError for options that contradict each other. `has_bounds`: what is written says
   /// when its steps begin and end.
   void check(bool has_bounds = false) const;
-  /// Throws UsageError for totals, where standard errors are wanted beside the values.
-  void check_errors() const;
   /// What is required of the times of steps: their range, and how precise totals need them; none
   /// where nothing is required.
   std::optional<StepTimes> times() const;

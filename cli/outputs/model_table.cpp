@@ -40,11 +40,12 @@ void ModelTable::add(const RainPeriod& period) {
                  "--every day sums by day"});
   }
   values_.clear();
+  errors_.clear();
   for (const BasinTotal& total : period.basins) {
     values_.push_back(total.rainfall);
+    errors_.push_back(total.standard_error);
     if (total.missing > 0 && !std::isnan(total.rainfall)) ++incomplete_;
   }
-  errors_.clear();
   series_->add(time.time, values_, errors_);
 }
 

@@ -46,7 +46,10 @@ std::int64_t count_within(std::int64_t low, std::int64_t high, std::int64_t anch
 }  // namespace
 
 RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
-    : totalling_(std::move(totalling)), file_(std::move(file)), take_(std::move(take)) {}
+    : totalling_(std::move(totalling)),
+      file_(std::move(file)),
+      take_(std::move(take)),
+      errors_(totalling_.errors) {}
 
 void RainPeriods::add(const RainStep& step) {
   const IsoTime time = time_of_step(step.time, totalling_.every, file_, step.line, step.written);
@@ -70,6 +73,8 @@ void RainPeriods::add(const RainStep& step) {
   }
   ++held_.back().steps;
   held_.back().last_ahead = time.ahead_of_utc.value_or(0);
+  errors_.add(step.basins,
+              totalling_.depths ? totalling_.depths->of(1, within, totalling_.stamp) : 1);
   for (std::size_t b = 0; b < sums_.size(); ++b) {
     const double rainfall = step.basins[b].rainfall;
     Sum& sum = sums_[b];
@@ -119,14 +124,18 @@ void RainPeriods::begin(const IsoTime& time, const RainStep& step) {
   }
   held_.push_back({number, time, 0, 0});
   sums_.assign(step.basins.size(), Sum{});
+  errors_.begin(step.basins.size());
   open_ = true;
 }
 
 void RainPeriods::end() {
   taken_.clear();
   const double depth = depth_of_rate();
-  for (const Sum& sum : sums_)
-    taken_.push_back({sum.values > 0 ? sum.rainfall.value() * depth : no_value, sum.missing});
+  for (std::size_t b = 0; b < sums_.size(); ++b) {
+    const Sum& sum = sums_[b];
+    taken_.push_back({sum.values > 0 ? sum.rainfall.value() * depth : no_value, sum.missing,
+                      sum.values > 0 ? errors_.of(b) * depth : no_value});
+  }
   if (!totalling_.as_they_end) totals_.add(taken_);
   open_ = false;
 }
@@ -228,7 +237,8 @@ void RainPeriods::hand_on(std::int64_t number, std::size_t lacking, std::size_t 
   RainPeriod period{text_of(number), taken_};
   for (BasinTotal& total : period.basins) {
     total.missing += lacking;
-    if (total.missing > totalling_.allowed_missing) total.rainfall = no_value;
+    if (total.missing > totalling_.allowed_missing)
+      total.rainfall = total.standard_error = no_value;
   }
   if (lacking > 0 && ++lacking_periods_ == 1) {
     first_lacking_ = period.time + ", which lacks " + std::to_string(lacking) + " of " +

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -11,6 +12,7 @@
 #include "base/error.h"
 #include "base/iso_time.h"
 #include "geometry/long_sum.h"
+#include "rainfall/errors/total_error.h"
 #include "rainfall/series/held_totals.h"
 #include "rainfall/series/rain_series.h"
 #include "rainfall/series/stamp.h"
@@ -43,6 +45,8 @@ struct Totalling {
   /// The same of rates whose step their own times tell by the end of the first period. A later time
   /// that is not whole steps from the one before is an Error.
   std::optional<RatesOfUnknownStep> rates = {};
+  /// How the errors of steps go together, where totals are to have errors; else null.
+  std::shared_ptr<const ErrorCorrelation> errors = {};
 };
 
 /// Sums a series of areal rainfall over calendar periods. The period of a step is the one that its
@@ -115,6 +119,7 @@ class RainPeriods {
   IsoTime before_;  ///< time of the step before
   std::string text_before_;
   std::vector<Sum> sums_;
+  TotalErrors errors_;
   std::unordered_set<std::int64_t> begun_;
   std::vector<Held> held_;
   HeldTotals totals_;
