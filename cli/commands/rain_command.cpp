@@ -33,6 +33,7 @@
 #include "cli/terminal/progress.h"
 #include "files/basin_centroids.h"
 #include "files/rainfall/rainfall_file.h"
+#include "rainfall/errors/error_correlation.h"
 #include "rainfall/errors/errors_of_series.h"
 #include "rainfall/series/gauge_patterns.h"
 #include "rainfall/series/step_months.h"
@@ -124,11 +125,13 @@ class RainCommand : public Command {
     fit_normals(inputs, study_, rainfall_, {.stamp = periods_.stamp(), .threads = common_.threads},
                 warnings);
     RainFormat format = table_format();
-    const auto rainfall = step_rainfall(inputs, format, warnings);
+    std::shared_ptr<const ErrorCorrelation> in_time;
+    const auto rainfall = step_rainfall(inputs, format, in_time, warnings);
     const auto readings = inputs.open_readings(study_, rainfall_, warnings, times);
     periods_.settle_stamp(readings->stamp(), rainfall_.name());
     std::optional<Totalling> totalling = totals(is_fed);
     if (totalling) settle_totals(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
+    if (totalling) totalling->errors = in_time;
     if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
     const std::string unit = unit_named(readings->unit(), totalling);
@@ -189,7 +192,8 @@ class RainCommand : public Command {
         "--long in a column se: 1.96 of them to each side are a 95 % bar (widened where "
         "few gauges report) for the true mean of a field alike everywhere, or with normals of "
         "one that they lift; without them bars are too narrow in mountains, and README has "
-        "what was measured. Of any method that weighs gauges. RAINFALL is read twice, all of "
+        "what was measured. With --every of each total, by how the differences of near gauges "
+        "go on from step to step. Of any method that weighs gauges. RAINFALL is read twice, all of "
         "it; empty where fewer than five gauges report or all that do read the same; 10 steps "
         "are needed");
   }
@@ -214,7 +218,6 @@ class RainCommand : public Command {
   void check_errors_can_be_had() const {
     if (!errors_) return;
     method_.check_errors();
-    periods_.check_errors();
     if (rainfall_.is_standard_input()) {
       throw UsageError{"--error reads RAINFALL twice, and standard input can be read once",
                        "give a file"};
@@ -280,16 +283,19 @@ class RainCommand : public Command {
     return totalling;
   }
 
-  /// What computes each step.
-  std::unique_ptr<const StepRainfall> step_rainfall(Inputs& inputs, const RainFormat& format,
-                                                    Warnings& warnings) {
+  /// What computes each step, and how the errors of steps go together where totals want them.
+  std::unique_ptr<const StepRainfall> step_rainfall(
+      Inputs& inputs, const RainFormat& format, std::shared_ptr<const ErrorCorrelation>& in_time,
+      Warnings& warnings) {
     ArealRainfallSettings settings = gaps_.settings();
     settings.accounts = format.rows_for_basins && !periods_.totalling();
     std::optional<ErrorsOfSeries> errors;
     std::string shortfall;
     AroundRainfall around;
     if (errors_) {
-      read_for_errors(inputs, errors.emplace(inputs.weighing()));
+      const auto of = periods_.totalling() ? ErrorsOfSeries::Of::totals : ErrorsOfSeries::Of::steps;
+      read_for_errors(inputs, errors.emplace(inputs.weighing(), of));
+      in_time = errors->correlation();
       around = [&](std::unique_ptr<const WeighedRainfall> values, const NormalMonth& month) {
         auto error = errors->of(std::move(values), month, threads());
         shortfall = error->shortfall();
@@ -298,8 +304,11 @@ class RainCommand : public Command {
     }
     auto rainfall = rainfall_by(method_.methods(), inputs.weighing(), method_.points(), settings,
                                 threads(), warnings, around);
-    if (!shortfall.empty())
+    if (!shortfall.empty()) {
       warnings.add({rainfall_.name(), 0, "no standard errors: " + shortfall, ""});
+    } else if (in_time && inputs.weighing().normals() == nullptr) {
+      warn_of_lasting_errors(*in_time, rainfall_.name(), warnings);
+    }
     return rainfall;
   }
 

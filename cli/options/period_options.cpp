@@ -124,14 +124,6 @@ void PeriodOptions::check_periods() const {
   refuse(dry_option_, are_storms(), "--every storm", "give that, or leave it out");
 }
 
-void PeriodOptions::check_errors() const {
-  if (!every_) return;
-  throw UsageError{
-      "--error is of steps, and --every sums them: how far their errors cancel is "
-      "not known",
-      "leave one of them out, or sum the readings first"};
-}
-
 std::optional<Every> PeriodOptions::every() const {
   if (!every_) return std::nullopt;
   Every every = *every_;

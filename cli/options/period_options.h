@@ -40,8 +40,6 @@ class PeriodOptions : public OptionBlock {
   void check(bool has_bounds = false) const;
   /// Whether the totals are of storms, each of which has its own length.
   bool are_storms() const { return every_ && every_->unit == PeriodUnit::storm; }
-  /// Throws UsageError for totals, where standard errors are wanted beside the values.
-  void check_errors() const;
   /// What is required of the times of steps: their range, and how precise totals need them; none
   /// where nothing is required.
   std::optional<StepTimes> times() const;

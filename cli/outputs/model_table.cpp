@@ -39,11 +39,12 @@ void ModelTable::add(const RainPeriod& period) {
                  "--to leaves it out"});
   }
   values_.clear();
+  errors_.clear();
   for (const BasinTotal& total : period.basins) {
     values_.push_back(total.rainfall);
+    errors_.push_back(total.standard_error);
     if (total.missing > 0 && !std::isnan(total.rainfall)) ++incomplete_;
   }
-  errors_.clear();
   series_->add(period.begin.time, values_, errors_);
 }
 

@@ -87,7 +87,13 @@ bool RainTable::is_there(const RainStep& step) {
 
 bool RainTable::is_there(const RainPeriod& period) {
   values_.clear();
-  for (const BasinTotal& total : period.basins) values_.push_back(total.rainfall);
+  for (const BasinTotal& total : period.basins) {
+    values_.push_back(total.rainfall);
+    if (has_errors_ && has_rows_for_basins_) values_.push_back(total.standard_error);
+  }
+  if (has_errors_ && !has_rows_for_basins_) {
+    for (const BasinTotal& total : period.basins) values_.push_back(total.standard_error);
+  }
   return !growth_->lacks(period.time, values_);
 }
 

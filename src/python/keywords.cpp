@@ -176,9 +176,7 @@ SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Ca
   }
   method.check();
   method.check(gaps);
-  if (!errors) return;
-  method.check_errors();
-  range.check_errors();
+  if (errors) method.check_errors();
 }
 
 void SeriesKeywords::check_readings(ReadingsAt readings) const {

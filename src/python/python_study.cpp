@@ -74,10 +74,11 @@ void add(const RainStep& step, bool in_memory, bool errors, Series& series) {
   }
 }
 
-void add(const RainPeriod& period, Series& series) {
+void add(const RainPeriod& period, bool errors, Series& series) {
   series.times.push_back(period.time);
   for (const BasinTotal& total : period.basins) {
     series.rainfall.push_back(total.rainfall);
+    if (errors) series.errors.push_back(total.standard_error);
     series.missing.push_back(total.missing);
   }
 }
@@ -264,17 +265,21 @@ void PythonStudy::read_for_errors(const HeldRows* rows, const std::optional<Give
   }
 }
 
-/// What computes each step, with its errors where these are wanted.
+/// What computes each step, with its errors where these are wanted, and how these go together
+/// where totals want them.
 std::unique_ptr<const StepRainfall> PythonStudy::step_rainfall(
     const HeldRows* rows, const std::optional<GivenReadings>& given, SeriesKeywords& keywords,
-    Warnings& warnings) {
+    std::shared_ptr<const ErrorCorrelation>& in_time, Warnings& warnings) {
   ArealRainfallSettings settings = keywords.gaps.settings();
   settings.accounts = false;
   std::optional<ErrorsOfSeries> errors;
   std::string shortfall;
   AroundRainfall around;
   if (keywords.errors) {
-    read_for_errors(rows, given, keywords, errors.emplace(inputs_->weighing()));
+    const auto of =
+        keywords.range.totalling() ? ErrorsOfSeries::Of::totals : ErrorsOfSeries::Of::steps;
+    read_for_errors(rows, given, keywords, errors.emplace(inputs_->weighing(), of));
+    in_time = errors->correlation();
     around = [&](std::unique_ptr<const WeighedRainfall> values, const NormalMonth& month) {
       auto error = errors->of(std::move(values), month, threads());
       shortfall = error->shortfall();
@@ -283,7 +288,11 @@ std::unique_ptr<const StepRainfall> PythonStudy::step_rainfall(
   }
   auto rainfall = rainfall_by(keywords.method.methods(), inputs_->weighing(),
                               keywords.method.points(), settings, threads(), warnings, around);
-  if (!shortfall.empty()) warnings.add({"", 0, "no standard errors: " + shortfall, ""});
+  if (!shortfall.empty()) {
+    warnings.add({"", 0, "no standard errors: " + shortfall, ""});
+  } else if (in_time && inputs_->weighing().normals() == nullptr) {
+    warn_of_lasting_errors(*in_time, "", warnings);
+  }
   return rainfall;
 }
 
@@ -331,8 +340,9 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
     check_readings(readings->matrix, given_ids_);
     rows.emplace(readings->matrix, columns_);
   }
+  std::shared_ptr<const ErrorCorrelation> in_time;
   const std::unique_ptr<const StepRainfall> rainfall =
-      step_rainfall(rows ? &*rows : nullptr, readings, keywords, warnings);
+      step_rainfall(rows ? &*rows : nullptr, readings, keywords, in_time, warnings);
   if (rows && !keywords.range.times() && !rainfall->tells_months()) {
     compute(*rows, *rainfall, keywords.errors, series, progress);
     return series;
@@ -340,9 +350,10 @@ Series PythonStudy::rain(const std::optional<GivenReadings>& readings, SeriesKey
   const auto opened = open(readings, keywords, warnings);
   if (rows) progress.begin(rows->size());
   std::unique_ptr<RainTotals> periods;
-  if (const auto totalling = totals(*opened, readings, keywords, warnings)) {
+  if (auto totalling = totals(*opened, readings, keywords, warnings)) {
+    totalling->errors = in_time;
     periods = totals_of(*totalling, readings ? "" : files_of(keywords).name(),
-                        [&](const RainPeriod& period) { add(period, series); });
+                        [&](const RainPeriod& period) { add(period, keywords.errors, series); });
   }
   const auto take = [&](const RainStep& step) {
     throw_if_interrupted();

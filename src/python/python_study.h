@@ -91,9 +91,9 @@ class PythonStudy {
  private:
   void read_for_errors(const HeldRows* rows, const std::optional<GivenReadings>& given,
                        SeriesKeywords& keywords, ErrorsOfSeries& errors);
-  std::unique_ptr<const StepRainfall> step_rainfall(const HeldRows* rows,
-                                                    const std::optional<GivenReadings>& given,
-                                                    SeriesKeywords& keywords, Warnings& warnings);
+  std::unique_ptr<const StepRainfall> step_rainfall(
+      const HeldRows* rows, const std::optional<GivenReadings>& given, SeriesKeywords& keywords,
+      std::shared_ptr<const ErrorCorrelation>& in_time, Warnings& warnings);
   Series series_with_names(const SeriesKeywords& keywords) const;
   void compute(const HeldRows& rows, const StepRainfall& rainfall, bool errors, Series& series,
                Progress& progress) const;

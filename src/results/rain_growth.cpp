@@ -18,13 +18,14 @@ std::vector<std::size_t> value_columns(std::size_t series, const RainFormat& for
   if (format.rows_for_basins) {
     const std::size_t rainfall = (format.methods.empty() ? 2u : 3u) + (format.storms ? 1 : 0);
     columns.push_back(rainfall);
-    if (format.errors && !has_totals) columns.push_back(rainfall + 3);  // behind gauges, coverage
+    // Behind what is missing, or behind gauges and coverage.
+    if (format.errors) columns.push_back(rainfall + (has_totals ? 2 : 3));
     return columns;
   }
   const std::size_t apart = has_totals ? 2 : 1;  // each total is followed by what it misses
   for (std::size_t i = 0; i < series; ++i) columns.push_back(1 + apart * i);
-  for (std::size_t i = 0; format.errors && !has_totals && i < series; ++i)
-    columns.push_back(1 + series + i);
+  for (std::size_t i = 0; format.errors && i < series; ++i)
+    columns.push_back(1 + apart * series + i);
   return columns;
 }
 

@@ -11,6 +11,7 @@ namespace thiessen {
 namespace {
 
 constexpr const char* missing_suffix = "_missing";
+constexpr const char* error_suffix = "_se";
 
 }  // namespace
 
@@ -22,21 +23,29 @@ RainTotalsFile::RainTotalsFile(OutputFile& file, const std::vector<Basin>& basin
   if (!format_.rows_for_basins && format_.methods.empty()) {
     check_time_column(basins_);
     check_column_names(basins_, missing_suffix);
+    if (format_.errors) check_column_names(basins_, error_suffix);
   }
   if (!format_.continues) file_.append(totals_header(basins_, format_));
 }
 
 std::string totals_header(const std::vector<Basin>& basins, const RainFormat& format) {
   if (format.rows_for_basins) {
-    return std::string("time,") + (format.storms ? "last," : "") + "basin," +
-           (format.methods.empty() ? "" : "method,") + "rainfall,missing\n";
+    std::string row = std::string("time,") + (format.storms ? "last," : "") + "basin," +
+                      (format.methods.empty() ? "" : "method,") + "rainfall,missing";
+    if (format.errors) row += ",se";
+    return row + '\n';
   }
   std::string row = "time";
-  for (const std::string& column : rain_columns(basins, format)) {
+  const std::vector<std::string> columns = rain_columns(basins, format);
+  for (const std::string& column : columns) {
     for (const std::string& name : {column, column + missing_suffix}) {
       row += ',';
       append_csv_field(row, name);
     }
+  }
+  for (std::size_t i = 0; format.errors && i < columns.size(); ++i) {
+    row += ',';
+    append_csv_field(row, columns[i] + error_suffix);
   }
   return row + '\n';
 }
@@ -48,8 +57,13 @@ std::string RainTotalsFile::text_of(const RainPeriod& period) const {
     if (format_.rows_for_basins)
       append_rain_key(row, format_.storms ? period.last : period.time, b, basins_, format_);
     append_total(row, period.basins[b]);
-    if (format_.rows_for_basins) row += '\n';
+    if (format_.rows_for_basins) {
+      append_error(row, period.basins[b]);
+      row += '\n';
+    }
   }
+  for (std::size_t b = 0; !format_.rows_for_basins && b < period.basins.size(); ++b)
+    append_error(row, period.basins[b]);
   if (!format_.rows_for_basins) row += '\n';
   return row;
 }
@@ -58,6 +72,12 @@ void RainTotalsFile::append_total(std::string& row, const BasinTotal& total) con
   row += ',';
   if (!std::isnan(total.rainfall)) append_fixed(row, total.rainfall, format_.decimals);
   row += ',' + std::to_string(total.missing);
+}
+
+void RainTotalsFile::append_error(std::string& row, const BasinTotal& total) const {
+  if (!format_.errors) return;
+  row += ',';
+  if (!std::isnan(total.standard_error)) append_fixed(row, total.standard_error, format_.decimals);
 }
 
 }  // namespace thiessen

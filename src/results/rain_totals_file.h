@@ -12,8 +12,8 @@
 namespace thiessen {
 
 /// Writes totals of areal rainfall, a period at a time: CSV `time,<basin id>,<basin
-/// id>_missing,...` or `time[,last],basin[,method],rainfall,missing`. The field of a missing total
-/// is empty.
+/// id>_missing,...[,<basin id>_se,...]` or `time[,last],basin[,method],rainfall,missing[,se]`. The
+/// field of a missing total is empty.
 class RainTotalsFile {
  public:
   /// Writes the header, where there is to be one. The file and the basins must outlive it. Throws
@@ -26,6 +26,7 @@ class RainTotalsFile {
 
  private:
   void append_total(std::string& row, const BasinTotal& total) const;
+  void append_error(std::string& row, const BasinTotal& total) const;
 
   OutputFile& file_;
   const std::vector<Basin>& basins_;

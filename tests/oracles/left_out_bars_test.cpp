@@ -8,6 +8,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -17,6 +18,7 @@
 #include "rainfall/errors/gaussian_field.h"
 #include "rainfall/errors/left_out_gauges.h"
 #include "rainfall/errors/mean_error.h"
+#include "rainfall/errors/total_error.h"
 
 namespace thiessen {
 namespace {
@@ -42,21 +44,27 @@ struct HeldBars {
   Held means;
 };
 
-/// What is told of a gauge, summed up: errors of steps pass, those of normals last.
+/// What is told of a gauge, summed up.
 struct Sums {
   double off = 0;
   double value = 0;
-  double squares = 0;
-  double lasting = 0;
-  std::size_t steps = 0;
+  std::size_t steps = 0;  ///< that have a bar, or are dry
+  TotalError error = {};
 
-  void add(const LeftOutGauges::Told& told) {
-    off += told.reading - told.value;
-    value += told.value;
-    squares += told.error_of_step * told.error_of_step;
-    lasting += told.error_of_normals;
+  void add(const std::optional<LeftOutGauges::Told>& told, double reading,
+           const ErrorCorrelation& correlation) {
+    BasinRainfall step{0, 0, 0};
+    step.error_of_step = 0;
+    if (told) {
+      step.rainfall = told->value;
+      step.error_of_step = told->error_of_step;
+      step.error_of_normals = told->error_of_normals;
+      off += told->reading - told->value;
+      value += told->value;
+    }
+    error.add(step, 1, correlation);
+    if (told || reading == 0) ++steps;
   }
-  double standard_error() const { return std::sqrt(squares + lasting * lasting); }
 };
 
 using Bands = std::array<HeldBars, 3>;
@@ -85,18 +93,14 @@ void count_fold(const GaugedSeries& series, const LeftOutGauges& gauges, const L
     of_mean.add(kept, gauges.error().at(kept), {});
     const auto told = gauges.at(t);
     for (std::size_t b = 0; b < count; ++b) {
-      if (told[b]) {
+      if (told[b])
         band_of(b).steps.add(told[b]->reading - told[b]->value, told[b]->standard_error());
-        totals[b].add(*told[b]);
-        wholes[b].add(*told[b]);
-      }
-      // A dry step has no bar, and a total of it and of others has one.
-      const bool counts = told[b] || series.steps[t][gauges.left_out()[b]] == 0;
-      totals[b].steps += counts;
-      wholes[b].steps += counts;
+      const double reading = series.steps[t][gauges.left_out()[b]];
+      totals[b].add(told[b], reading, gauges.correlation());
+      wholes[b].add(told[b], reading, gauges.correlation());
       if ((t + 1) % steps_of_total != 0) continue;
       if (totals[b].steps == steps_of_total)
-        band_of(b).totals.add(totals[b].off, totals[b].standard_error());
+        band_of(b).totals.add(totals[b].off, totals[b].error.standard_error(gauges.correlation()));
       totals[b] = {};
     }
   }
@@ -203,8 +207,8 @@ void expect_to_hold(const Bands& bands) {
     EXPECT_GE(band.steps.share(), 0.93);
     EXPECT_LE(band.steps.share(), 0.97);
     EXPECT_GE(band.totals.share(), 0.93);
-    EXPECT_LE(band.totals.share(), 0.97 + 0.01);  // of few bars
-    EXPECT_GE(band.means.share(), 0.86);          // 0.90 is the goal, and 66 gauges tell to 4 %
+    EXPECT_LE(band.totals.share(), 0.975);  // 0.97 is the goal, and few bars tell to half a percent
+    EXPECT_GE(band.means.share(), 0.86);    // 0.90 is the goal, and 66 gauges tell to 4 %
     EXPECT_LE(band.means.share(), 0.99);
   }
 }
@@ -220,8 +224,9 @@ TEST(LeftOutBars, hold_in_plains_and_mountains_of_colorado_with_normals) {
   count(series, true, limits, with);
   print("Colorado, with normals", with);
   expect_to_hold(with);
-  // What normals are for.
-  EXPECT_LT(without[2].totals.share(), 0.7);
+  // Without normals what lasts counts alike everywhere: too little above, too much below.
+  EXPECT_GE(without[2].totals.share(), 0.87);
+  EXPECT_GE(without[0].totals.share(), 0.98);
 }
 
 TEST(LeftOutBars, hold_where_hills_multiply_rain) {
@@ -229,7 +234,7 @@ TEST(LeftOutBars, hold_where_hills_multiply_rain) {
   const Limits limits{1200, 1800};
   Bands with;
   Bands without;
-  for (std::uint64_t round = Seeded::rounds(6); round > 0; --round) {
+  for (std::uint64_t round = Seeded::rounds(4); round > 0; --round) {
     const GaugedSeries series = simulated(seeded, true, 120);
     count(series, true, limits, with);
     count(series, false, limits, without);
@@ -237,7 +242,6 @@ TEST(LeftOutBars, hold_where_hills_multiply_rain) {
   print("hills", without);
   print("hills, with normals", with);
   expect_to_hold(with);
-  EXPECT_LT(without[2].totals.share(), 0.8);
 }
 
 TEST(LeftOutBars, hold_where_rain_is_alike_everywhere) {
@@ -245,7 +249,7 @@ TEST(LeftOutBars, hold_where_rain_is_alike_everywhere) {
   const Limits limits{1200, 1800};
   Bands with;
   Bands without;
-  for (std::uint64_t round = Seeded::rounds(6); round > 0; --round) {
+  for (std::uint64_t round = Seeded::rounds(4); round > 0; --round) {
     const GaugedSeries series = simulated(seeded, false, 120);
     count(series, true, limits, with);
     count(series, false, limits, without);

@@ -193,15 +193,13 @@ def test_what_times_are_of_their_steps():
     assert study.rain(days, every="month", allow_missing=40)["A"].tolist() == [3.0]
 
 
-def test_totals_want_each_time_once_and_have_no_standard_errors():
+def test_totals_want_each_time_once():
     study = thiessen.Study([(0, 0), (1, 0)], {"A": POLYGON}, metric="planar")
     twice = pandas.DataFrame({"1": [1.0, 2.0], "2": [1.0, 2.0]}, index=["2020-01-01", "2020-01-01"])
     with pytest.raises(thiessen.Error, match="the time '2020-01-01' is there twice"):
         study.rain(twice, every="month")
     with pytest.raises(thiessen.Error, match="time '0' is not written as ISO 8601 wants it"):
         study.rain(twice.reset_index(drop=True), from_="2020")
-    with pytest.raises(thiessen.Error, match="error is of steps, and every sums them"):
-        study.standard_errors(twice.iloc[:1], every="month")
 
 
 def test_weights_of_a_changed_network_are_the_programs():

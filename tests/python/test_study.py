@@ -89,6 +89,18 @@ def test_standard_errors_are_the_programs():
         assert both[name + "_se"].equals(errors[name])
 
 
+def test_standard_errors_of_totals_and_of_other_methods_are_the_programs():
+    header, found = rows("rain", *COLORADO, "--error", "--every", "year", "--method", "thiessen,idw",
+                         "--allow-missing", "9")
+    with pytest.warns(thiessen.ThiessenWarning, match="near gauges differ for good"):
+        both = thiessen.Study(*COLORADO).rain(error=True, every="year", method="thiessen,idw", allow_missing=9)
+    assert list(both.columns) == header
+    for i, name in enumerate(header[1:], 1):
+        if name.endswith("_se"):
+            texts = ["" if numpy.isnan(v) else f"{v:.3f}" for v in both[name]]
+            assert texts == [row[i] for row in found], name
+
+
 def test_influence_is_the_programs():
     header, found = rows("weights", *TEXTBOOK[:2], "--metric", "planar", "--influence", TEXTBOOK[2])
     table = thiessen.Study(*TEXTBOOK, metric="planar").influence()

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -14,6 +15,8 @@ namespace thiessen {
 struct BasinTotal {
   double rainfall;      ///< sum of the steps' values; NaN where there is none
   std::size_t missing;  ///< steps without a value
+  /// The standard error of the total, where errors are wanted and there is one; else NaN.
+  double standard_error = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Holds the totals of periods until all are known, in their order. Memory: 16 MB; what is beyond

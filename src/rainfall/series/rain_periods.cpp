@@ -50,7 +50,7 @@ RainPeriods::RainPeriods(Totalling totalling, std::string file, Take take)
       file_(std::move(file)),
       take_(std::move(take)),
       calendar_(calendar_of(totalling_.every)),
-      sums_(totalling_.depths, totalling_.stamp) {}
+      sums_(totalling_.depths, totalling_.stamp, totalling_.errors) {}
 
 void RainPeriods::add(const RainStep& step) {
   const IsoTime time =
@@ -263,7 +263,8 @@ void RainPeriods::hand_on(std::int64_t number, const IsoTime& in_line_with, std:
   if (calendar_->precision() == TimePrecision::instant) period.begin.time.ahead_of_utc = ahead;
   for (BasinTotal& total : period.basins) {
     total.missing += lacking;
-    if (total.missing > totalling_.allowed_missing) total.rainfall = no_value;
+    if (total.missing > totalling_.allowed_missing)
+      total.rainfall = total.standard_error = no_value;
   }
   if (lacking > 0 && ++lacking_periods_ == 1) {
     first_lacking_ = period.time + ", which lacks " + std::to_string(lacking) + " of " +

@@ -29,7 +29,7 @@ RainStorms::RainStorms(Totalling totalling, std::string file, Take take)
     : totalling_(std::move(totalling)),
       file_(std::move(file)),
       take_(std::move(take)),
-      sums_(totalling_.depths, totalling_.stamp) {}
+      sums_(totalling_.depths, totalling_.stamp, totalling_.errors) {}
 
 void RainStorms::add(const RainStep& step) {
   const IsoTime time =
@@ -168,7 +168,8 @@ void RainStorms::end() {
   RainPeriod storm{
       iso_text(first.time), taken_, {first.time, IsoTimeFault::none}, iso_text(last.time)};
   for (BasinTotal& total : storm.basins) {
-    if (total.missing > totalling_.allowed_missing) total.rainfall = no_value;
+    if (total.missing > totalling_.allowed_missing)
+      total.rainfall = total.standard_error = no_value;
   }
   if (lacking_ > 0 && ++lacking_storms_ == 1)
     first_lacking_ = storm.time + ", which lacks " + std::to_string(lacking_);

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/iso_time.h"
+#include "rainfall/errors/error_correlation.h"
 #include "rainfall/periods/every.h"
 #include "rainfall/series/held_totals.h"
 #include "rainfall/series/rain_series.h"
@@ -49,6 +50,8 @@ struct Totalling {
   /// The step of the file where it is known beforehand, as storms want it: else they take the one
   /// that the times so far tell.
   std::optional<StepLength> step = {};
+  /// How the errors of steps go together, where totals are to have errors; else null.
+  std::shared_ptr<const ErrorCorrelation> errors = {};
 };
 
 /// The length of a period; nothing where they are of storms, each of which has its own.

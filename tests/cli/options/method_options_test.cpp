@@ -64,14 +64,16 @@ TEST(MethodOptions, an_interval_goes_with_isohyets) {
   EXPECT_EQ(isohyets.block.points().interval, 5);
 }
 
-TEST(MethodOptions, only_thiessens_weights_alone_have_standard_errors) {
-  Method method;
-  method.read({});
-  EXPECT_NO_THROW(method.block.check_errors());
-  for (const char* name : {"arithmetic", "all", "thiessen,idw"}) {
-    Method other;
-    other.read({"--method", name});
-    EXPECT_THROW(other.block.check_errors(), UsageError) << name;
+TEST(MethodOptions, that_weigh_gauges_have_standard_errors) {
+  for (const char* name : {"thiessen", "arithmetic", "all", "thiessen,idw"}) {
+    Method method;
+    method.read({"--method", name});
+    EXPECT_NO_THROW(method.block.check_errors()) << name;
+  }
+  for (const char* name : {"isohyetal", "thiessen,isohyetal"}) {
+    Method isohyets;
+    isohyets.read({"--method", name});
+    EXPECT_THROW(isohyets.block.check_errors(), UsageError) << name;
   }
 }
 

@@ -103,15 +103,6 @@ TEST(PeriodOptions, may_be_the_range_alone) {
   EXPECT_EQ(range.contradiction(), "");
 }
 
-TEST(PeriodOptions, of_totals_have_no_standard_errors) {
-  Periods steps;
-  steps.read({"--from", "2013"});
-  EXPECT_NO_THROW(steps.block.check_errors());
-  Periods totals;
-  totals.read({"--every", "year"});
-  EXPECT_THROW(totals.block.check_errors(), UsageError);
-}
-
 TEST(PeriodOptions, take_from_the_readings_what_times_are_of_their_steps) {
   Periods untold;
   untold.read({"--every", "day"});

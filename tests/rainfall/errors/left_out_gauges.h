@@ -62,6 +62,7 @@ class LeftOutGauges {
   const std::vector<std::size_t>& left_out() const { return left_out_; }
   const Weighing& weighing() const { return *weighing_; }
   const RainfallError& error() const { return *error_; }
+  const ErrorCorrelation& correlation() const { return *correlation_; }
   double nugget_of_normals() const { return nugget_of_normals_; }
   std::vector<double> kept_readings(std::size_t step) const {
     std::vector<double> readings;
@@ -116,10 +117,11 @@ class LeftOutGauges {
   }
 
   void fit() {
-    ErrorsOfSeries errors(*weighing_);
+    ErrorsOfSeries errors(*weighing_, ErrorsOfSeries::Of::totals);
     for (std::size_t t = 0; t < series_.steps.size(); ++t) errors.add(kept_readings(t), {});
     error_ = errors.of(
         std::make_unique<const ArealRainfall>(*weighing_, ArealRainfallSettings(), 1), {}, 1);
+    correlation_ = errors.correlation();
   }
 
   static constexpr double half_ = 1e-5;  // of a basin, in the unit of coordinates
@@ -132,6 +134,7 @@ class LeftOutGauges {
   std::unique_ptr<Weighing> weighing_;
   double nugget_of_normals_ = 0;
   std::unique_ptr<const RainfallError> error_;
+  std::shared_ptr<const ErrorCorrelation> correlation_;
 };
 
 }  // namespace thiessen
