@@ -42,6 +42,43 @@
 namespace thiessen::cli {
 namespace {
 
+/// Where the series and its account go: one of the four, and the account where it is wanted.
+struct Destination {
+  explicit Destination(const OutputRules& rules) : outputs(rules) {}
+
+  Outputs outputs;
+  std::optional<DatabaseTable> table;
+  std::optional<GrownTable> grown;
+  std::optional<ModelFiles> model;
+  OutputFile* file = nullptr;
+  OutputFile* log = nullptr;
+};
+
+/// The account of weights, a block for each set of reporting gauges, where there is a file for it.
+class WeightsAccount {
+ public:
+  WeightsAccount(OutputFile* file, const Weighing& weighing) {
+    if (file != nullptr) log_.emplace(*file, weighing);
+  }
+
+  /// The number of a step's set of gauges, whose weights are written where it is new.
+  std::size_t pattern_of(const RainStep& step, const StepRainfall& rainfall,
+                         const SeriesWork& work) {
+    if (!log_) return 0;
+    const std::size_t month = rainfall.tells_months() ? work.month_of(step) + 1 : 0;
+    const GaugePatterns::Pattern pattern = patterns_.of(step.readings, month);
+    if (pattern.is_fresh) {
+      log_->add(pattern.number, step.time,
+                rainfall_at(rainfall, step, work).weights_at(step.readings));
+    }
+    return pattern.number;
+  }
+
+ private:
+  std::optional<WeightsLog> log_;
+  GaugePatterns patterns_;
+};
+
 class RainCommand : public Command {
  public:
   RainCommand() {
@@ -105,22 +142,8 @@ class RainCommand : public Command {
     const bool is_fed = may_pass_on();
     if (is_fed) want_feed();
     const OutputRules rules = output_.rules(rainfall_.files_beside(study_.files()));
-    Outputs outputs(rules);
-    if (is_fed) outputs.pass_on_at_once();
-    std::optional<DatabaseTable> table;
-    std::optional<GrownTable> grown;
-    std::optional<ModelFiles> model;
-    OutputFile* file = nullptr;
-    if (model_.model()) {
-      model.emplace(*model_.model(), output_.output, outputs, rules);
-    } else if (output_.is_database()) {
-      file = &table.emplace(output_.table()).rows();
-    } else if (output_.appends()) {
-      grown.emplace(output_.output, rules, is_fed);
-    } else {
-      file = &outputs.add(output_.output);
-    }
-    OutputFile* log_file = weights_log_.empty() ? nullptr : &outputs.add(weights_log_);
+    Destination to(rules);
+    open(to, rules, is_fed);
     Inputs inputs(study_, 0, rainfall_, common_.threads, warnings);
     fit_normals(inputs, study_, rainfall_, {.stamp = periods_.stamp(), .threads = common_.threads},
                 warnings);
@@ -132,21 +155,20 @@ class RainCommand : public Command {
     std::optional<Totalling> totalling = totals(is_fed);
     if (totalling) settle_totals(*totalling, inputs, study_, rainfall_, readings->unit(), warnings);
     if (totalling) totalling->errors = in_time;
-    if (grown) file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
+    auto& grown = to.grown;
+    if (grown) to.file = &grown->begin(inputs.basins(), format, totalling.has_value(), warnings);
     if (grown && rainfall_.is_cumulative()) grown->growth()->is_of_counters();
     const std::string unit = unit_named(readings->unit(), totalling);
     const auto series =
-        model ? model_table(*model, inputs, unit, totalling)
-              : std::make_unique<RainTable>(*file, inputs.basins(), format, totalling,
-                                            rainfall_.name(), grown ? grown->growth() : nullptr);
-    std::optional<WeightsLog> log;
-    if (log_file != nullptr) log.emplace(*log_file, inputs.weighing());
-    GaugePatterns patterns;
+        to.model ? model_table(*to.model, inputs, unit, totalling)
+                 : std::make_unique<RainTable>(*to.file, inputs.basins(), format, totalling,
+                                               rainfall_.name(), grown ? grown->growth() : nullptr);
+    WeightsAccount account(to.log, inputs.weighing());
     Progress progress("time step", common_.quiet,
                       [&](std::size_t done) { return readings->share_of(done); });
     SeriesWork work{threads()};
     if (is_fed && grown) work.when_handed_on = [&] { pass_on(*grown, warnings); };
-    if (is_fed && !grown) work.when_handed_on = [&] { pass_on(*file, warnings); };
+    if (is_fed && !grown) work.when_handed_on = [&] { pass_on(*to.file, warnings); };
     const StepMonths months(rainfall_.name(), periods_.stamp());
     work.month_of = [&](const RainStep& step) {
       return months.of(step.time, step.written, step.line);
@@ -154,26 +176,31 @@ class RainCommand : public Command {
     for_each_step(
         *readings, *rainfall, work, [&](RainStep& step) { series->prepare(step); },
         [&](const RainStep& step) {
-          GaugePatterns::Pattern pattern{0, false};
-          if (log) {
-            const std::size_t month = rainfall->tells_months() ? work.month_of(step) + 1 : 0;
-            pattern = patterns.of(step.readings, month);
-          }
-          if (pattern.is_fresh) {
-            log->add(pattern.number, step.time,
-                     rainfall_at(*rainfall, step, work).weights_at(step.readings));
-          }
-          series->add(step, pattern.number);
+          series->add(step, account.pattern_of(step, *rainfall, work));
           progress.advance();
         });
     series->finish(warnings);
     if (grown) grown->finish(warnings);
-    outputs.commit();
-    if (table) table->commit(sentence_of(made_by(inputs, unit)));
+    to.outputs.commit();
+    if (to.table) to.table->commit(sentence_of(made_by(inputs, unit)));
   }
   bool quiet() const override { return common_.quiet; }
 
  private:
+  void open(Destination& to, const OutputRules& rules, bool is_fed) const {
+    if (is_fed) to.outputs.pass_on_at_once();
+    if (model_.model()) {
+      to.model.emplace(*model_.model(), output_.output, to.outputs, rules);
+    } else if (output_.is_database()) {
+      to.file = &to.table.emplace(output_.table()).rows();
+    } else if (output_.appends()) {
+      to.grown.emplace(output_.output, rules, is_fed);
+    } else {
+      to.file = &to.outputs.add(output_.output);
+    }
+    if (!weights_log_.empty()) to.log = &to.outputs.add(weights_log_);
+  }
+
   void require_what_is_asked_for() const {
     if (errors_) require_two_readings();
     if (!output_.is_database() && !model_.is_named()) require_table_name(output_.output);
