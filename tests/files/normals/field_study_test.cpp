@@ -68,10 +68,8 @@ TEST(NormalsOfFields, that_are_none_are_told_all_at_once) {
             (std::vector<std::string>{
                 "s.csv:2: station 'a' has the normal 0 in 'normal', and normals are above 0 | "
                 "'stations_where' leaves stations out of the network",
-                "s.csv:3: station 'b' has no normal in 'normal' | "
-                "'stations_where' leaves stations out of the network",
-                "s.csv:4: station 'c' has the normal -9999 in 'normal', and normals are above 0 | "
-                "'stations_where' leaves stations out of the network",
+                "s.csv:3: station 'b' has no normal in 'normal'",
+                "s.csv:4: station 'c' has the normal -9999 in 'normal', and normals are above 0",
                 "b.csv: basin 'B' has the normal -3 in 'normal', and normals are above 0 | "
                 "'basins_where' leaves basins out"}));
 }
