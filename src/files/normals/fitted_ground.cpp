@@ -22,9 +22,11 @@ namespace {
 constexpr double nodes_in_spacing = 3;
 /// At how many points of a basin the variance is looked at.
 constexpr std::size_t points_of_variance = 16;
-/// How many points of a basin tell its normal where only its mean elevation is known.
+/// How many points of a basin tell its normal where only its mean elevation is known, and how many
+/// there are in the gauges' spacing.
 constexpr double fewest_points = 4;
-constexpr double most_points = 64;
+constexpr double most_points = 16;
+constexpr double points_in_spacing = 1.5;
 /// How many elevations are read and normals are computed at a time.
 constexpr std::size_t values_at_a_time = std::size_t{1} << 20U;
 /// How many blocks of pixels there are at least between two nodes of the lattice.
@@ -319,7 +321,7 @@ FittedGround normals_of_mean_elevations(const ElevationFit& fit, const Study& st
   FittedGround fitted;
   const std::vector<double> elevations = mean_elevations(study, files);
   const Yardstick& yardstick = study.weighing().yardstick();
-  const double apart = fit.spacing() / nodes_in_spacing;
+  const double apart = fit.spacing() / points_in_spacing;
   std::vector<std::vector<double>> normals;
   double most_held = 0;
   std::size_t worst = 0;
