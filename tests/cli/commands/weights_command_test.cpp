@@ -14,7 +14,14 @@ TEST(WeightsCommand, TakesReadingsByAnOption) {
 std::string value_of(const std::string& option) {
   if (option.ends_with("separator")) return ";";
   if (option.ends_with("encoding")) return "Latin-1";
+  if (option == "--observed-at") return "09:00";
   return option.ends_with("format") ? "%Y" : "2013";
+}
+
+/// Whether an option says more of --totals.
+bool is_about_totals(const std::string& option) {
+  return option.starts_with("--totals-") || option.starts_with("--observed-") ||
+         option == "--stamp";
 }
 
 TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
@@ -30,9 +37,15 @@ TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
       line.push_back(is_chosen ? option.value.choices.front() : value_of(option.name));
     EXPECT_EQ(refusal(line), option.name + " is about readings, and there is no --influence");
     line.insert(line.end(), {"--influence", "r"});
+    if (is_about_totals(option.name)) {
+      EXPECT_EQ(refusal(line),
+                option.name + " is about totals beside RAINFALL, and there are none");
+      line.insert(line.end(), {"--totals", "t"});
+      if (option.name == "--observed-day") line.insert(line.end(), {"--observed-at", "09:00"});
+    }
     EXPECT_EQ(refusal(line), "");
   }
-  EXPECT_EQ(refused, 22u);
+  EXPECT_EQ(refused, 28u);
 }
 
 TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {
