@@ -12,7 +12,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 TEST(PeriodSums, sum_what_has_a_value_and_count_what_lacks_one) {
-  PeriodSums sums(std::nullopt, Stamp::begin);
+  PeriodSums sums(std::nullopt, Stamp::begin, nullptr);
   std::vector<BasinTotal> totals;
   for (int period = 0; period < 2; ++period) {
     sums.begin(2);
