@@ -11,7 +11,10 @@ namespace thiessen::cli {
 
 ModelTable::ModelTable(std::unique_ptr<ModelSeries> series, std::string format,
                        const std::optional<Totalling>& totalling, std::string rainfall)
-    : series_(std::move(series)), format_(std::move(format)), rainfall_(std::move(rainfall)) {
+    : series_(std::move(series)),
+      format_(std::move(format)),
+      rainfall_(std::move(rainfall)),
+      totals_have_errors_(totalling && totalling->errors) {
   if (totalling) {
     periods_ = totals_of(*totalling, rainfall_, [this](const RainPeriod& period) { add(period); });
   }
@@ -42,7 +45,7 @@ void ModelTable::add(const RainPeriod& period) {
   errors_.clear();
   for (const BasinTotal& total : period.basins) {
     values_.push_back(total.rainfall);
-    errors_.push_back(total.standard_error);
+    if (totals_have_errors_) errors_.push_back(total.standard_error);
     if (total.missing > 0 && !std::isnan(total.rainfall)) ++incomplete_;
   }
   series_->add(period.begin.time, values_, errors_);

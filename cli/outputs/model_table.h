@@ -31,6 +31,7 @@ class ModelTable : public RainOutput {
   std::unique_ptr<ModelSeries> series_;
   std::string format_;
   std::string rainfall_;
+  bool totals_have_errors_;
   std::unique_ptr<RainTotals> periods_;
   std::vector<double> values_;
   std::vector<double> errors_;

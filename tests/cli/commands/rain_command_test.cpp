@@ -29,12 +29,12 @@ TEST(RainCommand, KeepsTheAccountOfOneMethod) {
   EXPECT_EQ(refusal_with({"--method", "idw", "--weights-log", "log.csv"}), "");
 }
 
-TEST(RainCommand, HasErrorsOfStepsByThiessenFromAFile) {
+TEST(RainCommand, HasErrorsOfMethodsThatWeighGaugesFromAFile) {
   EXPECT_EQ(refusal_with({"--error"}), "");
-  EXPECT_EQ(refusal_with({"--error", "--method", "idw"}),
-            "--error is of Thiessen's weights, and --method wants others");
-  EXPECT_EQ(refusal_with({"--error", "--every", "day"}).substr(0, 43),
-            "--error is of steps, and --every sums them:");
+  EXPECT_EQ(refusal_with({"--error", "--method", "isohyetal"}),
+            "--error is of methods that weigh gauges, and isohyets do not");
+  EXPECT_EQ(refusal_with({"--error", "--method", "idw"}), "");
+  EXPECT_EQ(refusal_with({"--error", "--every", "day"}), "");
   EXPECT_EQ(refusal({"rain", "s", "b", "-", "--error"}),
             "--error reads RAINFALL twice, and standard input can be read once");
 }

@@ -56,7 +56,7 @@ TEST(ElevationLattices, tell_what_the_fit_tells_of_a_plain_truth) {
   const ElevationPatch patch = lattice.over({10, 20}, 30, 20);
   const std::vector<double> elevations{0, 100, 500, 1000, 1500, 2000, 2500, none, 300, 1200, 900};
   for (const std::size_t row : {0u, 3u, 19u}) {
-    const Row found = row_from(patch, 10, 20.0 + row, elevations);
+    const Row found = row_from(patch, 10, 20 + static_cast<double>(row), elevations);
     for (std::size_t c = 0; c < elevations.size(); ++c) {
       if (std::isnan(elevations[c])) {
         EXPECT_TRUE(std::isnan(found.normals[c]));
