@@ -1,13 +1,16 @@
 #include "cli/inputs/inputs.h"
 
+#include <span>
 #include <utility>
 
 #include "files/normals/field_study.h"
 #include "files/normals/raster_study.h"
 #include "files/rainfall/event_readings.h"
+#include "files/rainfall/exclusions_file.h"
 #include "files/rainfall/full_network.h"
 #include "files/rainfall/rainfall_file.h"
 #include "rainfall/series/watched_readings.h"
+#include "readings/excluded_readings.h"
 
 namespace thiessen::cli {
 namespace {
@@ -45,6 +48,48 @@ RainfallRequest rainfall_request(const StudyOptions& study, const RainfallOption
   return request;
 }
 
+/// Opens the readings of some stations, none of which are excluded yet.
+std::unique_ptr<Readings> open_all(const StudyOptions& study, const RainfallOptions& rainfall,
+                                   std::span<const Station> stations,
+                                   std::span<const std::string> passed_over, Warnings& warnings) {
+  const ReadingsOptions options = readings_options(study, rainfall);
+  if (rainfall.is_event())
+    return open_event(study.request().stations, stations, passed_over, options, warnings);
+  return open_rainfall(rainfall_request(study, rainfall), stations, passed_over, options, warnings);
+}
+
+/// Which readings of some stations count as missing; nothing where none is to.
+std::optional<Exclusions> exclusions_of(const StudyOptions& study, const RainfallOptions& rainfall,
+                                        std::span<const Station> stations,
+                                        std::span<const std::string> passed_over,
+                                        Warnings& warnings) {
+  const std::optional<std::string> file = rainfall.exclude();
+  if (!file) return std::nullopt;
+  const ReadingsOptions options = readings_options(study, rainfall);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  return Exclusions(read_exclusions(*file, warnings), known, options.ignore_unknown, warnings);
+}
+
+/// Which of the stations that report do so with readings that are not excluded. What is wrong in
+/// RAINFALL is met again, and told, when it is read.
+ReportingStations reporting_beside_excluded(const StudyOptions& study,
+                                            const RainfallOptions& rainfall,
+                                            std::span<const Station> stations,
+                                            std::span<const std::string> passed_over,
+                                            ReportingStations reports) {
+  Warnings told_later;
+  const auto excluded = exclusions_of(study, rainfall, stations, passed_over, told_later);
+  if (!excluded) return reports;
+  ReportingStations whole = without(*excluded, reports);
+  if (!excluded->partly().any()) return whole;
+  try {
+    const auto readings = open_all(study, rainfall, stations, passed_over, told_later);
+    return reporting_beside(*excluded, whole, *readings);
+  } catch (const Error&) {
+    return whole;
+  }
+}
+
 std::vector<std::string> passed_over(const StudyFiles& files) {
   std::vector<std::string> ids(files.filtered_ids.begin(), files.filtered_ids.end());
   for (const Station& station : files.never_reporting) ids.push_back(station.id);
@@ -66,17 +111,26 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
   const std::size_t count = files.stations.size();
   const std::vector<std::string> filtered(files.filtered_ids.begin(), files.filtered_ids.end());
   if (rainfall.is_event()) {
-    const ReportingStations report = stations_in_event(
-        options.request().stations, files.stations, filtered, readings_options(options, rainfall));
+    const ReportingStations report =
+        reporting_beside_excluded(options, rainfall, files.stations, filtered,
+                                  stations_in_event(options.request().stations, files.stations,
+                                                    filtered, readings_options(options, rainfall)));
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   } else if (!rainfall.given()) {
     note_whole_network(files.stations_file, count, without_rainfall(), warnings);
   } else if (!can_be_read_again(rainfall_request(options, rainfall))) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
+    const std::optional<Exclusions> excluded =
+        exclusions_of(options, rainfall, files.stations, filtered, warnings);
+    if (excluded && excluded->whole_gauges() > 0) {
+      const ReportingStations report = without(*excluded, ReportingStations(count, true));
+      thiessen::keep_full_network(files, report, rainfall.name(), warnings);
+    }
   } else {
-    const ReportingStations report =
+    const ReportingStations report = reporting_beside_excluded(
+        options, rainfall, files.stations, filtered,
         stations_that_report(rainfall_request(options, rainfall), files.stations, filtered,
-                             readings_options(options, rainfall));
+                             readings_options(options, rainfall)));
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   }
 }
@@ -110,12 +164,12 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
                                                        const RainfallOptions& rainfall,
                                                        Warnings& warnings,
                                                        const std::optional<StepTimes>& wanted) {
-  const ReadingsOptions options = readings_options(study, rainfall);
-  auto readings = rainfall.is_event()
-                      ? open_event(study.request().stations, network().stations(), passed_over_,
-                                   options, warnings)
-                      : open_rainfall(rainfall_request(study, rainfall), network().stations(),
-                                      passed_over_, options, warnings);
+  auto readings = open_all(study, rainfall, network().stations(), passed_over_, warnings);
+  auto excluded = exclusions_of(study, rainfall, network().stations(), passed_over_, warnings);
+  if (excluded) {
+    readings =
+        std::make_unique<ExcludedReadings>(std::move(readings), *std::move(excluded), warnings);
+  }
   if (wanted) {
     readings =
         std::make_unique<DatedReadings>(std::move(readings), rainfall.name(), *wanted, warnings);

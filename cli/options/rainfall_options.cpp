@@ -88,6 +88,10 @@ void RainfallOptions::declare_meaning(OptionList& options) {
       &readings.add("--keep-flagged", flag(readings_.keep_flagged),
                     "of GHCN-Daily, also the values that failed a check of quality"));
   declare_amounts(readings);
+  exclude_option_ = &readings.add(
+      "--exclude", file(exclude_, "FILE"),
+      "readings that count as missing: CSV with columns station and time, as check -o writes "
+      "them; a row without a time means the whole gauge");
 }
 
 void RainfallOptions::declare_rows(OptionGroup& readings) {
@@ -166,6 +170,7 @@ std::vector<std::string> RainfallOptions::files() const {
 std::vector<std::string> RainfallOptions::files_beside(std::vector<std::string> others) const {
   const std::vector<std::string> own = files();
   others.insert(others.end(), own.begin(), own.end());
+  if (!exclude_.empty()) others.push_back(exclude_);
   return others;
 }
 
