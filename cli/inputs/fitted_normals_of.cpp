@@ -101,9 +101,10 @@ class SeriesRead {
 
 }  // namespace
 
-void fit_normals(Inputs& inputs, const StudyOptions& study, const RainfallOptions& rainfall,
-                 const NormalFitting& fitting, Warnings& warnings) {
-  if (!study.fits_normals()) return;
+std::vector<double> fit_normals(Inputs& inputs, const StudyOptions& study,
+                                const RainfallOptions& rainfall, const NormalFitting& fitting,
+                                Warnings& warnings) {
+  if (!study.fits_normals()) return {};
   require_series(study, rainfall);
   SeriesRead series(inputs.network());
   {
@@ -117,6 +118,7 @@ void fit_normals(Inputs& inputs, const StudyOptions& study, const RainfallOption
       normals_by_elevation(request, inputs.whole(), inputs.study(), series.normals(), warnings);
   inputs.take_normals(std::move(fitted.normals));
   warnings.add_notice({rainfall.name(), 0, series.left_out(inputs, fitted.elevations), ""});
+  return std::move(fitted.elevations);
 }
 
 }  // namespace thiessen::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "base/error.h"
 #include "cli/inputs/inputs.h"
@@ -22,8 +23,10 @@ struct NormalFitting {
 /// Where the options ask for it, reads all of RAINFALL, fits normals by elevation, has gauges
 /// weighed with them, and says what leaving each gauge out tells of them. Warnings of RAINFALL are
 /// dropped here, as they are given when it is read again. Throws UsageError where there is no
-/// series that can be read twice, and Error as normals_by_elevation does.
-void fit_normals(Inputs& inputs, const StudyOptions& study, const RainfallOptions& rainfall,
-                 const NormalFitting& fitting, Warnings& warnings);
+/// series that can be read twice, and Error as normals_by_elevation does. Returns the elevations of
+/// the stations; empty where nothing was fitted.
+std::vector<double> fit_normals(Inputs& inputs, const StudyOptions& study,
+                                const RainfallOptions& rainfall, const NormalFitting& fitting,
+                                Warnings& warnings);
 
 }  // namespace thiessen::cli

@@ -7,10 +7,12 @@
 #include "files/normals/field_study.h"
 #include "files/normals/raster_study.h"
 #include "files/rainfall/event_readings.h"
+#include "files/rainfall/exclusions_file.h"
 #include "files/rainfall/full_network.h"
 #include "files/rainfall/rainfall_file.h"
 #include "files/rainfall/totals_file.h"
 #include "rainfall/series/watched_readings.h"
+#include "readings/excluded_readings.h"
 #include "readings/totals/totalled_readings.h"
 
 namespace thiessen::cli {
@@ -49,6 +51,48 @@ RainfallRequest rainfall_request(const StudyOptions& study, const RainfallOption
   return request;
 }
 
+/// Opens the readings of some stations, none of which are excluded yet.
+std::unique_ptr<Readings> open_all(const StudyOptions& study, const RainfallOptions& rainfall,
+                                   std::span<const Station> stations,
+                                   std::span<const std::string> passed_over, Warnings& warnings) {
+  const ReadingsOptions options = readings_options(study, rainfall);
+  if (rainfall.is_event())
+    return open_event(study.request().stations, stations, passed_over, options, warnings);
+  return open_rainfall(rainfall_request(study, rainfall), stations, passed_over, options, warnings);
+}
+
+/// Which readings of some stations count as missing; nothing where none is to.
+std::optional<Exclusions> exclusions_of(const StudyOptions& study, const RainfallOptions& rainfall,
+                                        std::span<const Station> stations,
+                                        std::span<const std::string> passed_over,
+                                        Warnings& warnings) {
+  const std::optional<std::string> file = rainfall.exclude();
+  if (!file) return std::nullopt;
+  const ReadingsOptions options = readings_options(study, rainfall);
+  const ReadingsStations known(stations, passed_over, {options.ids_as_numbers, {}});
+  return Exclusions(read_exclusions(*file, warnings), known, options.ignore_unknown, warnings);
+}
+
+/// Which of the stations that report do so with readings that are not excluded. What is wrong in
+/// RAINFALL is met again, and told, when it is read.
+ReportingStations reporting_beside_excluded(const StudyOptions& study,
+                                            const RainfallOptions& rainfall,
+                                            std::span<const Station> stations,
+                                            std::span<const std::string> passed_over,
+                                            ReportingStations reports) {
+  Warnings told_later;
+  const auto excluded = exclusions_of(study, rainfall, stations, passed_over, told_later);
+  if (!excluded) return reports;
+  ReportingStations whole = without(*excluded, reports);
+  if (!excluded->partly().any()) return whole;
+  try {
+    const auto readings = open_all(study, rainfall, stations, passed_over, told_later);
+    return reporting_beside(*excluded, whole, *readings);
+  } catch (const Error&) {
+    return whole;
+  }
+}
+
 RainfallRequest totals_request(const StudyOptions& study, const RainfallOptions& rainfall) {
   return rainfall.totals().request(rainfall_request(study, rainfall), study.csv());
 }
@@ -64,8 +108,12 @@ void add_stations_with_totals(ReportingStations& report, const StudyFiles& files
   if (!rainfall.totals().given()) return;
   const ReportingStations with_totals = stations_with_totals(
       totals_request(study, rainfall), files.stations, filtered, totals_options(study, rainfall));
+  Warnings told_later;
+  const auto excluded = exclusions_of(study, rainfall, files.stations, filtered, told_later);
   for (std::uint32_t s = 0; s < files.stations.size(); ++s) {
-    if (with_totals[StationIndex{s}]) report.set(StationIndex{s}, true);
+    const StationIndex station{s};
+    if (with_totals[station] && !(excluded && excluded->whole()[station]))
+      report.set(station, true);
   }
 }
 
@@ -90,17 +138,26 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
   const std::size_t count = files.stations.size();
   const std::vector<std::string> filtered(files.filtered_ids.begin(), files.filtered_ids.end());
   if (rainfall.is_event()) {
-    const ReportingStations report = stations_in_event(
-        options.request().stations, files.stations, filtered, readings_options(options, rainfall));
+    const ReportingStations report =
+        reporting_beside_excluded(options, rainfall, files.stations, filtered,
+                                  stations_in_event(options.request().stations, files.stations,
+                                                    filtered, readings_options(options, rainfall)));
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   } else if (!rainfall.given()) {
     note_whole_network(files.stations_file, count, without_rainfall(), warnings);
   } else if (!can_be_read_again(rainfall_request(options, rainfall))) {
     note_whole_network(rainfall.name(), count, input("rainfall") + " is read only once", warnings);
+    const std::optional<Exclusions> excluded =
+        exclusions_of(options, rainfall, files.stations, filtered, warnings);
+    if (excluded && excluded->whole_gauges() > 0) {
+      const ReportingStations report = without(*excluded, ReportingStations(count, true));
+      thiessen::keep_full_network(files, report, rainfall.name(), warnings);
+    }
   } else {
-    ReportingStations report =
+    ReportingStations report = reporting_beside_excluded(
+        options, rainfall, files.stations, filtered,
         stations_that_report(rainfall_request(options, rainfall), files.stations, filtered,
-                             readings_options(options, rainfall));
+                             readings_options(options, rainfall)));
     add_stations_with_totals(report, files, options, rainfall, filtered);
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   }
@@ -136,18 +193,27 @@ std::unique_ptr<WatchedReadings> Inputs::open_readings(const StudyOptions& study
                                                        Warnings& warnings,
                                                        const std::optional<StepTimes>& wanted,
                                                        std::optional<Stamp> stamp) {
-  const ReadingsOptions options = readings_options(study, rainfall);
-  auto readings = rainfall.is_event()
-                      ? open_event(study.request().stations, network().stations(), passed_over_,
-                                   options, warnings)
-                      : open_rainfall(rainfall_request(study, rainfall), network().stations(),
-                                      passed_over_, options, warnings);
+  std::unique_ptr<Readings> readings =
+      open_all(study, rainfall, network().stations(), passed_over_, warnings);
+  const auto excluded =
+      exclusions_of(study, rainfall, network().stations(), passed_over_, warnings);
+  ExcludedReadings* before_totals = nullptr;
+  if (excluded) {
+    auto rest = std::make_unique<ExcludedReadings>(std::move(readings), *excluded, warnings);
+    before_totals = rest.get();
+    readings = std::move(rest);
+  }
   if (rainfall.totals().given()) {
     readings = std::make_unique<TotalledReadings>(
         std::move(readings), rainfall.name(),
         totals_in(totals_request(study, rainfall), network().stations(), passed_over_,
                   totals_options(study, rainfall)),
         rainfall.totals().hour(stamp.value_or(rainfall.stamp())), weighing(), warnings);
+    if (excluded) {  // what totals were spread to may be excluded, too
+      auto rest = std::make_unique<ExcludedReadings>(std::move(readings), *excluded, warnings);
+      rest->tell_for(*before_totals);
+      readings = std::move(rest);
+    }
   }
   if (wanted) {
     readings =

@@ -75,6 +75,10 @@ void RainfallOptions::declare_meaning(OptionList& options) {
       &readings.add("--keep-flagged", flag(readings_.keep_flagged),
                     "of GHCN-Daily, also the values that failed a check of quality"));
   declare_amounts(readings);
+  exclude_option_ = &readings.add(
+      "--exclude", file(exclude_, "FILE"),
+      "readings that count as missing: CSV with columns station and time, as check -o writes "
+      "them; a row without a time means the whole gauge");
   totals_.declare(options);
 }
 
@@ -165,6 +169,7 @@ std::vector<std::string> RainfallOptions::files_beside(std::vector<std::string> 
   const std::vector<std::string> own = files();
   others.insert(others.end(), own.begin(), own.end());
   if (totals_.given()) others.push_back(totals_.file());
+  if (!exclude_.empty()) others.push_back(exclude_);
   return others;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,10 @@ class RainfallOptions : public OptionBlock {
   Stamp stamp() const;
   /// The totals of other gauges beside RAINFALL.
   const TotalsOptions& totals() const { return totals_; }
+  /// The file of readings that count as missing; nothing where none is given.
+  std::optional<std::string> exclude() const {
+    return exclude_option_->is_given() ? std::optional(exclude_) : std::nullopt;
+  }
   /// What the readings of an event are called: their field.
   const std::string& event() const { return readings_.value_field; }
   /// The name of the file of readings in messages.
@@ -82,10 +87,12 @@ class RainfallOptions : public OptionBlock {
   CsvOptionsOf csv_;
   std::string layer_;
   std::string where_;
+  std::string exclude_;
   double scale_ = 1;
   const std::string* stations_ = nullptr;
   const PeriodOptions* periods_ = nullptr;
   const Option* scale_option_ = nullptr;
+  const Option* exclude_option_ = nullptr;
   std::vector<const Option*> of_tables_;  ///< what an event in STATIONS has no use for
 };
 
