@@ -111,9 +111,10 @@ std::vector<double> fit_normals(Inputs& inputs, const StudyOptions& study,
     Warnings told_later;
     series.read(*inputs.open_readings(study, rainfall, told_later), fitting.stamp);
   }
-  const ElevationRequest request{study.elevation(), !study.elevation_field().empty(),
-                                 fitting.may_have_months, rainfall.name(),
-                                 static_cast<unsigned>(fitting.threads)};
+  const ElevationRequest request{.raster = study.elevation(),
+                                 .is_field_named = !study.elevation_field().empty(),
+                                 .rainfall = rainfall.name(),
+                                 .threads = static_cast<unsigned>(fitting.threads)};
   ElevationStudy fitted =
       normals_by_elevation(request, inputs.whole(), inputs.study(), series.normals(), warnings);
   inputs.take_normals(std::move(fitted.normals));

@@ -15,8 +15,6 @@ namespace thiessen::cli {
 struct NormalFitting {
   /// What times are of their steps, where RAINFALL itself does not say it.
   Stamp stamp = Stamp::begin;
-  /// Whether calendar months may have normals of their own.
-  bool may_have_months = true;
   std::size_t threads = 1;
 };
 
