@@ -144,9 +144,8 @@ class WeightsCommand : public Command {
     if (range_.stamp_option() == nullptr || study_.has_normals() || rainfall_.totals().given())
       return;
     throw UsageError{
-        "--stamp decides which month's normals count, and when totals of --totals "
-        "ended, and there are neither",
-        "leave it out"};
+        "--stamp is about normals of months and totals beside RAINFALL, and there are none",
+        "give --normals, --normal-field or --totals, or leave it out"};
   }
 
   void refuse_options_of_readings() const {

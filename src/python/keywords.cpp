@@ -170,9 +170,8 @@ SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Ca
   if (call == Call::influence) {
     if (range.stamp_option() == nullptr || has_normals || rainfall.totals().given()) return;
     throw cli::UsageError{
-        "--stamp decides which month's normals count, and when totals of "
-        "--totals ended, and there are neither",
-        "leave it out"};
+        "--stamp is about normals of months and totals beside RAINFALL, and there are none",
+        "give normals or normal_field to Study, or totals, or leave it out"};
   }
   method.check();
   method.check(gaps);

@@ -180,12 +180,16 @@ double RasterGround::turns_to(double first, double last) const {
   return best;
 }
 
-std::vector<std::optional<RasterPart>> RasterGround::pixels_of_stations() const {
+std::vector<Point> RasterGround::stations_in_pixels() const {
   const std::vector<Station>& stations = study_.network().stations();
   std::vector<Point> points;
   points.reserve(stations.size());
   for (const Station& station : stations) points.push_back(station.position);
-  points = to_pixels(std::move(points));
+  return to_pixels(std::move(points));
+}
+
+std::vector<std::optional<RasterPart>> RasterGround::pixels_of_stations() const {
+  const std::vector<Point> points = stations_in_pixels();
   std::vector<std::optional<RasterPart>> pixels;
   pixels.reserve(points.size());
   for (const Point p : points) pixels.push_back(pixel_that_holds(p));
@@ -195,9 +199,10 @@ std::vector<std::optional<RasterPart>> RasterGround::pixels_of_stations() const 
 }
 
 std::vector<std::vector<double>> RasterGround::at_stations() const {
+  const std::vector<Point> points = stations_in_pixels();
   std::vector<std::vector<double>> values;
-  for (const std::optional<RasterPart>& pixel : pixels_of_stations())
-    values.push_back(at_pixel(pixel));
+  values.reserve(points.size());
+  for (const Point p : points) values.push_back(at_pixel(pixel_that_holds(p)));
   return values;
 }
 

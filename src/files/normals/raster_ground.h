@@ -62,7 +62,8 @@ class RasterGround {
   std::vector<std::optional<RasterPart>> pixels_of_stations() const;
   /// The values of a pixel, band by band; NaN where there are none.
   std::vector<double> at_pixel(const std::optional<RasterPart>& pixel) const;
-  /// The values at each station, band by band; NaN where there is none.
+  /// The values at each station, band by band; NaN where there is none. All stations may lie
+  /// elsewhere.
   std::vector<std::vector<double>> at_stations() const;
   /// Where a basin lies; nothing where it lies outside, with a complaint. Throws Error where it has
   /// too many pixels.
@@ -109,6 +110,8 @@ class RasterGround {
   bool goes_round() const;
   /// By how many turns a range of columns is to be moved to lie in the raster as far as it can.
   double turns_to(double first, double last) const;
+  /// The stations' positions in pixels.
+  std::vector<Point> stations_in_pixels() const;
   /// The pixel that holds a position; nothing where none does.
   std::optional<RasterPart> pixel_that_holds(Point at) const;
   /// The raster's coordinates of a position in pixels.

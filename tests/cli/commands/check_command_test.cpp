@@ -3,10 +3,12 @@
 namespace thiessen::cli {
 namespace {
 
-TEST(CheckCommand, NeedsStationsAndWritesNoFile) {
+TEST(CheckCommand, NeedsStationsAndWritesFindingsOfReadingsAlone) {
   EXPECT_EQ(refusal({"check"}), "STATIONS is missing");
   EXPECT_EQ(refusal({"check", "s", "b", "r", "--missing", "x"}), "");
-  EXPECT_EQ(refusal({"check", "s", "-o", "file"}), "unknown option '-o'");
+  EXPECT_EQ(refusal({"check", "s", "b", "r", "-o", "file"}), "");
+  EXPECT_EQ(refusal({"check", "s", "-o", "file"}),
+            "--output is of findings in readings, and there is no RAINFALL");
 }
 
 TEST(CheckCommand, RefusesAPlaneThatIsGeodesic) {

@@ -38,14 +38,16 @@ TEST(WeightsCommand, RefusesWhatIsAboutReadingsWithoutThem) {
     EXPECT_EQ(refusal(line), option.name + " is about readings, and there is no --influence");
     line.insert(line.end(), {"--influence", "r"});
     if (is_about_totals(option.name)) {
+      const std::string about =
+          option.name == "--stamp" ? "normals of months and totals" : "totals";
       EXPECT_EQ(refusal(line),
-                option.name + " is about totals beside RAINFALL, and there are none");
+                option.name + " is about " + about + " beside RAINFALL, and there are none");
       line.insert(line.end(), {"--totals", "t"});
       if (option.name == "--observed-day") line.insert(line.end(), {"--observed-at", "09:00"});
     }
     EXPECT_EQ(refusal(line), "");
   }
-  EXPECT_EQ(refused, 28u);
+  EXPECT_EQ(refused, 29u);
 }
 
 TEST(WeightsCommand, LooksAtInfluenceOrAtChanges) {
