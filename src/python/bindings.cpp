@@ -138,8 +138,10 @@ double factor_of(const StationWeight& part) {
 std::unique_ptr<PythonStudy> make_study(std::optional<StationsFile> stations,
                                         std::optional<BasinsFile> basins,
                                         const std::optional<Doubles>& readings,
-                                        const Keywords& keywords, const py::object& told) {
-  GivenParts given{std::move(stations), std::move(basins), matrix_of(readings), false, {}};
+                                        const Keywords& keywords, bool times_end_steps,
+                                        const py::object& told) {
+  GivenParts given{std::move(stations), std::move(basins), matrix_of(readings)};
+  given.stamp = times_end_steps ? Stamp::end : Stamp::begin;
   std::unique_ptr<PythonStudy> study;
   wait_for([&] { study = std::make_unique<PythonStudy>(std::move(given), keywords); }, {}, told);
   return study;
@@ -165,7 +167,7 @@ py::list weights(const PythonStudy& study) {
 /// the study's stations that are not of its network.
 py::tuple changed_weights(std::optional<StationsFile> stations, std::optional<BasinsFile> basins,
                           const Keywords& keywords, std::vector<std::string> never_reporting) {
-  GivenParts given{std::move(stations), std::move(basins), std::nullopt, true,
+  GivenParts given{std::move(stations),       std::move(basins), std::nullopt, Stamp::begin, true,
                    std::move(never_reporting)};
   Warnings warnings;
   std::unique_ptr<PythonStudy> study;
@@ -210,18 +212,18 @@ py::tuple cells(PythonStudy& study, const std::optional<Doubles>& readings,
 }
 
 /// Throws what is wrong with the keywords of a series, before its readings are known.
-void check_series(const Keywords& keywords, const std::optional<bool>& dated, bool has_normals) {
+void check_series(const Keywords& keywords, const std::optional<bool>& dated, bool stamp_acts) {
   const SeriesKeywords said(keywords,
                             !dated   ? ReadingsAt::unknown
                             : *dated ? ReadingsAt::dated_memory
                                      : ReadingsAt::memory,
-                            Call::rain, has_normals);
+                            Call::rain, stamp_acts);
 }
 
 py::dict rain(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
               const std::vector<std::string>& times, const Keywords& keywords,
               const py::object& told) {
-  SeriesKeywords said(keywords, place_of(readings, dated), Call::rain, study.has_normals());
+  SeriesKeywords said(keywords, place_of(readings, dated), Call::rain, study.stamp_acts());
   const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
@@ -247,7 +249,7 @@ py::dict rain(PythonStudy& study, const std::optional<Doubles>& readings, bool d
 py::tuple influence(PythonStudy& study, const std::optional<Doubles>& readings, bool dated,
                     const std::vector<std::string>& times, const Keywords& keywords,
                     const py::object& told) {
-  SeriesKeywords said(keywords, place_of(readings, dated), Call::influence, study.has_normals());
+  SeriesKeywords said(keywords, place_of(readings, dated), Call::influence, study.stamp_acts());
   const std::optional<GivenReadings> held = held_readings(matrix_of(readings), times);
   Warnings warnings;
   Progress progress;
@@ -305,7 +307,7 @@ static void declare(py::module_& module) {
       .def("rain", rain)
       .def("influence", influence)
       .def_property_readonly("has_readings", &PythonStudy::has_readings)
-      .def_property_readonly("has_normals", &PythonStudy::has_normals)
+      .def_property_readonly("stamp_acts", &PythonStudy::stamp_acts)
       .def_property_readonly("tells_months", &PythonStudy::tells_months)
       .def_property_readonly("given_ids", &PythonStudy::given_ids)
       .def_property_readonly(

@@ -159,16 +159,15 @@ SeriesKeywords::SeriesKeywords(Call call) {
 }
 
 SeriesKeywords::SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call,
-                               bool has_normals)
+                               bool stamp_acts)
     : SeriesKeywords(call) {
   Warnings none;  // only a file of options is warned of, and a series has none
   read(list, keywords, call, none);
   check_readings(readings);
   rainfall.check();
-  range.check(has_normals || rainfall.totals().given() ||
-              (readings == ReadingsAt::files && !rainfall.given()));
+  range.check(stamp_acts || rainfall.totals().given());
   if (call == Call::influence) {
-    if (range.stamp_option() == nullptr || has_normals || rainfall.totals().given()) return;
+    if (range.stamp_option() == nullptr || stamp_acts || rainfall.totals().given()) return;
     throw cli::UsageError{
         "--stamp is about normals of months and totals beside RAINFALL, and there are none",
         "give normals or normal_field to Study, or totals, or leave it out"};

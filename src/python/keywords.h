@@ -70,8 +70,9 @@ struct SeriesKeywords {
   /// Declares them, with none given. `call` is Call::rain or Call::influence, which takes fewer.
   explicit SeriesKeywords(Call call);
   /// Throws as StudyKeywords does.
-  /// `has_normals`: what times are of their steps decides whose month's normals count.
-  SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call, bool has_normals);
+  /// `stamp_acts`: the study has normals or totals, of which what times are of their steps decides
+  /// whose month they are, or when they ended.
+  SeriesKeywords(const Keywords& keywords, ReadingsAt readings, Call call, bool stamp_acts);
 
   cli::OptionList list;
   std::string no_stations;  // there is no event among keywords of a series

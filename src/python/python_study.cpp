@@ -7,6 +7,7 @@
 
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "cli/inputs/fitted_normals_of.h"
 #include "cli/inputs/gauges.h"
 #include "cli/inputs/summed_rates.h"
 #include "cli/options/usage_error.h"
@@ -89,6 +90,10 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
     : keywords_(keywords,
                 {given.stations.has_value(), given.basins.has_value(), given.readings.has_value()},
                 given.changes ? Call::weights : Call::study, warnings_) {
+  if (given.stations && !keywords_.study.elevation_field().empty()) {
+    throw cli::UsageError{"--elevation-field is of stations in a file, and these are in memory",
+                          "--elevation takes their elevations from a raster"};
+  }
   StudyRequest request = keywords_.study.request();
   request.opened_from = opened_gauges;
   settle_crs(given, request);
@@ -108,6 +113,8 @@ PythonStudy::PythonStudy(GivenParts given, const Keywords& keywords)
   }
   inputs_ = std::make_unique<cli::Inputs>(std::move(files), keywords_.study, keywords_.view.margin,
                                           keywords_.common.threads, warnings_);
+  cli::fit_normals(*inputs_, keywords_.study, keywords_.rainfall,
+                   {.stamp = given.stamp, .threads = keywords_.common.threads}, warnings_);
 }
 
 /// Leaves the stations alone that report. Where gauges open and close they all stay, as those that

@@ -48,6 +48,7 @@ struct GivenParts {
   std::optional<StationsFile> stations;
   std::optional<BasinsFile> basins;
   std::optional<Matrix> readings;  ///< they decide which stations are of the network
+  Stamp stamp = Stamp::begin;  ///< what times of files' readings are, for normals fitted to them
   /// Whether gauges open and close: all stations are of the network then, whatever they read, and
   /// the ids of those that never report are given.
   bool changes = false;
@@ -67,6 +68,9 @@ class PythonStudy {
   const std::vector<std::string>& given_ids() const { return given_ids_; }
   bool has_readings() const { return keywords_.rainfall.given(); }
   bool has_normals() const { return inputs_->weighing().normals() != nullptr; }
+  /// Whether what times are of their steps decides something: whose month's normals count, or when
+  /// totals ended.
+  bool stamp_acts() const { return has_normals() || keywords_.rainfall.totals().given(); }
   /// Whether calendar months have normals of their own, so that steps need times.
   bool tells_months() const;
   /// The weights, once or, where months have normals of their own, with the factors of each.

@@ -1,6 +1,7 @@
 """Normals in Python are those of the program, in files and in memory."""
 
 import json
+import pathlib
 
 import numpy
 import pandas
@@ -98,11 +99,8 @@ def test_a_raster_is_that_of_the_program(files):
 
 
 def test_what_cannot_be_is_an_error(files):
-    for study in studies(files, normal_field="normal"):
-        with pytest.raises(thiessen.Error, match="^error is of weights, and normals make factors"):
-            study.rain(error=True)
     for study in studies(files):
-        with pytest.raises(thiessen.Error, match="^stamp decides which month's normals count, and there are no normals"):
+        with pytest.raises(thiessen.Error, match="^stamp is about normals of months and totals beside rainfall"):
             study.influence(stamp="end")
         with pytest.raises(thiessen.Error, match="^stamp decides in which total a step counts"):
             study.rain(stamp="end")
@@ -137,3 +135,38 @@ def test_readings_without_times_have_no_months(files):
         thiessen.Study(*given, years, metric="planar", normal_field="of_normal").cells(time="2014")
     twice = pandas.DataFrame({"a": [10.0, 10], "b": [13.0, 13]}, index=["2014-01", "2014-01"])
     assert study.rain(twice)["B"].tolist() == [23, 23]
+
+
+def test_normals_are_fitted_to_readings_in_files_by_elevation():
+    colorado = pathlib.Path(__file__).parents[2] / "samples" / "colorado"
+    places = colorado / "stations.csv", colorado / "counties.geojson"
+    options = {"basin_id": "name", "rainfall": colorado / "rainfall.csv"}
+    raster = {"elevation_field": "elev"}
+    with pytest.raises(thiessen.Error, match="elevation_field: there is no field 'elev'"):
+        thiessen.Study(*places, **options, **raster)  # counties have no elevation
+    with pytest.raises(thiessen.Error, match="^elevation fits normals to rainfall, and there is none"):
+        thiessen.Study(*places, basin_id="name", elevation="dem.tif")
+    with pytest.raises(thiessen.Error, match="^elevation_field is of stations in a file, and these are in memory"):
+        thiessen.Study({"a": (15, 50)}, places[1], rainfall, crs=4326, elevation_field="z")
+
+
+def test_normals_are_fitted_to_readings_in_files_by_elevation(tmp_path):
+    samples = pathlib.Path(__file__).parents[2] / "samples" / "colorado"
+    counties = json.loads((samples / "counties.geojson").read_text(encoding="utf-8"))
+    counties["features"] = counties["features"][:3]
+    for feature in counties["features"]:
+        feature["properties"]["elev"] = 2200
+    (tmp_path / "counties.geojson").write_text(json.dumps(counties), encoding="utf-8")
+    places = samples / "stations.csv", tmp_path / "counties.geojson"
+    rainfall = samples / "rainfall.csv"
+    study = thiessen.Study(*places, rainfall, basin_id="name", elevation_field="elev")
+    assert "factor_12" in study.weights().columns
+    header, found = rows("rain", *places, rainfall, "--basin-id", "name", "--elevation-field", "elev", "--decimals", "12")
+    table = study.rain()
+    assert list(table.columns) == header
+    assert numpy.allclose(table.iloc[:, 1:], [[float(value) for value in row[1:]] for row in found], rtol=0, atol=1e-11)
+    assert (study.rain(error=True)[header[1] + "_se"] > 0).all()
+    with pytest.raises(thiessen.Error, match="^elevation_field fits normals to rainfall, and there is none"):
+        thiessen.Study(*places, basin_id="name", elevation_field="elev")
+    with pytest.raises(thiessen.Error, match="^elevation_field is of stations in a file, and these are in memory"):
+        thiessen.Study({"a": (15, 50)}, places[1], rainfall, crs=4326, elevation_field="z")

@@ -18,7 +18,7 @@ OF_SERIES = ("gaps", "min_gauges", "cache", "method", "grid", "interval", "from_
 OF_INFLUENCE = ("cache", "from_", "to", "stamp")
 
 # What gives a study normals: what times are of their steps then decides in which month a step is.
-OF_NORMALS = ("normals", "normal_field")
+OF_NORMALS = ("normals", "normal_field", "elevation", "elevation_field")
 
 # What is about the times of steps.
 OF_TIMES = ("from_", "to", "stamp", "every", "allow_missing", "day_start", "year_start", "dry")

@@ -49,6 +49,8 @@ class Study:
         gauge's. A raster that GDAL reads, of one band, or of twelve for the calendar months; or the field of stations
         and of basins that has them, or the twelve fields normal_01 to normal_12 for "normal": in files, in columns of
         frames, or in properties of features.
+    elevation, elevation_field: normals are fitted to `rainfall`, which is in files, by elevation: of the ground from a
+        raster, of stations from a field of their file; `elevation_field` alone is of stations and of basins.
     ids, basin_ids: of stations and basins that have none. The labels of a series or a GeoDataFrame are ids where no
         column is.
     progress: called with the steps done and those there are (0 where that is not known), some twenty times a second.
@@ -87,9 +89,10 @@ class Study:
         held = self._readings_held
         self._keywords = given + texts_of(keywords)
         _thiessen.check_series(texts_of(self._of_series), None if held is None else held.times is not None,
-                               any(is_given(keywords.get(name)) for name in OF_NORMALS))
+                               any(is_given(keywords.get(name)) for name in (*OF_NORMALS, "totals")))
         self._study = _thiessen.Study(held_stations and held_stations.made(), held_basins and held_basins.made(),
-                                      held and held.matrix, self._keywords, progress)
+                                      held and held.matrix, self._keywords,
+                                      str(self._of_series.get("stamp", "")) == "end", progress)
         self._stations = numpy.array(self._study.stations, dtype=object)
         self._basins = numpy.array(self._study.basins, dtype=object)
         self._tell(self._study.warnings)
@@ -251,9 +254,9 @@ class Study:
         """What each gauge is worth to each basin: basin, station, weight, rms_change, mean_change, by how much the
         rainfall of the basin changes when the gauge is left out, over all steps; both by the cells of the gauges that
         report, whatever the study says of gaps and methods. Takes the readings that `rain` takes, and of its keywords
-        cache, from_, to, with normals stamp, and those of readings in files.
+        cache, from_, to, with normals or totals stamp, and those of readings in files.
         """
-        acting = [name for name in OF_INFLUENCE if name != "stamp" or self._study.has_normals]
+        acting = [name for name in OF_INFLUENCE if name != "stamp" or self._study.stamp_acts]
         keywords = {**{name: value for name, value in self._of_series.items() if name in acting}, **keywords}
         held, texts = self._readings(readings, keywords)
         (basin, station, weight, rms, mean), told = self._study.influence(*_handed(held, keywords, self._study.tells_months),
