@@ -220,8 +220,8 @@ class Study:
             the time. What has labels (a frame, a row of one, a dictionary, a structured array, an array of xarray with
             coordinates) goes by them. An array of doubles in C's order is read where it lies.
         keywords: gaps, min_gauges, cache, method (several in a list), grid, interval, error; of readings that have
-            times from_, to, every, allow_missing, day_start, year_start, dry, stamp; and of readings in files that are named here time_field and
-            the other options of readings.
+            times from_, to, every, allow_missing, day_start, year_start, dry, stamp; and of readings in files that are
+            named here time_field and the other options of readings.
 
         Memory: the readings in an array, and the result. Readings in files are read as they are needed.
         """
