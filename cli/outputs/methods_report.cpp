@@ -1,25 +1,23 @@
 #include "cli/outputs/methods_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "cli/outputs/methods_verdict.h"
 #include "cli/outputs/text_table.h"
+#include "files/normals/elevation_column.h"
 #include "rainfall/leaving_out/half_networks.h"
 #include "rainfall/leaving_out/method_errors.h"
 #include "text/field_names.h"
+#include "text/known_names.h"
 
 namespace thiessen::cli {
 namespace {
 
-constexpr std::array<std::string_view, 5> elevation_names = {"elev", "elevation", "z", "alt",
-                                                             "altitude"};
 constexpr std::size_t most_stretches = 30;
 constexpr std::size_t least_steps_of_stretches = 10;
 constexpr std::size_t most_halved_steps = 12;
@@ -107,12 +105,14 @@ std::string halves_table(const Weighing& weighing, const DatedSample& sample, bo
 std::vector<double> elevations_in_attributes(const StudyFiles& study) {
   std::vector<std::string> header;
   for (const FieldName& field : study.attributes.fields) header.push_back(field.name);
-  const auto column = find_field(header, elevation_names);
+  const auto column = find_field(header, known::elevations);
   std::vector<double> elevations;
   if (!column) return elevations;
   for (const auto& row : study.attributes.rows) {
     const auto elevation = parse_number(row[*column]);
-    elevations.push_back(elevation ? elevation.value : std::numeric_limits<double>::quiet_NaN());
+    elevations.push_back(elevation && !is_missing_elevation(elevation.value)
+                             ? elevation.value
+                             : std::numeric_limits<double>::quiet_NaN());
   }
   return elevations;
 }

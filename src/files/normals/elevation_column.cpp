@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "base/number.h"
 #include "base/utf8.h"
@@ -17,19 +18,29 @@ namespace {
 /// Codes for missing elevations; -999.9 is that of GHCN's list of stations.
 constexpr std::array codes = {-999.0, -999.9, -9999.0, -9999.9, -99999.0, -32768.0};
 
-bool is_missing(double elevation) {
-  return !std::isfinite(elevation) ||
-         std::find(codes.begin(), codes.end(), elevation) != codes.end();
+std::size_t required(const Features& features, const std::string& name, const Wording& else_hint) {
+  try {
+    return require_field(features.header(), name, setting("elevation_field"), features.file(),
+                         features.header_line());
+  } catch (const Error& error) {
+    Message message = error.messages().front();
+    message.hint = else_hint;
+    throw Error(std::move(message));
+  }
 }
 
 }  // namespace
 
-ElevationColumn::ElevationColumn(const Features& features,
-                                 const std::optional<std::string>& wanted) {
+bool is_missing_elevation(double elevation) {
+  return !std::isfinite(elevation) ||
+         std::find(codes.begin(), codes.end(), elevation) != codes.end();
+}
+
+ElevationColumn::ElevationColumn(const Features& features, const std::optional<std::string>& wanted,
+                                 const Wording& else_hint) {
   if (!wanted) return;
   column_ = wanted->empty() ? find_field(features.header(), known::elevations)
-                            : require_field(features.header(), *wanted, setting("elevation_field"),
-                                            features.file(), features.header_line());
+                            : required(features, *wanted, else_hint);
   if (column_) name_ = features.header()[*column_];
 }
 
@@ -38,7 +49,7 @@ double ElevationColumn::read(const Features& features, const std::string& what,
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::string_view text = trimmed(features.row().fields[*column_]);
   const auto number = parse_number(text, features.decimal_mark());
-  if (number) return is_missing(number.value) ? none : number.value;
+  if (number) return is_missing_elevation(number.value) ? none : number.value;
   if (text.empty() || text == "NA" || text == "NaN" || text == "nan") return none;
   complaints.add(features.message(what + " has an elevation in " + quoted(name_, 80) +
                                   " that is no number: " + quoted(text, 60)));

@@ -100,7 +100,7 @@ class GroundFiller {
   /// How many pixels there are between two nodes along a side of the raster.
   std::size_t pixels_apart(const ElevationFit& fit, Point way) const {
     const Metric metric = study_.weighing().yardstick().metric;
-    const Point here = study_.network().places().front();
+    const Point here = fit.first_gauge();
     const Point pixel = ground_.to_pixels({here}).front();
     const std::vector<Point> both = ground_.to_study({pixel, {pixel.x + way.x, pixel.y + way.y}});
     const double side = length(in_space(both[1], metric) - in_space(both[0], metric));

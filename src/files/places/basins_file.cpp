@@ -46,7 +46,10 @@ class BasinsReader {
     }
     find_id_fields();
     normals_.emplace(features_, request_.normal_field);
-    elevations_.emplace(features_, request_.elevation_field);
+    elevations_.emplace(features_, request_.elevation_field,
+                        setting("elevation") +
+                            " RASTER has the ground's elevations, and basins "
+                            "need none then");
   }
 
   BasinsFile read() {

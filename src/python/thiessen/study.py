@@ -212,7 +212,7 @@ class Study:
         """The areal rainfall of each basin at each step: time, and a column for each basin, in the order of the
         basins; NaN where there is none. With error=True also columns BASIN_se of standard errors, behind all others;
         with every="month" (hour, 6h, day, week, season, year, storm) totals over months, and behind each column
-        BASIN_missing, of how many steps without a value.
+        BASIN_missing, of how many steps without a value; BASIN_se is then the standard error of the total.
         A DataFrame, or where pandas is not installed a structured array.
 
         readings: nothing, for those of the study; files; an array of steps by stations, in the order in which the
@@ -228,8 +228,8 @@ class Study:
         return self._rain(readings, progress, {**self._of_series, **keywords}, self._all_columns)
 
     def standard_errors(self, readings=None, *, progress=None, **keywords):
-        """The standard error of each basin's rainfall at each step: time, and a column for each basin. NaN where fewer
-        than five gauges report or all that do read the same. Takes what `rain` takes.
+        """The standard error of each basin's rainfall at each step, or with `every` of each total: time, and a column
+        for each basin. NaN where fewer than five gauges report or all that do read the same. Takes what `rain` takes.
         """
         return self._rain(readings, progress, {**self._of_series, **keywords, "error": True},
                           lambda found: zip(found["names"], found["errors"].T))

@@ -22,12 +22,12 @@ void warn_of_lasting_errors(const ErrorCorrelation& correlation, const std::stri
   if (!(correlation.lasting > 0)) return;
   std::string share;
   append_fixed(share, 100 * correlation.lasting, 1);
-  warnings.add(
-      {file, 0,
-       "near gauges differ for good: " + share +
-           " % of the square of an error lasts from step to step, which the errors of "
-           "totals count alike in plains and mountains",
-       "normals tell where it is wetter: " + setting("normals") + ", " + setting("normal_field")});
+  warnings.add({file, 0,
+                "near gauges differ for good: " + share +
+                    " % of the square of an error lasts from step to step, which the errors of "
+                    "totals count alike in plains and mountains",
+                "normals tell where it is wetter: " + setting("normals") + ", " +
+                    setting("normal_field") + ", " + setting("elevation")});
 }
 
 DifferencesInTime::DifferencesInTime(const Network& network, Metric metric) {

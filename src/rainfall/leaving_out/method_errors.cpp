@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "rainfall/leaving_out/gauge_groups.h"
-#include "rainfall/leaving_out/processor_time.h"
 #include "rainfall/network/mean_reading.h"
 #include "rainfall/normals/relative_readings.h"
 
@@ -52,6 +51,17 @@ MethodErrors::MethodErrors(const Network& network, Metric metric, const std::vec
   }
 }
 
+/// Adds what some work costs to the seconds of methods, so many times as the step stands for.
+template <typename Work>
+void MethodErrors::timed(std::size_t times, std::initializer_list<PointMethod> methods,
+                         const Work& work) {
+  if (times == 0) return work();
+  const double before = thread_seconds();
+  work();
+  const double seconds = static_cast<double>(times) * (thread_seconds() - before);
+  for (const PointMethod method : methods) seconds_[static_cast<std::size_t>(method)] += seconds;
+}
+
 /// Tells all places by all methods. Their time is taken without normals, for it is the same with
 /// them; what natural and linear share counts for both.
 void MethodErrors::tell_all(const LeftOutStep& step) {
@@ -60,16 +70,13 @@ void MethodErrors::tell_all(const LeftOutStep& step) {
   if (normals_ != nullptr)
     relative = readings_by_place(network_, relative_readings(normals_, step.readings, step.month));
   estimates_.report(reporting_places(network_, step.readings));
-  double before = thread_seconds();
-  estimates_.tessellate();
-  const double shared = thread_seconds() - before;
-  for (const PointMethod method : {PointMethod::natural, PointMethod::linear})
-    seconds_[static_cast<std::size_t>(method)] += shared;
+  const std::size_t times = timed_steps_.next();
+  timed(times, {PointMethod::natural, PointMethod::linear}, [&] { estimates_.tessellate(); });
   for (std::size_t m = 0; m < methods_.size(); ++m) {
-    before = thread_seconds();
-    estimates_.tell(methods_[m].method, methods_[m].with_normals ? relative : values, told_[m]);
-    if (!methods_[m].with_normals)
-      seconds_[static_cast<std::size_t>(methods_[m].method)] += thread_seconds() - before;
+    const PointMethod method = methods_[m].method;
+    const bool with_normals = methods_[m].with_normals;
+    timed(with_normals ? 0 : times, {method},
+          [&] { estimates_.tell(method, with_normals ? relative : values, told_[m]); });
   }
 }
 

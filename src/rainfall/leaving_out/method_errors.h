@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "rainfall/leaving_out/error_sums.h"
 #include "rainfall/leaving_out/left_out_estimates.h"
 #include "rainfall/leaving_out/paired_squares.h"
+#include "rainfall/leaving_out/processor_time.h"
 #include "rainfall/network/network.h"
 #include "rainfall/normals/normal_field.h"
 
@@ -73,7 +75,8 @@ class MethodErrors {
   SquaredDifference difference(std::size_t first, std::size_t second) const {
     return squares_.difference(first, second);
   }
-  /// Processor time in seconds that a method took for a reading.
+  /// Processor time in seconds that a method took for a reading, as the steps that are timed tell
+  /// it (see TimedSteps).
   double seconds_of(PointMethod method) const;
 
  private:
@@ -87,6 +90,8 @@ class MethodErrors {
   const AtStation& at(std::size_t station, std::size_t method) const {
     return stations_[station * methods_.size() + method];
   }
+  template <typename Work>
+  void timed(std::size_t times, std::initializer_list<PointMethod> methods, const Work& work);
   void tell_all(const LeftOutStep& step);
   void take(std::size_t station, const LeftOutStep& step);
 
@@ -105,6 +110,7 @@ class MethodErrors {
   std::vector<Year> read_in_year_;  // by station
   std::optional<int> year_;
   std::size_t readings_ = 0;
+  TimedSteps timed_steps_;
   std::array<double, point_methods.size()> seconds_{};
   std::vector<std::vector<double>> told_;  // by tried method: at each place
   std::vector<double> of_reading_;         // squared errors

@@ -28,8 +28,9 @@ class ElevationFit {
   static constexpr double most_factor = 4;
 
   /// `normals` has those of each place, for the year or month by month; where one is not above 0
-  /// the place takes what the others tell. Requires FittedNormals::least_places places with normals
-  /// in each month, and the elevations of all.
+  /// the place takes what the others tell. Places that have none in any month change nothing for
+  /// the others, so that a network with gauges that never report tells the same. Requires
+  /// FittedNormals::least_places places with normals in each month, and the elevations of all.
   ElevationFit(std::span<const Point> places, std::span<const double> elevations,
                std::span<const std::vector<double>> normals, Metric metric, unsigned threads);
 
@@ -55,13 +56,16 @@ class ElevationFit {
   /// How far gauges are apart where they lie as they do most often: the side of a square that one
   /// gauge has to itself, by the median distance to the 40th nearest. In the unit of in_space.
   double spacing() const { return spacing_; }
+  /// Where the first of the gauges stands that have normals.
+  Point first_gauge() const { return at_gauges_.front(); }
 
  private:
   void find_spacing();
-  void tell_without();
+  void tell_without(std::span<const Point> places);
 
-  std::vector<Point> places_;
-  NearestGauges nearest_;
+  std::vector<std::size_t> gauges_;  // the places that have normals
+  std::vector<Point> at_gauges_;
+  NearestGauges nearest_;  // of these
   std::vector<std::unique_ptr<const FittedNormals>> by_month_;
   std::vector<std::vector<double>> without_;  // by month and place
   double left_out_error_ = 0;

@@ -83,7 +83,7 @@ class ElevationKriging {
   VariogramModel variogram_;
   double calibration_ = 1;
   std::vector<double> calibrations_;  // by place: what leaving it out tells
-  std::vector<double> told_;  // by place: what all others tell
+  std::vector<double> told_;          // by place: what all others tell
   double left_out_error_ = 0;
   double nearest_error_ = 0;
 };

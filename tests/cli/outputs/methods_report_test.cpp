@@ -37,6 +37,16 @@ TEST(MethodsReport, elevations_are_found_by_their_fields_name) {
   EXPECT_TRUE(elevations_in_attributes(GivenInputs(without).inputs.study()).empty());
 }
 
+TEST(MethodsReport, codes_for_a_missing_elevation_are_none) {
+  GivenFiles files = three_gauges();
+  files.stations = "id,x,y,Elevation\nA,0,2,1200\nB,8,2,-999.9\nC,8,4,-430\n";
+  const GivenInputs given(files);
+  const std::vector<double> elevations = elevations_in_attributes(given.inputs.study());
+  ASSERT_EQ(elevations.size(), 3u);
+  EXPECT_TRUE(std::isnan(elevations[1]));
+  EXPECT_EQ(elevations[2], -430) << "the Dead Sea";
+}
+
 // By hand: A is told 20 by B, and B and C tell each other 30 and 20.
 TEST(MethodsReport, says_what_the_readings_are_in) {
   const GivenInputs given(three_gauges());

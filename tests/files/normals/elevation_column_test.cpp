@@ -73,5 +73,15 @@ TEST(ElevationColumn, of_a_basin_is_one) {
             std::string::npos);
 }
 
+TEST(ElevationColumn, says_what_else_there_is_where_basins_lack_it) {
+  try {
+    basins(std::string("B,500,") + square, "level");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.messages().front().hint.plain(),
+              "'elevation' RASTER has the ground's elevations, and basins need none then");
+  }
+}
+
 }  // namespace
 }  // namespace thiessen

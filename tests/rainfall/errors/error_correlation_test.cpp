@@ -105,6 +105,8 @@ TEST(ErrorCorrelation, that_lasts_is_warned_of) {
   EXPECT_EQ(warnings.messages()[0].text,
             "near gauges differ for good: 41.2 % of the square of an error lasts from step to "
             "step, which the errors of totals count alike in plains and mountains");
+  EXPECT_EQ(warnings.messages()[0].hint.plain(),
+            "normals tell where it is wetter: 'normals', 'normal_field', 'elevation'");
 }
 
 }  // namespace

@@ -52,6 +52,36 @@ TEST(ElevationFits, tell_what_elevation_tells_in_each_month) {
   EXPECT_NEAR(fit.without(7, 0), net.normals[0][7], 1e-3);
 }
 
+TEST(ElevationFits, do_not_see_places_without_normals) {
+  Seeded seeded;
+  Net net = scattered(seeded, 60);
+  add_month(net, 50, 4e-4);
+  add_month(net, 80, -1e-4);
+  const ElevationFit fit = net.fit();
+  Net more = net;
+  const Net silent = scattered(seeded, 30);
+  const auto put_first = [](auto& list, const auto& other) {
+    list.insert(list.begin(), other.begin(), other.end());
+  };
+  put_first(more.places, silent.places);
+  put_first(more.elevations, silent.elevations);
+  for (auto& of_month : more.normals) of_month.insert(of_month.begin(), 30, 0);
+  const ElevationFit with_silent = more.fit();
+  EXPECT_EQ(with_silent.spacing(), fit.spacing());
+  EXPECT_EQ(with_silent.first_gauge(), fit.first_gauge());
+  EXPECT_EQ(with_silent.left_out_error(), fit.left_out_error());
+  std::array<ToldNormal, 2> told;
+  std::array<ToldNormal, 2> told_with_silent;
+  for (const Point silent_place : silent.places) {
+    fit.at(silent_place, told);
+    with_silent.at(silent_place, told_with_silent);
+    for (const std::size_t month : {0U, 1U})
+      EXPECT_EQ(told_with_silent[month].nearest, told[month].nearest);
+  }
+  for (std::size_t place = 0; place < net.places.size(); ++place)
+    EXPECT_EQ(with_silent.without(30 + place, 1), fit.without(place, 1));
+}
+
 TEST(ElevationFits, find_a_truth_with_noise_better_than_the_nearest_gauge) {
   // ln N = 4 + 4e-4 z + S + noise: S has a standard deviation of 0.15 and a range of 40, the noise
   // one of 0.03. The nearest of 150 gauges differs by 1,225 in elevation (uniform over 3,000,
