@@ -9,6 +9,7 @@
 #include "cli/outputs/distances_report.h"
 #include "cli/terminal/messages.h"
 #include "files/file_digest.h"
+#include "readings/units/rain_unit.h"
 #include "report/report.h"
 #include "results/weights_file.h"
 
@@ -88,6 +89,7 @@ std::string StudyReport::page(const ReportParts& parts, const Warnings& warnings
   Report report;
   report.picture = parts.picture;
   report.unit = parts.unit;
+  report.depth_unit = depth_unit(parts.unit);
   report.is_area_known = inputs_.area_unit().known();
   report.network = inputs_.network().stations().size();
   report.places = places_of(inputs_.network());

@@ -105,9 +105,7 @@ std::string Summary::text(const std::string& units, std::size_t width) const {
   const std::vector<BasinSummary> summaries = basins();
   const std::string unit = units.empty() ? "" : " " + printable(units);
   const std::string area = inputs_.area_unit().known() ? "area km2" : "area";
-  // The depth of a rate in a length of time is none.
-  const std::optional<RainUnit> known = rain_unit(units);
-  const std::string depth = known && time_of_rate(*known) ? " " + std::string(known->depth) : unit;
+  const std::string depth = units.empty() ? "" : " " + printable(depth_unit(units));
   return fitted(summary_columns(summaries, area, unit, depth), width) + wrapped(remarks(), width);
 }
 

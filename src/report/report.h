@@ -26,6 +26,7 @@ struct Report {
   /// of the network's, which come first.
   const Picture* picture = nullptr;
   std::string unit;
+  std::string depth_unit;           ///< of depths in a length of time: of rates in mm/h mm
   bool is_area_known = true;        ///< whether areas are in km2
   std::size_t network = 0;          ///< how many of the picture's gauges are the network's
   std::vector<std::size_t> places;  ///< by gauge of the network: its place

@@ -92,8 +92,8 @@ std::string rain_text(const std::optional<double>& value) {
   return value ? significant_text(*value, 4) : "";
 }
 
-std::string with_unit(const std::string& heading, const Report& report) {
-  return report.unit.empty() ? heading : heading + " (" + report.unit + ")";
+std::string with_unit(const std::string& heading, const std::string& unit) {
+  return unit.empty() ? heading : heading + " (" + unit + ")";
 }
 
 std::string area_heading(const Report& report) {
@@ -106,6 +106,15 @@ std::string bar_text(const BasinSummary& basin) {
   const double half = quantile * *basin.standard_error;
   return significant_text(std::max(0.0, *basin.mean - half), 4) + " to " +
          significant_text(*basin.mean + half, 4);
+}
+
+/// The columns of the largest depths, the same in all basins, and of the times when they began.
+void add_depths(const Report& report, std::vector<Column>& columns) {
+  if (report.basins.empty()) return;
+  for (const BasinDepth& depth : report.basins.front().depths) {
+    columns.push_back({with_unit("most in " + depth.length, report.depth_unit), true});
+    columns.push_back({"from"});
+  }
 }
 
 /// A table of names and values.
@@ -132,21 +141,32 @@ std::string paragraphs(const std::string& lines) {
 }  // namespace
 
 std::string basins_table(const Report& report) {
-  HtmlTable table("Gauges, weights and rainfall of each basin",
-                  {{"basin"},
-                   {area_heading(report), true},
-                   {"gauges inside", true},
-                   {"weighing", true},
-                   {"largest weight", true},
-                   {with_unit("mean", report), true},
-                   {with_unit("95 % bar of the mean", report), true},
-                   {with_unit("largest", report), true},
-                   {"empty steps", true}});
+  std::vector<Column> columns{{"basin"},
+                              {area_heading(report), true},
+                              {"gauges inside", true},
+                              {"weighing", true},
+                              {"largest weight", true},
+                              {with_unit("mean", report.unit), true},
+                              {with_unit("95 % bar of the mean", report.unit), true},
+                              {with_unit("largest", report.unit), true},
+                              {"empty steps", true}};
+  add_depths(report, columns);
+  HtmlTable table("Gauges, weights and rainfall of each basin", columns);
   for (const BasinSummary& basin : report.basins) {
-    table.add({basin.basin, significant_text(basin.area, 4), std::to_string(basin.gauges_inside),
-               std::to_string(basin.gauges_weighing), fixed_text(basin.largest_weight, 3),
-               rain_text(basin.mean), bar_text(basin), rain_text(basin.largest),
-               std::to_string(basin.empty_steps)});
+    std::vector<std::string> row{basin.basin,
+                                 significant_text(basin.area, 4),
+                                 std::to_string(basin.gauges_inside),
+                                 std::to_string(basin.gauges_weighing),
+                                 fixed_text(basin.largest_weight, 3),
+                                 rain_text(basin.mean),
+                                 bar_text(basin),
+                                 rain_text(basin.largest),
+                                 std::to_string(basin.empty_steps)};
+    for (const BasinDepth& depth : basin.depths) {
+      row.push_back(rain_text(depth.depth));
+      row.push_back(depth.time);
+    }
+    table.add(row);
   }
   return std::move(table).text("summary.csv") + paragraphs(report.remarks);
 }
@@ -171,7 +191,7 @@ std::string influence_table(const Report& report) {
   HtmlTable table("The gauge of each basin without which its rainfall changes most",
                   {{"basin"},
                    {"most influential gauge"},
-                   {with_unit("change, root mean square", report), true}});
+                   {with_unit("change, root mean square", report.unit), true}});
   for (const BasinSummary& basin : report.basins) {
     if (basin.most_influential.empty()) continue;
     table.add({basin.basin, basin.most_influential, significant_text(basin.influence, 3)});

@@ -82,6 +82,20 @@ TEST(ReportPage, has_a_column_of_factors_where_normals_make_them) {
   EXPECT_TRUE(has(page, "<td class=\"n\">0.5000</td><td class=\"n\">1.375</td></tr>"));
 }
 
+TEST(ReportPage, has_the_largest_depths_and_when_they_began) {
+  TwoCells study;
+  EXPECT_FALSE(has(report_page(study.report), ">most in "));
+  study.report.unit = "mm/h";
+  study.report.depth_unit = "mm";
+  study.report.basins.front().depths = {{"1h", 11.5, "Tuesday"}, {"24h", {}, ""}};
+  const std::string page = report_page(study.report);
+  EXPECT_TRUE(has(page, ">most in 1h (mm)</button></th><th scope=\"col\">")) << page;
+  EXPECT_TRUE(has(page,
+                  "<td class=\"n\">0</td><td class=\"n\">11.50</td><td>Tuesday</td>"
+                  "<td class=\"n\"></td><td></td></tr>"))
+      << page;
+}
+
 TEST(ReportPage, has_no_part_left_open) {
   EXPECT_FALSE(has(report_page(TwoCells().report), "{{"));
 }

@@ -12,7 +12,7 @@ namespace thiessen {
 /// Why a reading, or all readings of a gauge, cannot be true beside those of the gauges next to it.
 enum class FindingKind : std::uint8_t {
   spike,  ///< far above all its neighbours
-  zero,   ///< nothing where it rained heavily at all of them
+  zero,   ///< nothing where it rained at all of them, and heavily
   stuck,  ///< the same value, above 0, step after step
   unit,   ///< all of the gauge's rain is many times, or a small part of, that of its neighbours
   shift,  ///< its series goes with theirs one step earlier or later

@@ -8,19 +8,26 @@
 namespace thiessen {
 
 ZeroSearch::ZeroSearch(const GaugeNeighbours& neighbours, double much)
-    : neighbours_(neighbours), much_(much), asked_(neighbours.gauges() + 1) {
+    : neighbours_(neighbours),
+      much_(much),
+      asked_(neighbours.gauges() + 1),
+      doubts_(neighbours.gauges()) {
   for (std::uint32_t g = 0; g < neighbours.gauges(); ++g) {
-    const auto of_gauge = neighbours.of(StationIndex{g});
-    first_.push_back(of_gauge.empty() ? StationIndex{g} : of_gauge.front().station);
+    const StationIndex gauge{g};
+    const auto of_gauge = neighbours.of(gauge);
+    first_two_.push_back(of_gauge.size() < least_neighbours
+                             ? Two{gauge, gauge}
+                             : Two{of_gauge[0].station, of_gauge[1].station});
   }
 }
 
-bool ZeroSearch::do_all_read_much(const SeenStep& step, StationIndex gauge) const {
+bool ZeroSearch::rained_all_round(const SeenStep& step, StationIndex gauge) const {
   std::size_t with_much = 0;
+  unsigned doubts = 0;
   for (const GaugeNeighbours::Neighbour& neighbour : neighbours_.of(gauge)) {
-    const double reading = step.readings[index(neighbour.station)];
-    if (reading < much_) return false;
-    with_much += reading >= much_ ? 1u : 0u;  // and the silent ones say nothing
+    doubts += doubts_[index(neighbour.station)];
+    if (doubts > most_doubts) return false;
+    with_much += step.readings[index(neighbour.station)] >= much_ ? 1u : 0u;
   }
   return with_much >= least_neighbours;
 }
@@ -30,17 +37,22 @@ void ZeroSearch::see(const SeenStep& step, const TakeFinding& take) {
   for (const StationIndex gauge : step.wet)
     with_much += step.readings[index(gauge)] >= much_ ? 1u : 0u;
   if (with_much < least_neighbours) return;
-  // Who reads 0 cannot be foreseen: those whose first neighbour allows it are listed without a
+  for (std::size_t g = 0; g < doubts_.size(); ++g) {
+    const double reading = step.readings[g];
+    doubts_[g] = static_cast<std::uint8_t>((reading < much_ ? 1 : 0) + (reading == 0 ? 1 : 0));
+  }
+  // Who reads 0 cannot be foreseen: those whose first two neighbours allow it are listed without a
   // branch.
   std::size_t asked = 0;
-  for (std::uint32_t g = 0; g < first_.size(); ++g) {
+  for (std::uint32_t g = 0; g < first_two_.size(); ++g) {
     asked_[asked] = StationIndex{g};
-    const bool is_zero = step.readings[g] == 0;
-    const bool has_little = step.readings[index(first_[g])] < much_;
-    asked += static_cast<std::size_t>(is_zero) & static_cast<std::size_t>(!has_little);
+    const unsigned doubts =
+        doubts_[index(first_two_[g].first)] + doubts_[index(first_two_[g].second)];
+    const auto is_zero = static_cast<unsigned>(doubts_[g] == doubts_of_zero);
+    asked += is_zero & static_cast<unsigned>(doubts <= most_doubts);
   }
   for (const StationIndex gauge : std::span(asked_).first(asked)) {
-    if (!do_all_read_much(step, gauge)) continue;
+    if (!rained_all_round(step, gauge)) continue;
     take({gauge, FindingKind::zero, step.time, 0, expected_reading(neighbours_, step, gauge)});
   }
 }

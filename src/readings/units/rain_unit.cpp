@@ -228,6 +228,11 @@ std::optional<StepLength> time_of_rate(const RainUnit& unit) {
   return std::nullopt;
 }
 
+std::string depth_unit(const std::string& unit) {
+  const std::optional<RainUnit> known = rain_unit(unit);
+  return known && time_of_rate(*known) ? std::string(known->depth) : unit;
+}
+
 std::optional<RainUnit> unit_in_suffix(std::string_view suffix) {
   constexpr std::string_view opening = "_-. ([";
   if (suffix.empty() || opening.find(suffix.front()) == std::string_view::npos) return std::nullopt;

@@ -38,6 +38,10 @@ std::optional<RainUnit> rain_unit(std::string_view text);
 /// The time in which the depth of a unit falls; nothing where the unit is a depth alone.
 std::optional<StepLength> time_of_rate(const RainUnit& unit);
 
+/// What the depth of values in a unit is in, summed over a time: of mm/h mm. Of what names no unit
+/// of rain it is the same text.
+std::string depth_unit(const std::string& unit);
+
 /// The unit that ends a column's name after what stands before it: `_mm`, ` (mm)`, `[in]`.
 std::optional<RainUnit> unit_in_suffix(std::string_view suffix);
 

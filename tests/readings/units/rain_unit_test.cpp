@@ -83,6 +83,14 @@ TEST(RainUnit, is_taken_from_a_rate_to_another) {
   EXPECT_EQ(factor_between(*rain_unit("in/h"), *rain_unit("mm/h")).of(2), 50.8);
 }
 
+TEST(RainUnit, has_a_depth_in_a_length_of_time) {
+  EXPECT_EQ(depth_unit("mm/h"), "mm");
+  EXPECT_EQ(depth_unit("inches per day"), "in");
+  EXPECT_EQ(depth_unit("mm"), "mm");
+  EXPECT_EQ(depth_unit("buckets"), "buckets");
+  EXPECT_EQ(depth_unit(""), "");
+}
+
 TEST(RainUnit, may_stand_in_a_line_above_a_header) {
   const auto told = [](std::string_view line) {
     const auto unit = unit_in_line(line);
