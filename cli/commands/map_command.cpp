@@ -64,7 +64,9 @@ class MapCommand : public Command {
     rainfall_.declare(options(), Need::optional, study_.stations);
     view_.declare_times(options());
     range_.declare_range(options());
-    range_.declare_stamp(options());
+    range_.declare_stamp(options(),
+                         "which month's normals count, over which steps a total is spread "
+                         "(--totals), and what bounds times have in a .nc (time_bnds)");
     rainfall_.times_are_of(range_);
     view_.declare_margin(options());
     surface_.declare_map(options());
@@ -180,12 +182,15 @@ class MapCommand : public Command {
   void check_steps() const {
     if (!raster_.of_steps) {
       const Option* const given = range_.first_given();
-      if (given == nullptr) return;
+      const bool is_of_totals = given == range_.stamp_option() && rainfall_.totals().given();
+      if (given == nullptr || is_of_totals) return;
       throw UsageError{given->name + " chooses time steps, and one raster or picture is written",
                        "--steps writes a grid of them; --time shows one"};
     }
     if (!rainfall_.given()) throw UsageError{"--steps needs RAINFALL", ""};
-    if (range_.stamp_option() != nullptr && kind_of(output_.output) != Kind::netcdf) {
+    const bool stamp_acts = kind_of(output_.output) == Kind::netcdf || study_.has_normals() ||
+                            rainfall_.totals().given();
+    if (range_.stamp_option() != nullptr && !stamp_acts) {
       throw UsageError{"--stamp is about bounds of times, which a .nc has",
                        "write a .nc, or leave it out"};
     }

@@ -43,7 +43,9 @@ class WeightsCommand : public Command {
         "weighs only while others are silent");
     changes_.declare(options());
     range_.declare_range(options());
-    range_.declare_stamp(options());
+    range_.declare_stamp(options(),
+                         "which month's normals count, and over which steps a total is spread "
+                         "(--totals)");
     rainfall_.times_are_of(range_);
     gaps_.declare_cache(options());
     output_.declare(options(), Need::optional, "weights.csv",

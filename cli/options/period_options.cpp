@@ -21,18 +21,15 @@ void PeriodOptions::declare_range(OptionList& options) {
                     "only the steps up to this time, and with it: a year, month or day to its end");
 }
 
-void PeriodOptions::declare_stamp(OptionList& options) {
+void PeriodOptions::declare_stamp(OptionList& options, const std::string& decides) {
   stamp_option_ =
       &options.group("Readings", *this)
-           .add(
-               "--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
-               "whether a time with a clock begins its step (default) or ends it: decides in which "
-               "total a step counts (--every), which month's normals count, over which steps a "
-               "total "
-               "is spread (--totals), and what bounds times have in files that hold them "
-               "(time_bnds); --from and --to are of times as they are written; a NetCDF of "
-               "stations "
-               "whose times have bounds says it itself");
+           .add("--stamp", choice<Stamp>(stamp_, {{"begin", Stamp::begin}, {"end", Stamp::end}}),
+                "whether a time with a clock begins its step (default) or ends it: "
+                "decides " +
+                    decides +
+                    "; --from and --to are of times as they are written; a NetCDF of "
+                    "stations whose times have bounds says it itself");
 }
 
 void PeriodOptions::settle_stamp(std::optional<Stamp> known, const std::string& rainfall) {
@@ -50,7 +47,10 @@ void PeriodOptions::settle_stamp(std::optional<Stamp> known, const std::string& 
 
 void PeriodOptions::declare(OptionList& options) {
   declare_range(options);
-  declare_stamp(options);
+  declare_stamp(options,
+                "in which total a step counts (--every), which month's normals count, over which "
+                "steps a total is spread (--totals), and what bounds times have in files that hold "
+                "them (time_bnds)");
   OptionGroup output = options.group("Output", *this);
   every_option_ = &output.add(
       "--every", periods(every_),

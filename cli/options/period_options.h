@@ -23,7 +23,7 @@ class PeriodOptions : public OptionBlock {
   /// Declares only the options that say which steps count.
   void declare_range(OptionList& options);
   /// Declares the option that says what times are of their steps.
-  void declare_stamp(OptionList& options);
+  void declare_stamp(OptionList& options, const std::string& decides);
   /// Declares the option that asks for the largest depths in lengths of time.
   void declare_depths(OptionList& options);
   const std::vector<NamedDuration>& depths() const { return depths_; }

@@ -149,7 +149,8 @@ SeriesKeywords::SeriesKeywords(Call call) {
   if (call == Call::influence) {
     gaps.declare_cache(list);
     range.declare_range(list);
-    range.declare_stamp(list);
+    range.declare_stamp(list,
+                        "which month's normals count, and over which steps a total is spread");
     return;
   }
   method.declare(list);

@@ -51,13 +51,13 @@ class Fitting {
     if (!of_year->is_better_than_nearest()) refuse(*of_year);
     auto of_months = fit_of_months(warnings);
     const auto& best = of_months ? of_months : of_year;
-    warnings.add_notice({request_.rainfall, 0,
-                         std::string("leaving each gauge out: its normal ") +
-                             (of_months ? "of a calendar month" : "of the year") + " is told to " +
-                             percent(best->left_out_error()) + " by elevation, to " +
-                             percent(best->nearest_error()) +
-                             " by the nearest gauge's (root mean square of ln N)",
-                         ""});
+    warnings.add_notice(
+        {request_.rainfall, 0,
+         std::string("leaving each gauge out: its normal ") +
+             (of_months ? "of a calendar month" : "of the year") + " is told to " +
+             percent(best->left_out_error()) + " by elevation and the gauges around, to " +
+             percent(best->nearest_error()) + " by the nearest gauge's (root mean square of ln N)",
+         ""});
     return best;
   }
 
@@ -94,7 +94,8 @@ class Fitting {
     throw Error(
         {request_.rainfall, 0,
          "elevation does not tell rain here: leaving each gauge out, its normal is told to " +
-             percent(fit.left_out_error()) + " by elevation, to " + percent(fit.nearest_error()) +
+             percent(fit.left_out_error()) + " by elevation and the gauges around, to " +
+             percent(fit.nearest_error()) +
              " by the nearest gauge's (root mean square of ln N), and a tenth less is "
              "needed",
          other_ways()});

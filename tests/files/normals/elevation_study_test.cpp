@@ -54,8 +54,9 @@ TEST(ElevationStudies, of_a_short_series_are_of_the_year) {
               6.5 * 50 * std::exp(4e-4 * elevation_of(given, 0)), 1e-6);
   EXPECT_EQ(found.elevations[0], elevation_of(given, 0));
   ASSERT_EQ(given.notices().size(), 1u);
-  EXPECT_TRUE(given.notices()[0].starts_with(
-      "leaving each gauge out: its normal of the year is told to 0.0 % by elevation, to "))
+  EXPECT_TRUE(
+      given.notices()[0].starts_with("leaving each gauge out: its normal of the year is told to "
+                                     "0.0 % by elevation and the gauges around, to "))
       << given.notices()[0];
 }
 
@@ -116,7 +117,8 @@ TEST(ElevationStudies, are_refused_where_nothing_can_be_told) {
   EXPECT_EQ(
       fault(alike, [](std::size_t, std::size_t) { return 100; }),
       "elevation does not tell rain here: leaving each gauge out, its normal is told to 0.0 % "
-      "by elevation, to 0.0 % by the nearest gauge's (root mean square of ln N), and a tenth "
+      "by elevation and the gauges around, to 0.0 % by the nearest gauge's (root mean square of ln "
+      "N), and a tenth "
       "less is needed");
 }
 
