@@ -1,16 +1,20 @@
 #include "map/opencv/encoding.h"
 
+#include <opencv2/core.hpp>
+#include <opencv2/imgcodecs.hpp>
+
 #include "base/error.h"
-#include "map/opencv/image_bytes.h"
 
 namespace thiessen {
 
 std::vector<unsigned char> encoded(PixelCanvas& canvas, PixelFormat format, const PictureTags& tags,
                                    int dots_to_the_inch) {
-  const ImagePixels pixels{canvas.width(), canvas.height(), canvas.bytes()};
+  const cv::Mat pixels(canvas.height(), canvas.width(), CV_8UC3, canvas.bytes().data());
   const bool png = format == PixelFormat::png;
-  std::vector<unsigned char> bytes = png ? png_bytes(pixels) : jpeg_bytes(pixels);
-  if (bytes.empty()) {
+  const std::vector<int> options = png ? std::vector<int>{cv::IMWRITE_PNG_COMPRESSION, 6}
+                                       : std::vector<int>{cv::IMWRITE_JPEG_QUALITY, 93};
+  std::vector<unsigned char> bytes;
+  if (!cv::imencode(png ? ".png" : ".jpg", pixels, bytes, options) || bytes.empty()) {
     throw Error(Message{{}, 0, "the picture could not be encoded", {}});
   }
   const bool has_density = dots_to_the_inch > 0;
