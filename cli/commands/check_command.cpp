@@ -139,8 +139,8 @@ class CheckCommand : public Command {
       for (const double reading : step.readings) missing += std::isnan(reading) ? 1u : 0u;
       if (findings) findings->see(step);
     }
-    const std::string text = describe_steps(inputs, {steps, missing, intervals, readings->unit()}) +
-                             (findings ? findings->text() : "");
+    std::string text = describe_steps(inputs, {steps, missing, intervals, readings->unit()}) +
+                       (findings ? findings->text() : "");
     if (!methods) return text;
     return text + methods->text(readings->unit(), static_cast<unsigned>(common_.threads));
   }

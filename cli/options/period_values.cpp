@@ -30,7 +30,7 @@ std::optional<int> two_digits(std::string_view text) {
 }  // namespace
 
 std::optional<std::int64_t> duration_in(std::string_view text) {
-  constexpr std::int64_t most = 8'784 * 3'600;  // a year of 366 days
+  constexpr std::int64_t most = std::int64_t{8'784} * 3'600;  // a year of 366 days
   constexpr std::array<std::pair<std::string_view, std::int64_t>, 3> units{
       {{"min", 60}, {"h", 3'600}, {"d", 86'400}}};
   for (const auto& [unit, seconds] : units) {

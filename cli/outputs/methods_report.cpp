@@ -87,6 +87,7 @@ std::string halves_table(const Weighing& weighing, const DatedSample& sample, bo
       std::clamp<std::size_t>(points_of_all_basins / weighing.basins().size(), 30, 500);
   const auto methods = errors_with_half_the_gauges(weighing, steps, points, threads);
   std::vector<double> off;
+  off.reserve(methods.size());
   for (const HalvedMethod& method : methods) off.push_back(method.errors.root_mean_square());
   std::vector<Row> rows{{"at the steps", "error", "bias", "means"}};
   for (const HalvedMethod& method : methods) {

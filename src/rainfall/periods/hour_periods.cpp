@@ -18,8 +18,7 @@ std::int64_t HourPeriods::begin_of(std::int64_t number, int ahead_of_utc) const 
 }
 
 std::string HourPeriods::name_of(std::int64_t number, std::optional<int> ahead_of_utc) const {
-  const std::string text =
-      time_text(begin_of(number, ahead_of_utc.value_or(0)), TimePrecision::instant);
+  std::string text = time_text(begin_of(number, ahead_of_utc.value_or(0)), TimePrecision::instant);
   ParsedTime begin = parse_iso_time(text);
   if (!begin) return text;  // beyond the years that are written
   begin.time.ahead_of_utc = ahead_of_utc;

@@ -16,7 +16,7 @@ std::optional<StepLength> length_of(const Every& every) {
     case PeriodUnit::day:
       return StepLength{0, 86'400};
     case PeriodUnit::week:
-      return StepLength{0, 7 * 86'400};
+      return StepLength{0, std::int64_t{7} * 86'400};
     case PeriodUnit::month:
       return StepLength{1, 0};
     case PeriodUnit::season:
