@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "cli/checks/distances_report.h"
 #include "cli/options/study_file.h"
-#include "cli/outputs/distances_report.h"
 #include "cli/terminal/messages.h"
 #include "files/file_digest.h"
 #include "readings/units/rain_unit.h"

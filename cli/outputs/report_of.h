@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/checks/check_report.h"
 #include "cli/inputs/inputs.h"
 #include "cli/options/option_list.h"
-#include "cli/outputs/check_report.h"
 #include "cli/summary/summary.h"
 #include "map/sheet/picture.h"
 #include "rainfall/gaps/gap_policy.h"

@@ -1,4 +1,4 @@
-#include "cli/outputs/plane_report.h"
+#include "cli/checks/plane_report.h"
 
 #include <gtest/gtest.h>
 

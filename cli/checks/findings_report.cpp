@@ -1,4 +1,4 @@
-#include "cli/outputs/findings_report.h"
+#include "cli/checks/findings_report.h"
 
 #include <algorithm>
 #include <cmath>

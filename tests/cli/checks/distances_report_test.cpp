@@ -1,11 +1,11 @@
-#include "cli/outputs/distances_report.h"
+#include "cli/checks/distances_report.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "cli/checks/text_table.h"
 #include "cli/outputs/given_inputs.h"
-#include "cli/outputs/text_table.h"
 
 namespace thiessen::cli {
 namespace {

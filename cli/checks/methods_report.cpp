@@ -1,4 +1,4 @@
-#include "cli/outputs/methods_report.h"
+#include "cli/checks/methods_report.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 #include "base/interrupt.h"
 #include "base/number.h"
-#include "cli/outputs/methods_verdict.h"
-#include "cli/outputs/text_table.h"
+#include "cli/checks/methods_verdict.h"
+#include "cli/checks/text_table.h"
 #include "files/normals/elevation_column.h"
 #include "rainfall/leaving_out/half_networks.h"
 #include "rainfall/leaving_out/method_errors.h"

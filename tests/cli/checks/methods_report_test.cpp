@@ -1,4 +1,4 @@
-#include "cli/outputs/methods_report.h"
+#include "cli/checks/methods_report.h"
 
 #include <gtest/gtest.h>
 

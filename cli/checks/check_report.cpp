@@ -1,10 +1,10 @@
-#include "cli/outputs/check_report.h"
+#include "cli/checks/check_report.h"
 
 #include <utility>
 #include <vector>
 
 #include "base/number.h"
-#include "cli/outputs/plane_report.h"
+#include "cli/checks/plane_report.h"
 #include "readings/units/rain_unit.h"
 
 namespace thiessen::cli {

@@ -1,4 +1,4 @@
-#include "cli/outputs/text_table.h"
+#include "cli/checks/text_table.h"
 
 #include <gtest/gtest.h>
 

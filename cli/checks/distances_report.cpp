@@ -1,4 +1,4 @@
-#include "cli/outputs/distances_report.h"
+#include "cli/checks/distances_report.h"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 #include "base/number.h"
 #include "base/utf8.h"
 #include "basin/containment.h"
-#include "cli/outputs/text_table.h"
+#include "cli/checks/text_table.h"
 #include "study/gauge_spacing.h"
 #include "study/ruler.h"
 

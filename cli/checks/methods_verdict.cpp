@@ -1,4 +1,4 @@
-#include "cli/outputs/methods_verdict.h"
+#include "cli/checks/methods_verdict.h"
 
 #include <algorithm>
 #include <cmath>
