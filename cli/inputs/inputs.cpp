@@ -79,13 +79,13 @@ ReportingStations reporting_beside_excluded(const StudyOptions& study,
                                             const RainfallOptions& rainfall,
                                             std::span<const Station> stations,
                                             std::span<const std::string> passed_over,
+                                            const std::optional<Exclusions>& excluded,
                                             ReportingStations reports) {
-  Warnings told_later;
-  const auto excluded = exclusions_of(study, rainfall, stations, passed_over, told_later);
   if (!excluded) return reports;
   ReportingStations whole = without(*excluded, reports);
   if (!excluded->partly().any()) return whole;
   try {
+    Warnings told_later;
     const auto readings = open_all(study, rainfall, stations, passed_over, told_later);
     return reporting_beside(*excluded, whole, *readings);
   } catch (const Error&) {
@@ -104,12 +104,11 @@ ReadingsOptions totals_options(const StudyOptions& study, const RainfallOptions&
 /// Gauges whose totals are read beside RAINFALL are of the network, too.
 void add_stations_with_totals(ReportingStations& report, const StudyFiles& files,
                               const StudyOptions& study, const RainfallOptions& rainfall,
-                              std::span<const std::string> filtered) {
+                              std::span<const std::string> filtered,
+                              const std::optional<Exclusions>& excluded) {
   if (!rainfall.totals().given()) return;
   const ReportingStations with_totals = stations_with_totals(
       totals_request(study, rainfall), files.stations, filtered, totals_options(study, rainfall));
-  Warnings told_later;
-  const auto excluded = exclusions_of(study, rainfall, files.stations, filtered, told_later);
   for (std::uint32_t s = 0; s < files.stations.size(); ++s) {
     const StationIndex station{s};
     if (with_totals[station] && !(excluded && excluded->whole()[station]))
@@ -137,12 +136,15 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
                        const RainfallOptions& rainfall, Warnings& warnings) {
   const std::size_t count = files.stations.size();
   const std::vector<std::string> filtered(files.filtered_ids.begin(), files.filtered_ids.end());
+  Warnings told_later;  // what is odd about exclusions, when readings are opened
   if (rainfall.is_event()) {
-    const ReportingStations report =
-        reporting_beside_excluded(options, rainfall, files.stations, filtered,
-                                  stations_in_event(options.request().stations, files.stations,
-                                                    filtered, readings_options(options, rainfall)));
-    thiessen::keep_full_network(files, report, rainfall.name(), warnings);
+    const ReportingStations heard = stations_in_event(
+        options.request().stations, files.stations, filtered, readings_options(options, rainfall));
+    const auto excluded = exclusions_of(options, rainfall, files.stations, filtered, told_later);
+    thiessen::keep_full_network(
+        files,
+        reporting_beside_excluded(options, rainfall, files.stations, filtered, excluded, heard),
+        rainfall.name(), warnings);
   } else if (!rainfall.given()) {
     note_whole_network(files.stations_file, count, without_rainfall(), warnings);
   } else if (!can_be_read_again(rainfall_request(options, rainfall))) {
@@ -154,11 +156,13 @@ void keep_full_network(StudyFiles& files, const StudyOptions& options,
       thiessen::keep_full_network(files, report, rainfall.name(), warnings);
     }
   } else {
-    ReportingStations report = reporting_beside_excluded(
-        options, rainfall, files.stations, filtered,
+    const ReportingStations heard =
         stations_that_report(rainfall_request(options, rainfall), files.stations, filtered,
-                             readings_options(options, rainfall)));
-    add_stations_with_totals(report, files, options, rainfall, filtered);
+                             readings_options(options, rainfall));
+    const auto excluded = exclusions_of(options, rainfall, files.stations, filtered, told_later);
+    ReportingStations report =
+        reporting_beside_excluded(options, rainfall, files.stations, filtered, excluded, heard);
+    add_stations_with_totals(report, files, options, rainfall, filtered, excluded);
     thiessen::keep_full_network(files, report, rainfall.name(), warnings);
   }
 }
