@@ -48,11 +48,9 @@ void require_series(const StudyOptions& study, const RainfallOptions& rainfall) 
 /// The month of a year in which a step lies, where its time tells one.
 std::optional<MonthOfYear> month_of_year(const TimeStep& step, Stamp stamp) {
   const auto month = month_of(step.time, step.written, stamp);
-  if (!month) return std::nullopt;
-  const IsoTime time = calendar_time(step.time, step.written).time;
-  // Midnight of New Year's Day may end the year before.
-  const bool is_before = static_cast<int>(*month) + 1 > time.month && time.month == 1;
-  return MonthOfYear{time.year - (is_before ? 1 : 0), *month};
+  const auto year = year_of(step.time, step.written, stamp);
+  if (!month || !year) return std::nullopt;
+  return MonthOfYear{*year, *month};
 }
 
 /// What is kept of RAINFALL while it is read for its normals: a sample of its steps, in which each
