@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/calendar_days.h"
 #include "base/error.h"
 #include "base/iso_time.h"
 #include "cli/options/option_values.h"

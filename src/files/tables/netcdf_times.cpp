@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -13,7 +14,6 @@
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day_seconds = 86'400;
 constexpr std::size_t block_size = std::size_t{1} << 18U;  ///< times that are read at once
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double longest_time = 1e12;  // seconds
@@ -24,9 +24,9 @@ struct UnitName {
 };
 
 /// What times are counted in, as UDUNITS calls it.
-constexpr std::array<UnitName, 17> unit_names = {{{"day", day_seconds},
-                                                  {"days", day_seconds},
-                                                  {"d", day_seconds},
+constexpr std::array<UnitName, 17> unit_names = {{{"day", seconds_of_day},
+                                                  {"days", seconds_of_day},
+                                                  {"d", seconds_of_day},
                                                   {"hour", 3600},
                                                   {"hours", 3600},
                                                   {"hr", 3600},
@@ -264,7 +264,7 @@ void NetcdfTimes::settle(const Places& places) {
 bool NetcdfTimes::is_midnight(double time) const {
   const double seconds = time * unit_.seconds;
   if (!(std::fabs(seconds) < longest_time)) return true;  // it is none, and no step either
-  return (unit_.origin + std::llround(seconds)) % day_seconds == 0;
+  return (unit_.origin + std::llround(seconds)) % seconds_of_day == 0;
 }
 
 std::string NetcdfTimes::text_of(double time) const {

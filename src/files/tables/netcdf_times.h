@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/calendar_days.h"
 #include "base/wording.h"
 #include "files/tables/netcdf_stations.h"
 #include "rainfall/series/stamp.h"
@@ -20,7 +21,7 @@ struct NetcdfTimeUnit {
   std::int64_t origin = 0;  ///< seconds from the beginning of 1970, by the clock of its zone
   std::optional<int> ahead_of_utc;  ///< the zone's offset in minutes, where that is not 0
 
-  bool is_in_days() const { return seconds == 86'400; }
+  bool is_in_days() const { return seconds == seconds_of_day; }
 };
 
 /// A unit of times that was read, or what is wrong with it.

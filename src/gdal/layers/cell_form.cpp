@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/utf8.h"
 
@@ -97,7 +98,7 @@ std::optional<std::string> time_of_serial(double serial, CellForm form, bool wit
   const std::int64_t milliseconds = std::llround(days * milliseconds_a_day);
   const std::int64_t of_day = milliseconds % milliseconds_a_day;
   const std::int64_t day = milliseconds / milliseconds_a_day - days_to_1970;
-  std::string text = time_text(day * 86'400, TimePrecision::day);
+  std::string text = time_text(day * seconds_of_day, TimePrecision::day);
   if (with_clock || of_day != 0) text += "T" + clock_text(of_day);
   return text;
 }

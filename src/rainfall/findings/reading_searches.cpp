@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "rainfall/findings/break_search.h"
 #include "rainfall/findings/stuck_search.h"
 #include "rainfall/findings/unit_search.h"
@@ -16,7 +17,6 @@ namespace {
 
 constexpr std::size_t steps_that_tell = 64;
 constexpr std::int64_t half_a_day = 43'200;
-constexpr std::int64_t day = 86'400;
 
 /// Hours and shorter steps have their own bounds: what falls in an hour is alike in fewer gauges.
 bool is_within_days(const StepLength& step) {
@@ -71,7 +71,7 @@ void ReadingSearches::settle() {
           neighbours_, within_days ? std::optional(spike_in_an_hour * millimetre) : std::nullopt);
       of_steps_.push_back(
           std::make_unique<ZeroSearch>(neighbours_, ZeroSearch::much_in_millimetres * millimetre));
-      if (length_->seconds == day) shifts_ = std::make_unique<ShiftSearch>(neighbours_);
+      if (length_->seconds == seconds_of_day) shifts_ = std::make_unique<ShiftSearch>(neighbours_);
     }
   }
   stretch_.clear(std::nullopt);
@@ -159,7 +159,8 @@ std::string ReadingSearches::reason_against(FindingKind kind) const {
                : "";
   }
   if (!length_) return "wants steps of one length";
-  if (kind == FindingKind::shift) return length_->seconds == day ? "" : "wants steps of a day";
+  if (kind == FindingKind::shift)
+    return length_->seconds == seconds_of_day ? "" : "wants steps of a day";
   if (!is_fine()) return "wants steps of a day or less";
   if (kind == FindingKind::spike && std::isnan(spikes_->bound()))
     return "wants more readings above 0";

@@ -1,5 +1,7 @@
 #include "rainfall/periods/hour_periods.h"
 
+#include "base/calendar_days.h"
+
 namespace thiessen {
 
 /// The seconds by which a clock is turned against the one by which periods are counted. Single

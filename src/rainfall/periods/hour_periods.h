@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "base/calendar_days.h"
 #include "rainfall/periods/period_calendar.h"
 
 namespace thiessen {

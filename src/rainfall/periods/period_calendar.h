@@ -10,13 +10,6 @@
 
 namespace thiessen {
 
-inline constexpr std::int64_t seconds_of_day = 86'400;
-
-/// The quotient rounded down, so that what lies before 1970 is numbered on. `by` is above 0.
-constexpr std::int64_t floor_quotient(std::int64_t number, std::int64_t by) {
-  return number / by - (number % by < 0 ? 1 : 0);
-}
-
 /// A calendar parts time into periods that follow each other without a gap, numbered by whole
 /// numbers in their order. Each kind of period is a class.
 ///

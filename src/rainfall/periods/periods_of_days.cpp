@@ -1,6 +1,6 @@
 #include "rainfall/periods/periods_of_days.h"
 
-#include <chrono>
+#include "base/calendar_days.h"
 
 namespace thiessen {
 
@@ -15,19 +15,6 @@ std::int64_t PeriodsOfDays::begin_of(std::int64_t number, int /*ahead_of_utc*/) 
 
 TimePrecision PeriodsOfDays::precision() const {
   return day_start_ == 0 ? precision_of_day() : TimePrecision::instant;
-}
-
-std::int64_t month_of_day(std::int64_t day) {
-  const std::chrono::year_month_day date{std::chrono::sys_days(std::chrono::days(day))};
-  return std::int64_t{12} * static_cast<int>(date.year()) + static_cast<unsigned>(date.month()) - 1;
-}
-
-std::int64_t first_day_of_month(std::int64_t month) {
-  const std::int64_t year = floor_quotient(month, 12);
-  const std::chrono::sys_days day(std::chrono::year(static_cast<int>(year)) /
-                                  std::chrono::month(static_cast<unsigned>(month - 12 * year + 1)) /
-                                  1);
-  return day.time_since_epoch().count();
 }
 
 }  // namespace thiessen

@@ -28,8 +28,4 @@ class PeriodsOfDays : public PeriodCalendar {
   std::int64_t day_start_;
 };
 
-/// The number of the month of a day: 12 times the year, and 0 for January to 11 for December.
-std::int64_t month_of_day(std::int64_t day);
-std::int64_t first_day_of_month(std::int64_t month);
-
 }  // namespace thiessen

@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 
+#include "base/calendar_days.h"
+
 namespace thiessen {
 namespace {
 

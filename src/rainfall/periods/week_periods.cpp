@@ -1,5 +1,7 @@
 #include "rainfall/periods/week_periods.h"
 
+#include "base/calendar_days.h"
+
 namespace thiessen {
 namespace {
 

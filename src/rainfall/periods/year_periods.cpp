@@ -1,5 +1,7 @@
 #include "rainfall/periods/year_periods.h"
 
+#include "base/calendar_days.h"
+
 namespace thiessen {
 
 std::int64_t YearPeriods::number_of_day(std::int64_t day) const {

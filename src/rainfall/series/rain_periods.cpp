@@ -1,12 +1,12 @@
 #include "rainfall/series/rain_periods.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/error.h"
 #include "base/utf8.h"
 #include "rainfall/periods/periods_of_days.h"
@@ -24,13 +24,6 @@ constexpr std::int64_t hour_seconds = 3'600;
 std::string clock_text(std::int64_t second_of_day) {
   const std::string text = time_text(second_of_day, TimePrecision::instant);
   return text.substr(text.find('T') + 1);
-}
-
-int days_in_month(const IsoTime& time) {
-  const std::chrono::year_month_day_last last(
-      std::chrono::year(time.year) / std::chrono::month(static_cast<unsigned>(time.month)) /
-      std::chrono::last);
-  return static_cast<int>(static_cast<unsigned>(last.day()));
 }
 
 /// How many whole numbers k have low <= anchor + k * length < high.
@@ -164,7 +157,7 @@ std::int64_t RainPeriods::months_within(std::int64_t number, const StepLength& s
     time.year = static_cast<int>(floor_quotient(month, 12));
     time.month = static_cast<int>(month - 12 * floor_quotient(month, 12)) + 1;
     // A day that the month lacks is its last, as 31 January is followed by 28 February.
-    time.day = std::min(in_line_with.day, days_in_month(time));
+    time.day = std::min(in_line_with.day, days_in_month(month));
     count += calendar_->number_of(time) == number && totalling_.range.holds(time) ? 1 : 0;
   }
   return count;
@@ -194,7 +187,7 @@ std::int64_t RainPeriods::expected(std::int64_t number, const StepLength& step,
     IsoTime end = *to;
     if (to->precision == TimePrecision::year) end.month = 12;
     if (to->precision <= TimePrecision::month) {
-      end.day = days_in_month(end);
+      end.day = days_in_month(month_number(end));
     }
     high = std::min(
         high, clock(end) - behind + (to->precision == TimePrecision::instant ? 1 : seconds_of_day));

@@ -14,9 +14,9 @@ std::optional<StepLength> length_of(const Every& every) {
     case PeriodUnit::hours:
       return StepLength{0, std::int64_t{3'600} * every.hours};
     case PeriodUnit::day:
-      return StepLength{0, 86'400};
+      return StepLength{0, seconds_of_day};
     case PeriodUnit::week:
-      return StepLength{0, std::int64_t{7} * 86'400};
+      return StepLength{0, 7 * seconds_of_day};
     case PeriodUnit::month:
       return StepLength{1, 0};
     case PeriodUnit::season:

@@ -1,7 +1,7 @@
 #include "rainfall/series/step_length.h"
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <tuple>
 
 namespace thiessen {
@@ -20,15 +20,22 @@ std::string counted(std::int64_t length, const Unit& unit) {
 }  // namespace
 
 bool is_last_of_month(const IsoTime& time) {
-  const std::chrono::year_month_day_last last(
-      std::chrono::year(time.year) / std::chrono::month(static_cast<unsigned>(time.month)) /
-      std::chrono::last);
-  return static_cast<unsigned>(time.day) == static_cast<unsigned>(last.day());
+  return time.day == days_in_month(month_number(time));
+}
+
+IsoTime months_later(const IsoTime& time, std::int64_t months) {
+  const std::int64_t month = month_number(time) + months;
+  IsoTime later = time;
+  later.year = static_cast<int>(month / 12);
+  later.month = static_cast<int>(month % 12 + 1);
+  const int last = days_in_month(month);
+  later.day = is_last_of_month(time) ? last : std::min(time.day, last);
+  return later;
 }
 
 std::string text_of(const StepLength& length) {
   constexpr std::array<Unit, 4> clock{
-      {{86'400, "day"}, {3'600, "hour"}, {60, "minute"}, {1, "second"}}};
+      {{seconds_of_day, "day"}, {3'600, "hour"}, {60, "minute"}, {1, "second"}}};
   if (length.months > 0) {
     return counted(length.months, length.months % 12 == 0 ? Unit{12, "year"} : Unit{1, "month"});
   }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 
 namespace thiessen {
@@ -13,7 +14,7 @@ struct StepLength {
   std::int64_t months = 0;
   std::int64_t seconds = 0;
 
-  bool is_a_day_or_less() const { return months == 0 && seconds <= 86'400; }
+  bool is_a_day_or_less() const { return months == 0 && seconds <= seconds_of_day; }
   friend bool operator==(const StepLength& a, const StepLength& b) = default;
 };
 
@@ -26,6 +27,9 @@ constexpr std::int64_t month_number(const IsoTime& time) {
 }
 
 bool is_last_of_month(const IsoTime& time);
+/// So many months later on the same day, or on the last day where the month has no such day and
+/// where it was the last before.
+IsoTime months_later(const IsoTime& time, std::int64_t months);
 
 /// Whether a time stands where the other does within its month: at the same day and clock, or both
 /// on the last day.

@@ -1,7 +1,6 @@
 #include "rainfall/series/time_bounds.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 
 namespace thiessen {
@@ -11,26 +10,6 @@ double seconds_of(const IsoTime& time) {
   return static_cast<double>(moment_seconds(time)) + time.nanosecond * 1e-9;
 }
 
-/// The last day of a month that is numbered as month_number does.
-int last_day(std::int64_t month) {
-  const std::chrono::year_month_day_last last{
-      std::chrono::year{static_cast<int>(month / 12)},
-      std::chrono::month_day_last{std::chrono::month{static_cast<unsigned>(month % 12 + 1)}}};
-  return static_cast<int>(static_cast<unsigned>(last.day()));
-}
-
-/// So many months later on the same day, or on the last day where the month has no such day and
-/// where it was the last before.
-IsoTime months_later(const IsoTime& time, std::int64_t months) {
-  const std::int64_t month = month_number(time) + months;
-  IsoTime later = time;
-  later.year = static_cast<int>(month / 12);
-  later.month = static_cast<int>(month % 12 + 1);
-  const int last = last_day(month);
-  later.day = is_last_of_month(time) ? last : std::min(time.day, last);
-  return later;
-}
-
 std::optional<StepLength> length_of(TimePrecision precision) {
   switch (precision) {
     case TimePrecision::year:
@@ -38,7 +17,7 @@ std::optional<StepLength> length_of(TimePrecision precision) {
     case TimePrecision::month:
       return StepLength{1, 0};
     case TimePrecision::day:
-      return StepLength{0, 86'400};
+      return StepLength{0, seconds_of_day};
     case TimePrecision::instant:
       return std::nullopt;
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -13,7 +14,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::array<std::string_view, 5> list_columns = {"ID", "NAME", "LAT", "LONG", "ELEVATION"};
-constexpr std::int64_t day_seconds = 86'400;
 constexpr double missing = -99;
 
 /// The day that a text such as 20000228 names; nothing where it names none.
@@ -123,7 +123,7 @@ bool ArcSwatRainfall::next(Row& row) {
     value_ = trimmed(*line);
     if (value_.empty()) continue;
     date_ = time_text(seconds_, TimePrecision::day);
-    seconds_ += day_seconds;
+    seconds_ += seconds_of_day;
     if (!is_rain(value_)) {
       complaints_.add({lines_->file(), lines_->line(),
                        "no rain from 0 on, nor -99 for none: " + quoted(value_, 40), ""});

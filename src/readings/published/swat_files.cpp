@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -17,7 +18,6 @@ constexpr std::size_t label_width = 7;
 constexpr std::size_t value_width = 5;
 constexpr std::size_t heads_of_gauge = 3;
 constexpr std::size_t heads_of_gauges = 4;
-constexpr std::int64_t day_seconds = 86'400;
 
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
@@ -242,7 +242,7 @@ bool SwatRainfall::next_day(std::string_view line) {
     return complain("no rain from 0 on, nor -99 for none: " + quoted(*odd, 40));
   IsoTime first;
   first.year = *year;
-  return next_steps(line, clock_seconds(first) + (*day - 1) * day_seconds);
+  return next_steps(line, clock_seconds(first) + (*day - 1) * seconds_of_day);
 }
 
 /// Finds the steps that a line of a day is of.

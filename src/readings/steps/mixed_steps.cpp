@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t names_listed = 10;
 constexpr std::size_t longest_time = 80;
-constexpr std::int64_t shortest_month = std::int64_t{28} * 86'400;  // seconds
+constexpr std::int64_t shortest_month = 28 * seconds_of_day;  // seconds
 
 }  // namespace
 

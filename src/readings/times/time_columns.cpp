@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -99,14 +100,13 @@ std::string in_digits(std::string_view text, Part part) {
 
 /// The date of a day of a year; of one that the year lacks, or of no numbers, a text that is none.
 std::string date_of(const std::string& year, const std::string& day_of_year) {
-  constexpr std::int64_t day_seconds = 86'400;
   const ParsedTime first = parse_iso_time(year);
   const Parsed<std::size_t> day = parse_size(day_of_year);
   std::string date;
   if (first && first.time.precision == TimePrecision::year && day && day.value > 0 &&
       day.value <= 366) {
     date = time_text(
-        clock_seconds(first.time) + day_seconds * (static_cast<std::int64_t>(day.value) - 1),
+        clock_seconds(first.time) + seconds_of_day * (static_cast<std::int64_t>(day.value) - 1),
         TimePrecision::day);
   }
   return date.starts_with(year) ? date : year + " day " + day_of_year;

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/number.h"
 #include "base/utf8.h"
 
@@ -162,9 +163,8 @@ ParsedTime TimeFormat::read_serial(std::string_view text) const {
   constexpr double last = 2'958'465;  // 31 December 9999
   if (!(number.value >= first && number.value < last + 1)) return {{}, IsoTimeFault::value};
   constexpr std::int64_t epoch = 25'569;  // 1 January 1970
-  constexpr std::int64_t day_seconds = 86'400;
-  const auto seconds = static_cast<std::int64_t>(
-      std::llround((number.value - static_cast<double>(epoch)) * static_cast<double>(day_seconds)));
+  const auto seconds = static_cast<std::int64_t>(std::llround(
+      (number.value - static_cast<double>(epoch)) * static_cast<double>(seconds_of_day)));
   const std::string day = time_text(seconds, TimePrecision::instant);
   ParsedTime parsed = parse_iso_time(day);
   if (number.value == std::floor(number.value)) parsed.time.precision = TimePrecision::day;

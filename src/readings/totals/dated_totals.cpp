@@ -5,6 +5,7 @@
 #include <compare>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -13,7 +14,6 @@
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day = 86'400;
 constexpr double most_days = 3'660;
 
 IsoTime time_of(const TimeStep& step, const std::string& file) {
@@ -45,10 +45,11 @@ int whole_days(double days, const TimeStep& step, const std::string& file) {
 
 /// The longest period of totals of one step.
 std::int64_t longest_of(TimePrecision precision, const std::optional<StepLength>& step) {
-  if (precision == TimePrecision::year) return 366 * day;
-  if (precision == TimePrecision::month) return 31 * day;
-  if (!step) return day;
-  return step->months > 0 ? step->months * 31 * day : std::max(day, step->seconds);
+  if (precision == TimePrecision::year) return 366 * seconds_of_day;
+  if (precision == TimePrecision::month) return 31 * seconds_of_day;
+  if (!step) return seconds_of_day;
+  return step->months > 0 ? step->months * 31 * seconds_of_day
+                          : std::max(seconds_of_day, step->seconds);
 }
 
 }  // namespace
@@ -74,7 +75,8 @@ TotalsSurvey look_through(const TotalsSource& source) {
       throw_if_interrupted();
       for (const double days : step.readings) {
         if (std::isnan(days)) continue;
-        survey.longest = std::max(survey.longest, whole_days(days, step, source.name) * day);
+        survey.longest =
+            std::max(survey.longest, whole_days(days, step, source.name) * seconds_of_day);
       }
     }
   }

@@ -1,36 +1,19 @@
 #include "readings/totals/total_periods.h"
 
-#include <algorithm>
-#include <chrono>
-
+#include "base/calendar_days.h"
 #include "base/utf8.h"
+#include "rainfall/series/step_length.h"
 
 namespace thiessen {
 namespace {
 
-constexpr std::int64_t day = 86'400;
-
-/// The number of a day of the calendar, counted from the beginning of 1970.
-std::int64_t day_number(int year, int month, int of_month) {
-  return std::chrono::sys_days(std::chrono::year(year) /
-                               std::chrono::month(static_cast<unsigned>(month)) /
-                               std::chrono::day(static_cast<unsigned>(of_month)))
-      .time_since_epoch()
-      .count();
+/// The day of a time's date, counted from the first of January 1970.
+std::int64_t day_of(const IsoTime& date) {
+  return first_day_of_month(month_number(date)) + date.day - 1;
 }
 
 std::int64_t last_day_of_month(std::int64_t month) {
-  const std::int64_t next = month + 1;
-  return day_number(static_cast<int>(next / 12), static_cast<int>(next % 12) + 1, 1) - 1;
-}
-
-/// The same day so many months before: the last one where the month has no such day, or where it
-/// was the last.
-std::int64_t months_before(const IsoTime& time, std::int64_t months) {
-  const std::int64_t month = month_number(time) - months;
-  const std::int64_t last = last_day_of_month(month);
-  if (is_last_of_month(time)) return last;
-  return std::min(last, last_day_of_month(month - 1) + time.day);
+  return first_day_of_month(month + 1) - 1;
 }
 
 bool has_clock(const IsoTime& time) {
@@ -74,7 +57,7 @@ TotalPeriod TotalPeriods::of(const IsoTime& time, int days, const std::string& t
 }
 
 TotalPeriod TotalPeriods::of_date(const IsoTime& time, int days, int minutes) const {
-  std::int64_t last = day_number(time.year, time.month, time.day);
+  std::int64_t last = day_of(time);
   if (time.precision == TimePrecision::month) last = last_day_of_month(month_number(time));
   if (time.precision == TimePrecision::year) last = last_day_of_month(month_number(time) + 11);
   if (has_clock(time) && time.hour == 24) ++last;
@@ -82,39 +65,28 @@ TotalPeriod TotalPeriods::of_date(const IsoTime& time, int days, int minutes) co
   if (days > 0) {
     first = last - days + 1;
   } else if (time.precision < TimePrecision::day) {
-    first = day_number(time.year, time.month, 1);
+    first = first_day_of_month(month_number(time));
   } else if (step_ && step_->months > 0) {
-    first = months_before(time, step_->months) + 1;
-  } else if (step_ && step_->seconds > day) {
-    first = last - step_->seconds / day + 1;
+    first = day_of(months_later(time, -step_->months)) + 1;
+  } else if (step_ && step_->seconds > seconds_of_day) {
+    first = last - step_->seconds / seconds_of_day + 1;
   }
-  const std::int64_t later = (hour_.is_dated_before ? 0 : -day) + std::int64_t{60} * minutes;
-  return {first * day + later, (last + 1) * day + later};
+  const std::int64_t later =
+      (hour_.is_dated_before ? 0 : -seconds_of_day) + std::int64_t{60} * minutes;
+  return {first * seconds_of_day + later, (last + 1) * seconds_of_day + later};
 }
 
 TotalPeriod TotalPeriods::of_moment(const IsoTime& time, int days, const StepLength& step) const {
   const std::int64_t at = moment_seconds(time);
   TotalPeriod period{at, at};
   if (hour_.stamp == Stamp::begin) {
-    if (step.months > 0) {
-      IsoTime later = time;
-      const std::int64_t month = month_number(time) + step.months;
-      const std::int64_t last = last_day_of_month(month) - last_day_of_month(month - 1);
-      later.year = static_cast<int>(month / 12);
-      later.month = static_cast<int>(month % 12) + 1;
-      later.day = is_last_of_month(time) ? static_cast<int>(last)
-                                         : std::min(time.day, static_cast<int>(last));
-      period.end = moment_seconds(later);
-    } else {
-      period.end = at + step.seconds;
-    }
-  } else if (step.months > 0) {
-    const std::int64_t date = day_number(time.year, time.month, time.day);
-    period.begin = at - (date - months_before(time, step.months)) * day;
+    period.end =
+        step.months > 0 ? moment_seconds(months_later(time, step.months)) : at + step.seconds;
   } else {
-    period.begin = at - step.seconds;
+    period.begin =
+        step.months > 0 ? moment_seconds(months_later(time, -step.months)) : at - step.seconds;
   }
-  if (days > 0) period.begin = period.end - days * day;
+  if (days > 0) period.begin = period.end - days * seconds_of_day;
   return period;
 }
 

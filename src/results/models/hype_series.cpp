@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -15,7 +16,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::string_view missing = "-9999";
-constexpr std::int64_t day_seconds = 86'400;
 /// The largest whole number of Fortran's usual kind.
 constexpr std::size_t largest_id = std::numeric_limits<std::int32_t>::max();
 
@@ -66,7 +66,7 @@ void HypeSeries::write(const Steps& steps, Warnings& warnings) {
   std::size_t none = 0;
   std::string first_none;
   by_step(steps, [&](std::int64_t begin, std::span<const double> rainfall) {
-    row = begin_text(begin, steps.length == day_seconds);
+    row = begin_text(begin, steps.length == seconds_of_day);
     for (const double value : rainfall) {
       if (std::isnan(value) && none++ == 0) first_none = row.substr(0, row.find('\t'));
       row += '\t';

@@ -42,7 +42,7 @@ std::optional<StepLength> SeriesTimes::step() const {
     case TimePrecision::month:
       return StepLength{1, 0};
     case TimePrecision::day:
-      return StepLength{0, 86'400};
+      return StepLength{0, seconds_of_day};
     case TimePrecision::instant:
       return std::nullopt;
   }

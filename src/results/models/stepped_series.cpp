@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/number.h"
 
 namespace thiessen {
@@ -14,7 +15,6 @@ namespace {
 constexpr const char* any_steps = "a CSV, a NetCDF and a PI-XML take any steps";
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr std::int64_t day_seconds = 86'400;
 
 bool has_clock(const IsoTime& time) {
   return time.precision == TimePrecision::instant;
@@ -23,7 +23,7 @@ bool has_clock(const IsoTime& time) {
 /// A moment for a message, as a date where it is midnight.
 std::string moment_text(std::int64_t seconds) {
   return time_text(seconds,
-                   seconds % day_seconds == 0 ? TimePrecision::day : TimePrecision::instant);
+                   seconds % seconds_of_day == 0 ? TimePrecision::day : TimePrecision::instant);
 }
 
 }  // namespace
@@ -115,20 +115,21 @@ SteppedSeries::Steps SteppedSeries::steps() {
 }
 
 void SteppedSeries::require_parts_of_days(const Steps& steps) const {
-  const bool is_part = steps.length <= day_seconds && day_seconds % steps.length == 0;
+  const bool is_part = steps.length <= seconds_of_day && seconds_of_day % steps.length == 0;
   if (!is_part || steps.length % 60 != 0) {
     throw Error({subject_.rainfall, 0,
                  "its steps are of " + thiessen::text_of(StepLength{0, steps.length}) + ", and " +
                      format_ + " wants a day, or a part of it in whole minutes",
-                 steps.length < day_seconds ? setting("every", "day") + " sums them by day"
-                                            : Wording(any_steps)});
+                 steps.length < seconds_of_day ? setting("every", "day") + " sums them by day"
+                                               : Wording(any_steps)});
   }
-  const std::int64_t after_midnight = ((steps.begin % day_seconds) + day_seconds) % day_seconds;
+  const std::int64_t after_midnight =
+      ((steps.begin % seconds_of_day) + seconds_of_day) % seconds_of_day;
   const bool has_date = after_midnight == 0 || after_midnight == subject_.day_start;
-  if (after_midnight % 60 == 0 && (steps.length < day_seconds || has_date)) return;
+  if (after_midnight % 60 == 0 && (steps.length < seconds_of_day || has_date)) return;
   throw Error({subject_.rainfall, 0,
                "its steps begin at " + moment_text(steps.begin) + ", and " + format_ +
-                   (steps.length < day_seconds ? " wants whole minutes" : " has dates for days"),
+                   (steps.length < seconds_of_day ? " wants whole minutes" : " has dates for days"),
                setting("every", "day") + " dates each by the day in which it begins"});
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/calendar_days.h"
 #include "base/number.h"
 #include "base/utf8.h"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr const char* list_name = "pcp.cli";
 constexpr const char* extension = ".pcp";
 constexpr std::string_view missing = "-99.0";
-constexpr std::int64_t day_seconds = 86'400;
 /// What SWAT+ keeps of a file's name.
 constexpr std::size_t longest_name = 50;
 
@@ -94,7 +94,7 @@ void SwatSeries::write_list() {
 
 void SwatSeries::write(const Steps& steps, Warnings& warnings) {
   require_parts_of_days(steps);
-  if (steps.length != day_seconds) {
+  if (steps.length != seconds_of_day) {
     throw Error({subject().rainfall, 0,
                  "its steps are of " + text_of(StepLength{0, steps.length}) +
                      ", and a .pcp of SWAT+ is written of days alone",
@@ -113,7 +113,8 @@ void SwatSeries::write_basin(const Steps& steps, std::size_t basin,
   const std::string name = subject().basins[basin] + extension;
   OutputFile& file = open_(name);
   const int first_year = static_cast<int>(date_of(steps.begin).year());
-  const std::int64_t last = steps.begin + static_cast<std::int64_t>(steps.count - 1) * day_seconds;
+  const std::int64_t last =
+      steps.begin + static_cast<std::int64_t>(steps.count - 1) * seconds_of_day;
   const int years = static_cast<int>(date_of(last).year()) - first_year + 1;
   const Point& centroid = subject().centroids[basin];
   file.append(name + ": written by " + sentence_of(subject().made_by) +
@@ -127,7 +128,7 @@ void SwatSeries::write_basin(const Steps& steps, std::size_t basin,
           ' ';
     append_value(row, value, missing);
     file.append(row + '\n');
-    begin += day_seconds;
+    begin += seconds_of_day;
   }
   file.finish();
 }

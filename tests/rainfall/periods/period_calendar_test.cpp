@@ -9,14 +9,6 @@
 namespace thiessen {
 namespace {
 
-TEST(PeriodCalendar, quotients_are_rounded_down) {
-  EXPECT_EQ(floor_quotient(7, 3), 2);
-  EXPECT_EQ(floor_quotient(6, 3), 2);
-  EXPECT_EQ(floor_quotient(-1, 3), -1);
-  EXPECT_EQ(floor_quotient(-3, 3), -1);
-  EXPECT_EQ(floor_quotient(-4, 3), -2);
-}
-
 TEST(PeriodCalendar, is_that_of_the_periods_that_are_wanted) {
   const auto name = [](Every every) {
     every.day_start = 32'400;
