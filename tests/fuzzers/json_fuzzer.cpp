@@ -224,7 +224,8 @@ void write_cells(Bytes& bytes) {
     const double x = static_cast<double>(bytes.next()) / 10;
     const double size = std::ldexp(1, static_cast<int>(bytes.below(60)) - 30);
     shapes.push_back({{{{x, 1}, {x + size, 1}, {x, 1 + size}}, {}}});
-    features.cells.push_back({any_text(), any_text(), size, std::log(x), 1 + x, -size, i, shapes.back()});
+    features.cells.push_back(
+        {any_text(), any_text(), size, std::log(x), 1 + x, -size, i, shapes.back()});
     attributes.rows.push_back({any_text(), any_text()});
   }
   const std::string written = cells_geojson(features, shapes, VertexRounding());
