@@ -45,20 +45,23 @@ class Fitting {
   }
 
   std::shared_ptr<const ElevationFit> fit(Warnings& warnings) const {
-    std::vector<std::vector<double>> year{gauges_.of_year()};
+    const std::vector<std::vector<double>> year{gauges_.of_year()};
     require_places(year.front());
     auto of_year = fitted(year);
     if (!of_year->is_better_than_nearest()) refuse(*of_year);
-    auto of_months = fit_of_months(warnings);
-    const auto& best = of_months ? of_months : of_year;
-    warnings.add_notice(
-        {request_.rainfall, 0,
-         std::string("leaving each gauge out: its normal ") +
-             (of_months ? "of a calendar month" : "of the year") + " is told to " +
-             percent(best->left_out_error()) + " by elevation and the gauges around, to " +
-             percent(best->nearest_error()) + " by the nearest gauge's (root mean square of ln N)",
-         ""});
-    return best;
+    if (auto months = normals_of_months()) {
+      const auto of_months = fitted(*months);
+      if (of_months->is_better_than_nearest()) {
+        tell(*of_months, warnings);
+        return of_months;
+      }
+      warnings.add_notice({request_.rainfall, 0,
+                           "normals are those of the year, for by calendar months elevation does "
+                           "not tell them a tenth better than the nearest gauge",
+                           ""});
+    }
+    tell(*of_year, warnings);
+    return of_year;
   }
 
  private:
@@ -90,6 +93,23 @@ class Fitting {
                  other_ways()});
   }
 
+  /// What the fit is worth, and whether it owes that to elevation: gauges around can tell a normal
+  /// better than the nearest does by averaging alone.
+  void tell(const ElevationFit& fit, Warnings& warnings) const {
+    warnings.add_notice(
+        {request_.rainfall, 0,
+         std::string("leaving each gauge out: its normal ") +
+             (fit.months() > 1 ? "of a calendar month" : "of the year") + " is told to " +
+             percent(fit.left_out_error()) + " by elevation and the gauges around, to " +
+             percent(fit.level_error()) + " by the gauges around alone, to " +
+             percent(fit.nearest_error()) + " by the nearest gauge's (root mean square of ln N)",
+         ""});
+    if (fit.left_out_error() < fit.level_error()) return;
+    warnings.add({request_.rainfall, 0,
+                  "elevation adds nothing here: the gauges around tell a normal as well without it",
+                  other_ways()});
+  }
+
   [[noreturn]] void refuse(const ElevationFit& fit) const {
     throw Error(
         {request_.rainfall, 0,
@@ -101,22 +121,16 @@ class Fitting {
          other_ways()});
   }
 
-  /// The fit of calendar months; null where they cannot have normals of their own.
-  std::shared_ptr<const ElevationFit> fit_of_months(Warnings& warnings) const {
-    if (!request_.may_have_months) return nullptr;
-    if (gauges_.places_with_enough_years() < FittedNormals::least_places) return nullptr;
+  /// The normals of calendar months; none where too few gauges have years enough for them.
+  std::optional<std::vector<std::vector<double>>> normals_of_months() const {
+    if (!request_.may_have_months) return std::nullopt;
+    if (gauges_.places_with_enough_years() < FittedNormals::least_places) return std::nullopt;
     std::vector<std::vector<double>> months;
     for (std::size_t m = 0; m < CalendarNormals::months; ++m) {
       months.push_back(gauges_.of_month(m));
-      if (places_with_rain(months.back()) < FittedNormals::least_places) return nullptr;
+      if (places_with_rain(months.back()) < FittedNormals::least_places) return std::nullopt;
     }
-    auto of_months = fitted(months);
-    if (of_months->is_better_than_nearest()) return of_months;
-    warnings.add_notice({request_.rainfall, 0,
-                         "normals are those of the year, for by calendar months elevation does not "
-                         "tell them a tenth better than the nearest gauge",
-                         ""});
-    return nullptr;
+    return months;
   }
 
   const ElevationRequest& request_;

@@ -45,10 +45,12 @@ ElevationFit::ElevationFit(std::span<const Point> places, std::span<const double
     const ElevationKriging& kriging = fitted->kriging();
     left_out_error_ += kriging.left_out_error() * kriging.left_out_error();
     nearest_error_ += kriging.nearest_error() * kriging.nearest_error();
+    level_error_ += kriging.level_error() * kriging.level_error();
   }
   const auto months = static_cast<double>(normals.size());
   left_out_error_ = std::sqrt(left_out_error_ / months);
   nearest_error_ = std::sqrt(nearest_error_ / months);
+  level_error_ = std::sqrt(level_error_ / months);
   find_spacing();
   tell_without(places);
 }

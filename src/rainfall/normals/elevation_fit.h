@@ -46,9 +46,11 @@ class ElevationFit {
   void at(Point x, std::span<ToldNormal> by_month) const;
 
   /// The roots of the mean squares, over all places and months, of the difference between a place's
-  /// ln N and what others tell of it, by the fit and by the nearest place.
+  /// ln N and what others tell of it: by the fit, by the nearest place, and by the same places as
+  /// the fit without their elevations.
   double left_out_error() const { return left_out_error_; }
   double nearest_error() const { return nearest_error_; }
+  double level_error() const { return level_error_; }
   /// Whether the fit is so much better than the nearest gauge as FittedNormals wants it.
   bool is_better_than_nearest() const {
     return left_out_error_ < (1 - FittedNormals::least_gain) * nearest_error_;
@@ -70,6 +72,7 @@ class ElevationFit {
   std::vector<std::vector<double>> without_;  // by month and place
   double left_out_error_ = 0;
   double nearest_error_ = 0;
+  double level_error_ = 0;
   double spacing_ = 0;
 };
 

@@ -71,7 +71,8 @@ ElevationKriging::ElevationKriging(std::span<const Point> places,
   leave_out(threads);
 }
 
-ElevationLine ElevationKriging::line(Direction x, std::span<const NearestGauges::Near> near) const {
+ElevationKriging::Told ElevationKriging::told(Direction x,
+                                              std::span<const NearestGauges::Near> near) const {
   const auto n = static_cast<Eigen::Index>(near.size());
   const auto place = [&](Eigen::Index i) { return index(near[static_cast<std::size_t>(i)].place); };
   const auto covariance = [&](Direction a, Direction b) {
@@ -126,7 +127,8 @@ ElevationLine ElevationKriging::line(Direction x, std::span<const NearestGauges:
                          2 * (g01 * c0 + g11 * c1), g11};
   const double calibration = calibration_by(near);
   for (double& term : line.variance_terms) term *= calibration;
-  return line;
+  const double level = v0 / ones;
+  return {line, level + with_x.dot(values) - u0 * level};
 }
 
 /// The mean of what the near places tell and of what all do, as if these were ten more. While
@@ -148,7 +150,7 @@ double ElevationKriging::calibration_at(Point x) const {
 ElevationLine ElevationKriging::at(Point x) const {
   std::vector<NearestGauges::Near> near;
   nearest_.find(x, neighbours, {}, near);
-  return line(in_space(x, metric_), near);
+  return told(in_space(x, metric_), near).line;
 }
 
 std::vector<NearestGauges::Near> ElevationKriging::others_of(std::size_t place) const {
@@ -160,23 +162,24 @@ std::vector<NearestGauges::Near> ElevationKriging::others_of(std::size_t place) 
 }
 
 ElevationLine ElevationKriging::without(std::size_t place) const {
-  return line(at_[place], others_of(place));
+  return told(at_[place], others_of(place)).line;
 }
 
 void ElevationKriging::leave_out(unsigned threads) {
   struct Errors {
     double left_out;
     double nearest;
+    double level;
     double expected;
   };
   std::vector<Errors> errors(places_.size());
   in_parallel(places_.size(), threads, [&](std::size_t, std::size_t place) {
     const std::vector<NearestGauges::Near> others = others_of(place);
-    const ElevationLine told = line(at_[place], others);
+    const auto [line, level] = told(at_[place], others);
     const double z = elevations_[place];
-    errors[place] = {told.value(z) - values_[place],
-                     values_[index(others.front().place)] - values_[place],
-                     told.variance(z) + variogram_.nugget};
+    errors[place] = {line.value(z) - values_[place],
+                     values_[index(others.front().place)] - values_[place], level - values_[place],
+                     line.variance(z) + variogram_.nugget};
   });
   double ratios = 0;
   for (std::size_t place = 0; place < errors.size(); ++place) {
@@ -184,11 +187,13 @@ void ElevationKriging::leave_out(unsigned threads) {
     told_.push_back(values_[place] + of.left_out);
     left_out_error_ += of.left_out * of.left_out;
     nearest_error_ += of.nearest * of.nearest;
+    level_error_ += of.level * of.level;
     ratios += of.left_out * of.left_out / of.expected;
   }
   const auto n = static_cast<double>(places_.size());
   left_out_error_ = std::sqrt(left_out_error_ / n);
   nearest_error_ = std::sqrt(nearest_error_ / n);
+  level_error_ = std::sqrt(level_error_ / n);
   calibration_ = ratios / n;
   for (const Errors& of : errors) calibrations_.push_back(of.left_out * of.left_out / of.expected);
 }

@@ -67,9 +67,17 @@ class ElevationKriging {
   double left_out_error() const { return left_out_error_; }
   /// The same where others tell the value of the nearest place.
   double nearest_error() const { return nearest_error_; }
+  /// The same where the others tell it by kriging with this variogram and no elevation. What does
+  /// not stay below it owes nothing to elevation, but all to an average of many places.
+  double level_error() const { return level_error_; }
 
  private:
-  ElevationLine line(Direction x, std::span<const NearestGauges::Near> near) const;
+  /// What places tell: with elevation, and a value without.
+  struct Told {
+    ElevationLine line;
+    double level = 0;
+  };
+  Told told(Direction x, std::span<const NearestGauges::Near> near) const;
   std::vector<NearestGauges::Near> others_of(std::size_t place) const;
   double calibration_by(std::span<const NearestGauges::Near> near) const;
   void leave_out(unsigned threads);
@@ -86,6 +94,7 @@ class ElevationKriging {
   std::vector<double> told_;          // by place: what all others tell
   double left_out_error_ = 0;
   double nearest_error_ = 0;
+  double level_error_ = 0;
 };
 
 }  // namespace thiessen

@@ -53,6 +53,7 @@ TEST(ElevationStudies, of_a_short_series_are_of_the_year) {
   EXPECT_NEAR(found.normals->at_gauge(StationIndex{0}, 0),
               6.5 * 50 * std::exp(4e-4 * elevation_of(given, 0)), 1e-6);
   EXPECT_EQ(found.elevations[0], elevation_of(given, 0));
+  EXPECT_TRUE(given.warnings.messages().empty());
   ASSERT_EQ(given.notices().size(), 1u);
   EXPECT_TRUE(
       given.notices()[0].starts_with("leaving each gauge out: its normal of the year is told to "
@@ -93,6 +94,24 @@ TEST(ElevationStudies, take_what_others_tell_of_a_gauge_without_rain) {
     EXPECT_NEAR(found.normals->at_gauge(StationIndex{s}, 0),
                 sevenfold * 50 * std::exp(4e-4 * elevation_of(given, s)), 1e-2);
   }
+}
+
+TEST(ElevationStudies, warn_where_the_gauges_around_tell_as_much_without_elevation) {
+  // Rain grows from one corner of the square to the other; elevations are those of other gauges.
+  MountainStudy given;
+  for (std::size_t i = 0; i < 16; ++i)
+    given.files->station_elevations["g" + std::to_string(i)] =
+        100 * static_cast<double>((7 * i) % 16);
+  const Study& study = given.made();
+  const CalendarNormals gauges = series(given, 1, [&](std::size_t s, std::size_t) {
+    const Point at = study.network().stations()[s].position;
+    return 50 * std::exp(0.1 * (at.x + at.y));
+  });
+  normals_by_elevation(request(), study, *given.files, gauges, given.warnings);
+  ASSERT_EQ(given.warnings.messages().size(), 1u);
+  EXPECT_EQ(given.warnings.messages()[0].text.plain(),
+            "elevation adds nothing here: the gauges around tell a normal as well without it");
+  EXPECT_FALSE(given.warnings.messages()[0].hint.empty());
 }
 
 TEST(ElevationStudies, are_refused_where_nothing_can_be_told) {

@@ -99,6 +99,8 @@ TEST(ElevationFits, find_a_truth_with_noise_better_than_the_nearest_gauge) {
   EXPECT_TRUE(fit.is_better_than_nearest());
   EXPECT_LT(fit.left_out_error(), 0.15);
   EXPECT_GT(fit.nearest_error(), 0.4);
+  // Without elevations the mean of many gauges is left, which differs by 0.35 as one gauge does.
+  EXPECT_GT(fit.level_error(), 0.3);
   // The truth of the drift is found between gauges, too.
   double slopes = 0;
   for (double x = 10; x < 100; x += 10) {
@@ -107,6 +109,28 @@ TEST(ElevationFits, find_a_truth_with_noise_better_than_the_nearest_gauge) {
     slopes += told.line.slope / 9;
   }
   EXPECT_NEAR(slopes, 4e-4, 2e-5);
+}
+
+TEST(ElevationFits, owe_nothing_to_elevation_that_tells_nothing) {
+  // ln N = 4 + S + noise: the mean of the gauges around is better than the nearest gauge, and a
+  // slope that has to be fitted adds to its error, by half a fortieth of it and by chance.
+  Seeded seeded;
+  double with = 0;
+  double without = 0;
+  for (int round = 0; round < 4; ++round) {
+    Net net = scattered(seeded, 150);
+    const GaussianField field(net.places, [](double d) { return std::exp(-d / 40); });
+    const std::vector<double> drawn = field.draw(seeded);
+    std::vector<double>& normals = net.normals.emplace_back();
+    for (const double s : drawn)
+      normals.push_back(std::exp(4 + 0.1 * s + seeded.uniform(-0.2, 0.2)));
+    const ElevationFit fit = net.fit();
+    EXPECT_TRUE(fit.is_better_than_nearest());
+    with += fit.left_out_error() * fit.left_out_error();
+    without += fit.level_error() * fit.level_error();
+  }
+  EXPECT_LT(without, with);
+  EXPECT_LT(with, 1.1 * without);
 }
 
 TEST(ElevationFits, are_no_better_where_elevation_tells_nothing) {

@@ -139,6 +139,17 @@ TEST(ElevationKriging, finds_a_straight_line_exactly) {
   EXPECT_GT(kriging.nearest_error(), 0.1);
 }
 
+TEST(ElevationKriging, knows_what_the_others_tell_without_elevation) {
+  // Three places as far from each other: without elevation two tell the third their mean, whatever
+  // the variogram.
+  const double h = std::sqrt(3.0) / 2;
+  const Net net{{{0, 0}, {1, 0}, {0.5, h}}, {10, 500, 200}, {1, 2, 6}};
+  const double sum = 9;
+  double squares = 0;
+  for (const double value : net.values) squares += std::pow((sum - value) / 2 - value, 2);
+  EXPECT_NEAR(net.kriging().level_error(), std::sqrt(squares / 3), 1e-9);
+}
+
 TEST(ElevationKriging, has_no_slope_where_all_stand_at_one_height) {
   Seeded seeded;
   Net net = random_net(seeded, 30);
