@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "cli/inputs/inputs.h"
-#include "cli/options/rainfall_options.h"
-#include "cli/options/study_options.h"
+#include "cli/options/blocks/rainfall_options.h"
+#include "cli/options/blocks/study_options.h"
 #include "rainfall/series/stamp.h"
 
 namespace thiessen::cli {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "cli/options/rainfall_options.h"
-#include "cli/options/study_options.h"
+#include "cli/options/blocks/rainfall_options.h"
+#include "cli/options/blocks/study_options.h"
 #include "files/plane_judgement.h"
 #include "files/study_files.h"
 #include "rainfall/network/reporting.h"

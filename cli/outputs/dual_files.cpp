@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/interrupt.h"
-#include "cli/options/output_options.h"
+#include "cli/options/blocks/output_options.h"
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/encoded_files.h"
 #include "cli/outputs/provenance_of.h"

@@ -5,8 +5,8 @@
 
 #include "base/outputs.h"
 #include "cli/inputs/inputs.h"
-#include "cli/options/dual_options.h"
-#include "cli/options/study_options.h"
+#include "cli/options/blocks/dual_options.h"
+#include "cli/options/blocks/study_options.h"
 #include "files/geopackage_copy.h"
 #include "rainfall/series/gauge_readings.h"
 

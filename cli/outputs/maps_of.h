@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "cli/inputs/inputs.h"
-#include "cli/options/view_options.h"
+#include "cli/options/blocks/view_options.h"
 #include "map/sheet/picture.h"
 #include "rainfall/series/gauge_readings.h"
 

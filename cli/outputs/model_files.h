@@ -7,7 +7,7 @@
 #include "base/destination.h"
 #include "base/outputs.h"
 #include "cli/inputs/inputs.h"
-#include "cli/options/model_options.h"
+#include "cli/options/blocks/model_options.h"
 #include "results/models/model_series.h"
 #include "results/models/model_weights.h"
 

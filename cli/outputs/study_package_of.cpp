@@ -3,8 +3,8 @@
 #include <limits>
 #include <utility>
 
-#include "cli/outputs/isohyets_in.h"
-#include "cli/outputs/raster_of.h"
+#include "cli/outputs/rasters/isohyets_in.h"
+#include "cli/outputs/rasters/raster_of.h"
 #include "map/sheet/qgis_layer_style.h"
 #include "results/weights_file.h"
 

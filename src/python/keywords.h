@@ -5,15 +5,15 @@
 #include <vector>
 
 #include "base/error.h"
-#include "cli/options/common_options.h"
-#include "cli/options/gap_options.h"
-#include "cli/options/method_options.h"
+#include "cli/options/blocks/common_options.h"
+#include "cli/options/blocks/gap_options.h"
+#include "cli/options/blocks/method_options.h"
+#include "cli/options/blocks/period_options.h"
+#include "cli/options/blocks/rainfall_options.h"
+#include "cli/options/blocks/study_options.h"
+#include "cli/options/blocks/view_options.h"
+#include "cli/options/blocks/what_if_options.h"
 #include "cli/options/option_list.h"
-#include "cli/options/period_options.h"
-#include "cli/options/rainfall_options.h"
-#include "cli/options/study_options.h"
-#include "cli/options/view_options.h"
-#include "cli/options/what_if_options.h"
 
 namespace thiessen::python {
 

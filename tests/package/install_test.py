@@ -34,7 +34,7 @@ GAUGES = """#include <iostream>
 
 #include "cli/options/arguments.h"
 #include "cli/options/reading.h"
-#include "cli/options/study_options.h"
+#include "cli/options/blocks/study_options.h"
 
 int main(int, char** words) {
   using namespace thiessen;

@@ -6,9 +6,9 @@
 
 #include "base/temporary_folder.h"
 #include "cli/inputs/inputs.h"
+#include "cli/options/blocks/rainfall_options.h"
+#include "cli/options/blocks/study_options.h"
 #include "cli/options/given_options.h"
-#include "cli/options/rainfall_options.h"
-#include "cli/options/study_options.h"
 
 namespace thiessen::cli {
 

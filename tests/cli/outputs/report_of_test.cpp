@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/blocks/view_options.h"
 #include "cli/options/option_list.h"
-#include "cli/options/view_options.h"
 #include "cli/outputs/cell_features.h"
 #include "cli/outputs/given_inputs.h"
 #include "cli/outputs/picture_of.h"
