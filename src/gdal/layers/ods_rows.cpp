@@ -74,20 +74,10 @@ class SheetNames : public XmlListener {
   std::size_t depth_ = 0;
 };
 
-}  // namespace
-
-std::vector<std::string> ods_sheets(const std::string& file, const std::string& document) {
-  SheetNames listener;
-  XmlReader(file, document, listener).read_all();
-  return std::move(listener.names);
-}
-
 /// Hears the rows of one sheet; tables within its cells are none of it.
-class OdsRows::Listener : public XmlListener {
+class OdsListener : public SheetListener {
  public:
-  Listener(std::string file, std::size_t sheet) : file_(std::move(file)), sheet_(sheet) {}
-
-  std::deque<SheetRow> rows;
+  OdsListener(std::string file, std::size_t sheet) : file_(std::move(file)), sheet_(sheet) {}
 
   void begin(std::string_view element, const XmlAttributes& attributes) override {
     if (element == "table" && depth_++ == 0) is_in_sheet_ = sheets_++ == sheet_;
@@ -205,35 +195,17 @@ class OdsRows::Listener : public XmlListener {
   bool has_formula_ = false;
 };
 
-OdsRows::OdsRows(const std::string& file, const std::string& document, std::size_t sheet)
-    : listener_(std::make_unique<Listener>(file, sheet)),
-      reader_(std::make_unique<XmlReader>(file, document, *listener_)) {}
+}  // namespace
 
-OdsRows::~OdsRows() = default;
-
-void OdsRows::read_ahead() {
-  while (listener_->rows.empty() && reader_->read_on()) {
-  }
+std::vector<std::string> ods_sheets(const std::string& file, const std::string& document) {
+  SheetNames listener;
+  XmlReader(file, document, listener).read_all();
+  return std::move(listener.names);
 }
 
-const SheetRow* OdsRows::next() {
-  read_ahead();
-  if (listener_->rows.empty()) return nullptr;
-  SheetRow& front = listener_->rows.front();
-  if (front.times > 1) {
-    row_ = front;
-    ++front.number;
-    --front.times;
-  } else {
-    row_ = std::move(front);
-    listener_->rows.pop_front();
-  }
-  return &row_;
-}
-
-const std::deque<SheetRow>& OdsRows::ahead() {
-  read_ahead();
-  return listener_->rows;
+std::unique_ptr<SheetRows> ods_rows(const std::string& file, const std::string& document,
+                                    std::size_t sheet) {
+  return std::make_unique<SheetRows>(file, document, std::make_unique<OdsListener>(file, sheet));
 }
 
 }  // namespace thiessen

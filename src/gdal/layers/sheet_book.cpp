@@ -19,7 +19,7 @@ class XlsxSheets : public SheetBook {
 
   const std::vector<Sheet>& sheets() const override { return sheets_; }
   std::unique_ptr<SheetRows> rows(std::size_t sheet) const override {
-    return std::make_unique<XlsxRows>(file_, book_, book_.sheets[sheet]);
+    return xlsx_rows(file_, book_, book_.sheets[sheet]);
   }
   bool counts_from_1904() const override { return book_.from_1904; }
 
@@ -38,7 +38,7 @@ class OdsSheets : public SheetBook {
 
   const std::vector<Sheet>& sheets() const override { return sheets_; }
   std::unique_ptr<SheetRows> rows(std::size_t sheet) const override {
-    return std::make_unique<OdsRows>(file_, document_, sheet);
+    return ods_rows(file_, document_, sheet);
   }
 
  private:

@@ -23,13 +23,9 @@ std::size_t column_of(std::string_view place) {
   return column == 0 ? most_columns : column - 1;
 }
 
-}  // namespace
-
-class XlsxRows::Listener : public XmlListener {
+class XlsxListener : public SheetListener {
  public:
-  Listener(std::string file, const XlsxBook& book) : file_(std::move(file)), book_(book) {}
-
-  std::deque<SheetRow> rows;
+  XlsxListener(std::string file, const XlsxBook& book) : file_(std::move(file)), book_(book) {}
 
   void begin(std::string_view element, const XmlAttributes& attributes) override {
     if (element == "row") {
@@ -120,28 +116,12 @@ class XlsxRows::Listener : public XmlListener {
   bool in_sound_ = false;
 };
 
-XlsxRows::XlsxRows(const std::string& file, const XlsxBook& book, const XlsxBook::Sheet& sheet)
-    : listener_(std::make_unique<Listener>(file, book)),
-      reader_(std::make_unique<XmlReader>(file, sheet.document, *listener_)) {}
+}  // namespace
 
-XlsxRows::~XlsxRows() = default;
-
-void XlsxRows::read_ahead() {
-  while (listener_->rows.empty() && reader_->read_on()) {
-  }
-}
-
-const SheetRow* XlsxRows::next() {
-  read_ahead();
-  if (listener_->rows.empty()) return nullptr;
-  row_ = std::move(listener_->rows.front());
-  listener_->rows.pop_front();
-  return &row_;
-}
-
-const std::deque<SheetRow>& XlsxRows::ahead() {
-  read_ahead();
-  return listener_->rows;
+std::unique_ptr<SheetRows> xlsx_rows(const std::string& file, const XlsxBook& book,
+                                     const XlsxBook::Sheet& sheet) {
+  return std::make_unique<SheetRows>(file, sheet.document,
+                                     std::make_unique<XlsxListener>(file, book));
 }
 
 }  // namespace thiessen
