@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/interrupt.h"
 #include "base/number.h"
 #include "cli/checks/methods_verdict.h"
@@ -25,10 +26,6 @@ constexpr std::size_t halved_readings = 40'000;  // as many as are looked at in 
 constexpr std::size_t points_of_all_basins = 10'000;
 
 using Row = std::vector<std::string>;
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 void add_cells(Row& row, const ErrorSums& sums, int decimals) {
   row.push_back(error_text(sums.root_mean_square(), decimals));
@@ -98,7 +95,7 @@ std::string halves_table(const Weighing& weighing, const DatedSample& sample, bo
   }
   return (has_basins ? "means of basins" : "means of the stations' extent") +
          std::string(" by half of the gauges, against those by all of the same method, at ") +
-         counted(count, "step", "steps") + in_unit + ":\n" + aligned(rows);
+         counted(count, "step") + in_unit + ":\n" + aligned(rows);
 }
 
 }  // namespace

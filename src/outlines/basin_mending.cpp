@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/number.h"
 #include "outlines/area_words.h"
 #include "outlines/disputed_ground.h"
@@ -29,16 +30,11 @@ struct Mended {
   bool any() const { return repeated + spikes + open + parts + holes > 0 || !redrawn.empty(); }
 };
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string sentence(const Mended& mended) {
   std::vector<std::string> what;
-  if (mended.repeated > 0)
-    what.push_back(counted(mended.repeated, "repeated point", "repeated points"));
-  if (mended.spikes > 0) what.push_back(counted(mended.spikes, "spike", "spikes"));
-  if (mended.open > 0) what.push_back(counted(mended.open, "open ring", "open rings"));
+  if (mended.repeated > 0) what.push_back(counted(mended.repeated, "repeated point"));
+  if (mended.spikes > 0) what.push_back(counted(mended.spikes, "spike"));
+  if (mended.open > 0) what.push_back(counted(mended.open, "open ring"));
   if (mended.parts > 0)
     what.push_back(counted(mended.parts, "part without area", "parts without area"));
   if (mended.holes > 0)

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/interrupt.h"
 #include "base/utf8.h"
 
@@ -16,10 +17,6 @@ namespace {
 using Standing = ReadingsStations::Standing;
 
 constexpr std::size_t longest_id = 80;
-
-std::string counted(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 /// What tells a moment from all others, and from texts: no time contains a line end.
 std::string moment_key(const IsoTime& time) {

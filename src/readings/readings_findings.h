@@ -20,7 +20,7 @@
 namespace thiessen {
 
 /// The readings are of counters, which say nothing of a step by themselves.
-inline constexpr double counted = 0;
+inline constexpr double of_a_counter = 0;
 
 /// Gathers what is wrong or odd in a file of readings, and reports it at the end of the file.
 class ReadingsFindings {
@@ -47,7 +47,7 @@ class ReadingsFindings {
   void warn(Wording text) { warnings_.add({file_, 0, std::move(text), ""}); }
 
   /// Says how many millimetres a reading of 1 stands for, without which it is one. A number that is
-  /// `counted` stands for none: no single one of a counter's readings is much or little.
+  /// `of_a_counter` stands for none: no single one of a counter's readings is much or little.
   void amounts_are_in(double millimetres) { millimetres_ = millimetres; }
 
   /// Says what the user calls the file, whose settings are named so (rainfall), and whether the

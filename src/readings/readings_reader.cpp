@@ -126,7 +126,7 @@ std::unique_ptr<Readings> open_as(const ReadingsLayout& layout, std::unique_ptr<
       conversion_of(options, values_of(*table, layout, stations, options), warnings);
   if (options.cumulative) require_depths(conversion, file);
   ReadingsFindings findings(file, stations, options.ignore_unknown, warnings);
-  findings.amounts_are_in(options.cumulative ? counted : conversion.millimetres);
+  findings.amounts_are_in(options.cumulative ? of_a_counter : conversion.millimetres);
   if (options.is_one_of_several || options.is_beside_others) findings.are_of_one_file_of_several();
   if (options.steps_may_differ) findings.steps_may_differ();
   findings.are_of(*table);

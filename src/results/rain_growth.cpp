@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/utf8.h"
 #include "results/rain_totals_file.h"
 
@@ -89,7 +90,7 @@ bool RainGrowth::changes() const {
 }
 
 std::string RainGrowth::counted(std::size_t count) const {
-  return (count == 0 ? "no" : std::to_string(count)) + " " + noun_ + (count == 1 ? "" : "s");
+  return count == 0 ? "no " + noun_ + "s" : thiessen::counted(count, noun_);
 }
 
 void RainGrowth::tell_so_far(Warnings& warnings) {

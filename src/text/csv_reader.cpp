@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "text/csv_records.h"
@@ -15,10 +16,6 @@
 
 namespace thiessen {
 namespace {
-
-std::string counted(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 /// Replaces each pair of quotes by one quote, in place. Returns the new end.
 char* halve_quotes(char* begin, const char* end) {

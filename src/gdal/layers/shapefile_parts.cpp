@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gdal/layers/byte_order.h"
 #include "gdal/layers/vsi_bytes.h"
@@ -68,10 +69,6 @@ class Shapefile {
   }
 
  private:
-  static std::string counted(std::uint64_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-  }
-
   static std::string said(Span span) {
     return std::to_string(span.begin) + " to " + std::to_string(span.end);
   }

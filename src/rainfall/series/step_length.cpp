@@ -1,4 +1,5 @@
 #include "rainfall/series/step_length.h"
+#include "base/counted.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +13,8 @@ struct Unit {
   const char* name;
 };
 
-std::string counted(std::int64_t length, const Unit& unit) {
-  const std::int64_t count = length / unit.length;
-  return std::to_string(count) + " " + unit.name + (count == 1 ? "" : "s");
+std::string counted_in(std::int64_t length, const Unit& unit) {
+  return counted(static_cast<std::size_t>(length / unit.length), unit.name);
 }
 
 }  // namespace
@@ -37,10 +37,10 @@ std::string text_of(const StepLength& length) {
   constexpr std::array<Unit, 4> clock{
       {{seconds_of_day, "day"}, {3'600, "hour"}, {60, "minute"}, {1, "second"}}};
   if (length.months > 0) {
-    return counted(length.months, length.months % 12 == 0 ? Unit{12, "year"} : Unit{1, "month"});
+    return counted_in(length.months, length.months % 12 == 0 ? Unit{12, "year"} : Unit{1, "month"});
   }
   for (const Unit& unit : clock) {
-    if (length.seconds % unit.length == 0) return counted(length.seconds, unit);
+    if (length.seconds % unit.length == 0) return counted_in(length.seconds, unit);
   }
   return {};
 }

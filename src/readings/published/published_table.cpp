@@ -30,7 +30,7 @@ std::string_view meaning_of(std::string_view mark, std::string_view key) {
   return {};
 }
 
-std::string counted(std::size_t count, const char* one, const char* several) {
+std::string one_or_counted(std::size_t count, const char* one, const char* several) {
   return count == 1 ? one : std::to_string(count) + several;
 }
 
@@ -164,22 +164,22 @@ void PublishedTable::tell() {
   if (std::exchange(told_->at_end, true)) return;
   if (flagged_ > 0) {
     warnings_.add_notice({file(), 0,
-                          counted(flagged_, "a value that failed a check of quality is",
-                                  " values that failed a check of quality are") +
+                          one_or_counted(flagged_, "a value that failed a check of quality is",
+                                         " values that failed a check of quality are") +
                               " missing; " + setting("keep_flagged") + " reads them",
                           ""});
   }
   if (of_days_ > 0) {
     warnings_.add(
         {file(), 0,
-         counted(of_days_, "an amount of several days is", " amounts of several days are") +
+         one_or_counted(of_days_, "an amount of several days is", " amounts of several days are") +
              " taken as missing, for nothing tells how much fell on which day",
          ""});
   }
   if (!marked_.empty()) tell_marks();
   if (of_models_ > 0) {
     warnings_.add({file(), 0,
-                   counted(of_models_, "a value is", " values are") +
+                   one_or_counted(of_models_, "a value is", " values are") +
                        " a weather model's, and no gauge's, as " + std::string(format_.source) +
                        " tells",
                    ""});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/interrupt.h"
 #include "base/utf8.h"
 #include "rainfall/series/step_months.h"
@@ -26,10 +27,6 @@ TimeBounds bounds(IsoTime time, bool is_by_clock, const std::optional<StepLength
                   Stamp stamp) {
   if (is_by_clock) time.ahead_of_utc.reset();
   return bounds_of({&time, 1}, step, stamp).front();
-}
-
-std::string counted(std::size_t count, const char* one, const char* several) {
-  return std::to_string(count) + (count == 1 ? one : several);
 }
 
 std::string of_station(const Station& station, const std::string& time) {
@@ -325,12 +322,12 @@ void TotalledReadings::conclude() {
   const auto gauges =
       static_cast<std::size_t>(std::count(with_totals_.begin(), with_totals_.end(), true));
   if (spread_.count > 0) {
-    warnings_.add_notice(
-        {source_.name, 0,
-         counted(spread_.count, " total of ", " totals of ") +
-             counted(gauges, " gauge", " gauges") + " " + (spread_.count == 1 ? "is" : "are") +
-             " spread as the nearest gauges of " + quoted(file_, longest_shown) + " had their rain",
-         ""});
+    warnings_.add_notice({source_.name, 0,
+                          counted(spread_.count, "total of ", "totals of ") +
+                              counted(gauges, "gauge") + " " + (spread_.count == 1 ? "is" : "are") +
+                              " spread as the nearest gauges of " + quoted(file_, longest_shown) +
+                              " had their rain",
+                          ""});
   }
   tell_silent();
   tell(dry_, "spread evenly, for it was dry at the gauges around");
@@ -342,7 +339,7 @@ void TotalledReadings::conclude() {
   if (totals_->without_days() > 0) {
     warnings_.add(
         {source_.name, 0,
-         counted(totals_->without_days(), " sum of several days is", " sums of several days are") +
+         counted(totals_->without_days(), "sum of several days is", "sums of several days are") +
              " left out, for nothing tells of how many",
          ""});
   }
