@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <span>
@@ -10,12 +11,12 @@
 #include <utility>
 
 #include "base/interrupt.h"
-#include "basin/ring_linking.h"
 
 namespace thiessen {
 namespace {
 
 constexpr double rounding_share = 1e-14;
+constexpr std::uint32_t no_share = std::numeric_limits<std::uint32_t>::max();
 
 Box box_of_basin(const Basin& basin) {
   Box box;
@@ -85,10 +86,21 @@ void require_closed(std::span<const BoundaryPiece> pieces) {
   if (open != 0) throw std::logic_error("the boundary of a cell in a basin does not close");
 }
 
+std::vector<ClippedCell> all_of(CellsInBasin in_basin) {
+  std::vector<ClippedCell> cells;
+  cells.reserve(in_basin.shares().size());
+  for (std::size_t i = 0; i < in_basin.shares().size(); ++i) {
+    throw_if_interrupted();
+    cells.push_back(in_basin.cell(i));
+  }
+  return cells;
+}
+
 }  // namespace
 
 CellClipper::CellClipper(const Diagram& diagram, const Surface& surface)
-    : surface_(surface),
+    : diagram_(diagram),
+      surface_(surface),
       overlay_(diagram),
       area_(diagram.places.size()),
       is_touched_(diagram.places.size(), false),
@@ -126,19 +138,29 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
     is_touched_[index(place)] = false;
   }
   touched_.clear();
-  double under = 0;
   bool has_bulges = false;
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
-    throw_if_interrupted();
-    const BoundaryPiece& piece = cut.pieces[i];
-    const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
-    under = known ? -under : surface_.under(piece.from, piece.to, reference);
+  const auto add = [&](const BoundaryPiece& piece, double under) {
     LongSum& area = area_at(piece.place);
     area.add(-under);
     if (piece.bulge != 0) {
       area.add(piece.bulge);
       has_bulges = true;
     }
+  };
+  double under = 0;
+  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
+    const BoundaryPiece& piece = cut.pieces[i];
+    const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
+    under = known ? -under : surface_.under(piece.from, piece.to, reference);
+    add(piece, under);
+  }
+  for (const std::uint32_t chord : cut.whole_chords) {
+    throw_if_interrupted();
+    const auto [left, right] = pieces_of(diagram_, chord);
+    under = surface_.under(left.from, left.to, reference);
+    add(left, under);
+    add(right, -under);
   }
   std::sort(touched_.begin(), touched_.end());
   if (has_bulges) settle_bulges();
@@ -200,21 +222,34 @@ std::vector<CellShare> CellClipper::shares(const Basin& basin, const GroundMeasu
 // The figures of the cells that count, in the order of their places.
 std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMeasure& measure) {
   const std::size_t count = measure.figures();
-  for (std::size_t i = 0; i < touched_.size(); ++i) order_[index(touched_[i])] = i;
+  for (std::uint32_t i = 0; i < touched_.size(); ++i) order_[index(touched_[i])] = i;
   std::vector<LongSum> sums(touched_.size() * count);
   std::vector<double> edge(count);
+  const auto add = [&](PlaceIndex place) {
+    LongSum* const sum = &sums[order_[index(place)] * count];
+    for (std::size_t f = 0; f < count; ++f) sum[f].add(edge[f]);
+  };
+  const auto find = [&](const BoundaryPiece& piece) {
+    std::fill(edge.begin(), edge.end(), 0);
+    measure.add(piece.from, piece.to, piece.bulge, edge);
+  };
+  const auto reverse = [&] {
+    for (double& figure : edge) figure = -figure;
+  };
   for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
     throw_if_interrupted();
     const BoundaryPiece& piece = cut.pieces[i];
     const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
-    if (known) {
-      for (double& figure : edge) figure = -figure;
-    } else {
-      std::fill(edge.begin(), edge.end(), 0);
-      measure.add(piece.from, piece.to, piece.bulge, edge);
-    }
-    LongSum* const sum = &sums[order_[index(piece.place)] * count];
-    for (std::size_t f = 0; f < count; ++f) sum[f].add(edge[f]);
+    known ? reverse() : find(piece);
+    add(piece.place);
+  }
+  for (const std::uint32_t chord : cut.whole_chords) {
+    throw_if_interrupted();
+    const auto [left, right] = pieces_of(diagram_, chord);
+    find(left);
+    add(left.place);
+    reverse();
+    add(right.place);
   }
   const double smallest = smallest_area();
   std::vector<double> figures;
@@ -225,59 +260,85 @@ std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMea
   return figures;
 }
 
-// There are millions of pieces in a basin as large as a continent: they stay where they are, and no
-// step takes long between two looks for Ctrl-C.
-CellClipper::PiecesByCell CellClipper::pieces_by_cell(const CutBasin& cut) {
-  PiecesByCell sorted;
-  sorted.begins.assign(touched_.size() + 1, 0);
-  for (std::size_t i = 0; i < touched_.size(); ++i) order_[index(touched_[i])] = i;
-  for (const BoundaryPiece& piece : cut.pieces) {
-    throw_if_interrupted();
-    ++sorted.begins[order_[index(piece.place)] + 1];
-  }
-  std::partial_sum(sorted.begins.begin(), sorted.begins.end(), sorted.begins.begin());
-  std::vector<std::size_t> next(sorted.begins.begin(), sorted.begins.end() - 1);
-  sorted.numbers.resize(cut.pieces.size());
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
-    throw_if_interrupted();
-    sorted.numbers[next[order_[index(cut.pieces[i].place)]]++] = i;
-  }
-  return sorted;
-}
-
 std::vector<ClippedCell> CellClipper::cells(const Basin& basin) {
-  return cells_of(cut_and_measure(basin));
+  return all_of(cells_in(basin));
 }
 
 std::vector<ClippedCell> CellClipper::cells(const Basin& basin, const GroundMeasure& measure,
                                             std::vector<double>& figures) {
   const CutBasin& cut = cut_and_measure(basin);
   figures = figures_of(cut, measure);
-  return cells_of(cut);
+  return all_of(cells_of(cut));
 }
 
-std::vector<ClippedCell> CellClipper::cells_of(const CutBasin& cut) {
-  const double smallest = smallest_area();
-  const PiecesByCell sorted = pieces_by_cell(cut);
-  const bool has_bulges = std::any_of(cut.pieces.begin(), cut.pieces.end(),
-                                      [](const BoundaryPiece& piece) { return piece.bulge != 0; });
-  std::vector<ClippedCell> cells;
-  std::vector<BoundaryPiece> pieces;
-  for (std::size_t i = 0; i < touched_.size(); ++i) {
-    throw_if_interrupted();
-    const double area = area_[index(touched_[i])].value();
-    if (area <= smallest) continue;
-    pieces.clear();
-    std::vector<DirectedEdge> edges;
-    for (std::size_t n = sorted.begins[i]; n < sorted.begins[i + 1]; ++n) {
-      pieces.push_back(cut.pieces[sorted.numbers[n]]);
-      edges.push_back({pieces.back().from, pieces.back().to});
+CellsInBasin CellClipper::cells_in(const Basin& basin) {
+  return cells_of(cut_and_measure(basin));
+}
+
+CellsInBasin CellClipper::cells_of(const CutBasin& cut) {
+  std::vector<CellShare> shares = shares_of_cut();
+  for (const PlaceIndex place : touched_) order_[index(place)] = no_share;
+  for (std::uint32_t i = 0; i < shares.size(); ++i) order_[index(shares[i].place)] = i;
+  return {diagram_, cut, std::move(shares), order_};
+}
+
+// There are millions of pieces in a basin as large as a continent: they stay where they are, and no
+// step takes long between two looks for Ctrl-C.
+CellsInBasin::CellsInBasin(const Diagram& diagram, const CutBasin& cut,
+                           std::vector<CellShare> shares, const std::vector<std::uint32_t>& order)
+    : diagram_(diagram), cut_(cut), shares_(std::move(shares)) {
+  if (cut.pieces.size() + 2 * cut.whole_chords.size() > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more than 2^32 pieces of cells in a basin");
+  const auto for_each_piece = [&](auto&& visit) {
+    std::uint32_t number = 0;
+    const auto visit_next = [&](PlaceIndex place) {
+      if (const std::uint32_t share = order[index(place)]; share != no_share) visit(share, number);
+      ++number;
+    };
+    for (const BoundaryPiece& piece : cut.pieces) {
+      throw_if_interrupted();
+      visit_next(piece.place);
     }
-    require_closed(pieces);
-    cells.push_back({touched_[i], area, link_rings(std::move(edges)), {}});
-    if (has_bulges) cells.back().bulges = bulges_of(cells.back().shape, pieces);
+    for (const std::uint32_t chord : cut.whole_chords) {
+      throw_if_interrupted();
+      visit_next(diagram.chords[chord].left);
+      visit_next(diagram.chords[chord].right);
+    }
+  };
+  // Each share's place in `begins_` is at first one further on, and moves to where its next begins.
+  begins_.assign(shares_.size() + 2, 0);
+  for_each_piece([&](std::uint32_t share, std::uint32_t) { ++begins_[share + 2]; });
+  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
+  numbers_.resize(begins_.back());
+  for_each_piece(
+      [&](std::uint32_t share, std::uint32_t number) { numbers_[begins_[share + 1]++] = number; });
+  begins_.pop_back();
+  has_bulges_ =
+      std::ranges::any_of(cut.pieces,
+                          [](const BoundaryPiece& piece) { return piece.bulge != 0; }) ||
+      (!diagram.bulges.empty() && std::ranges::any_of(cut.whole_chords, [&](std::uint32_t chord) {
+        return diagram.bulges[chord] != 0;
+      }));
+}
+
+ClippedCell CellsInBasin::cell(std::size_t i) {
+  pieces_.clear();
+  edges_.clear();
+  for (std::uint32_t n = begins_[i]; n < begins_[i + 1]; ++n) {
+    const std::uint32_t number = numbers_[n];
+    if (number < cut_.pieces.size()) {
+      pieces_.push_back(cut_.pieces[number]);
+    } else {
+      const std::size_t side = number - cut_.pieces.size();
+      const auto [left, right] = pieces_of(diagram_, cut_.whole_chords[side / 2]);
+      pieces_.push_back(side % 2 == 0 ? left : right);
+    }
+    edges_.push_back({pieces_.back().from, pieces_.back().to});
   }
-  return cells;
+  require_closed(pieces_);
+  ClippedCell cell{shares_[i].place, shares_[i].area, link_rings(edges_), {}};
+  if (has_bulges_) cell.bulges = bulges_of(cell.shape, pieces_);
+  return cell;
 }
 
 }  // namespace thiessen

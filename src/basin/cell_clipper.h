@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "basin/ground_measure.h"
 #include "basin/overlay.h"
+#include "basin/ring_linking.h"
 #include "diagram/surface.h"
 #include "geometry/long_sum.h"
 
@@ -22,6 +25,38 @@ struct ClippedCell {
   MultiPolygon shape;
   std::vector<std::vector<double>>
       bulges;  ///< of its edges: see Basin::bulges; empty where all are straight
+};
+
+class CellClipper;
+
+/// The cells that have a share in one basin, made one at a time, so that nobody has to hold all
+/// shapes: those of a million cells take a hundred times as much memory as this. It stands until
+/// its clipper is given another basin.
+class CellsInBasin {
+ public:
+  /// The cells' areas, in the order of their places.
+  const std::vector<CellShare>& shares() const { return shares_; }
+  /// The cell whose area stands there. Throws std::logic_error where an edge of the diagram ends
+  /// within the basin, so that the cell's boundary does not close. Cost: linear in its edges.
+  ClippedCell cell(std::size_t i);
+
+ private:
+  friend class CellClipper;
+  /// `order` tells for the place of each piece which of the shares is its own, if one is.
+  CellsInBasin(const Diagram& diagram, const CutBasin& cut, std::vector<CellShare> shares,
+               const std::vector<std::uint32_t>& order);
+
+  const Diagram& diagram_;
+  const CutBasin& cut_;
+  std::vector<CellShare> shares_;
+  /// Of the pieces of each share: where they begin in `numbers_`, and the end.
+  std::vector<std::uint32_t> begins_;
+  /// Pieces by share, in their order in each: those of the cut basin, and after them the two of
+  /// each whole chord.
+  std::vector<std::uint32_t> numbers_;
+  bool has_bulges_ = false;
+  std::vector<BoundaryPiece> pieces_;  // of the cell at hand
+  std::vector<DirectedEdge> edges_;
 };
 
 /// The basin's area on a surface. Requires a basin whose rings run as Polygon says.
@@ -48,24 +83,19 @@ class CellClipper {
 
   /// The cells that have a share in the basin, with their shapes, in the order of their places.
   /// Cells side by side share their edge vertex for vertex. Requirements and accuracy are those of
-  /// shares. Throws std::logic_error where an edge of the diagram ends within the basin, so that a
-  /// cell's boundary does not close.
+  /// shares. Throws std::logic_error as CellsInBasin does.
   std::vector<ClippedCell> cells(const Basin& basin);
+  /// The same, one at a time.
+  CellsInBasin cells_in(const Basin& basin);
   /// The same, and in `figures` what `measure` says of each cell's ground, one cell after the
   /// other.
   std::vector<ClippedCell> cells(const Basin& basin, const GroundMeasure& measure,
                                  std::vector<double>& figures);
 
  private:
-  /// Which pieces are of which cell, in the order of `touched_`.
-  struct PiecesByCell {
-    std::vector<std::size_t> begins;   ///< of the pieces of each cell, and the end
-    std::vector<std::size_t> numbers;  ///< of all pieces, cell by cell, in their order in each
-  };
-  PiecesByCell pieces_by_cell(const CutBasin& cut);
   CutBasin& cut_and_measure(const Basin& basin);
   std::vector<CellShare> shares_of_cut() const;
-  std::vector<ClippedCell> cells_of(const CutBasin& cut);
+  CellsInBasin cells_of(const CutBasin& cut);
   std::vector<double> figures_of(const CutBasin& cut, const GroundMeasure& measure);
   void measure(const CutBasin& cut, double reference);
   LongSum& area_at(PlaceIndex place);
@@ -73,12 +103,13 @@ class CellClipper {
   /// The smallest area that counts in the basin that was measured last; less is rounding.
   double smallest_area() const;
 
+  const Diagram& diagram_;
   const Surface& surface_;
   Overlay overlay_;
   std::vector<LongSum> area_;  // by place
   std::vector<bool> is_touched_;
-  std::vector<PlaceIndex> touched_;  // those with pieces in the basin at hand
-  std::vector<std::size_t> order_;   // by place: where it stands among these
+  std::vector<PlaceIndex> touched_;   // those with pieces in the basin at hand
+  std::vector<std::uint32_t> order_;  // by place: where it stands among these, or the shares
 };
 
 }  // namespace thiessen

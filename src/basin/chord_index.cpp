@@ -5,14 +5,20 @@ namespace {
 
 constexpr std::size_t few_chords = 40;
 
+bool have_common_end(const Chord& a, const Chord& b) {
+  return a.from == b.from || a.from == b.to || a.to == b.from || a.to == b.to;
+}
+
 /// The positions at which runs of chords begin, and the number of chords at the end. In a run each
-/// chord continues the one before. A tree of runs is a quarter of the size of a tree of chords.
+/// chord ends where the one before does, at either end. A tree of runs is a quarter of the size of
+/// a tree of chords where edges have many, and half of it in a plane, where there is one chord an
+/// edge.
 std::vector<std::uint32_t> runs_of(const Diagram& diagram) {
   constexpr std::uint32_t longest = 4;
   std::vector<std::uint32_t> first;
   const auto count = static_cast<std::uint32_t>(diagram.chords.size());
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bool goes_on = i > 0 && diagram.chords[i].from == diagram.chords[i - 1].to;
+    const bool goes_on = i > 0 && have_common_end(diagram.chords[i - 1], diagram.chords[i]);
     if (!goes_on || i - first.back() == longest) first.push_back(i);
   }
   first.push_back(count);

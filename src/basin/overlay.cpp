@@ -75,6 +75,7 @@ Overlay::Overlay(const Diagram& diagram)
 
 CutBasin& Overlay::cut(const Basin& basin) {
   result_.pieces.clear();
+  result_.whole_chords.clear();
   result_.touching = false;
   chord_events_.clear();
   crossed_ = false;
@@ -313,6 +314,10 @@ void Overlay::emit_whole_chords_within() {
 void Overlay::emit_whole_chord(std::uint32_t number) {
   const Chord& chord = diagram_.chords[number];
   ChordEnd from{0, diagram_.nodes[chord.from]};
+  if (!result_.touching) {
+    if (from.point != diagram_.nodes[chord.to]) result_.whole_chords.push_back(number);
+    return;
+  }
   const auto touched =
       std::lower_bound(touched_.begin(), touched_.end(), std::pair(number, std::size_t{0}));
   if (touched != touched_.end() && touched->first == number) {

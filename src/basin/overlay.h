@@ -26,8 +26,23 @@ struct BoundaryPiece {
 /// runs along a chord), pieces may lie on each other in opposite directions; they cancel.
 struct CutBasin {
   std::vector<BoundaryPiece> pieces;
+  /// Chords of the diagram that lie in the basin as they are, from end to end: each stands for the
+  /// two pieces that pieces_of returns, which would take 24 times as much memory. There are none
+  /// where `touching` is set.
+  std::vector<std::uint32_t> whole_chords;
   bool touching = false;
 };
+
+/// The pieces of a chord that lies in a basin as it is: of the cell to its left, and of that to its
+/// right.
+inline std::pair<BoundaryPiece, BoundaryPiece> pieces_of(const Diagram& diagram,
+                                                         std::uint32_t chord) {
+  const Chord& c = diagram.chords[chord];
+  const Point from = diagram.nodes[c.from];
+  const Point to = diagram.nodes[c.to];
+  const double bulge = diagram.bulges.empty() ? 0 : diagram.bulges[chord];
+  return {{c.left, from, to, bulge}, {c.right, to, from, -bulge}};
+}
 
 /// Lays basins over the cells of a diagram. The diagram must outlive it. Each thread needs one of
 /// its own.

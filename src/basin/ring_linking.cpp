@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -42,12 +44,9 @@ bool comes_first_clockwise(Point at, Point back, Point p, Point q) {
 /// Walks along the edges and cuts the walk into rings that visit no point twice.
 class RingWalk {
  public:
-  explicit RingWalk(std::vector<DirectedEdge> edges)
-      : edges_(std::move(edges)), used_(edges_.size(), false) {
-    std::sort(edges_.begin(), edges_.end(), [](const DirectedEdge& a, const DirectedEdge& b) {
-      return std::tie(a.from, a.to) < std::tie(b.from, b.to);
-    });
-  }
+  /// Requires edges in their order by where they begin, then by where they end.
+  explicit RingWalk(std::span<const DirectedEdge> edges)
+      : edges_(edges), used_(edges.size(), false) {}
 
   std::vector<Ring> rings() && {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -110,10 +109,31 @@ class RingWalk {
     if (open.size() > 2) rings_.push_back(std::move(open));
   }
 
-  std::vector<DirectedEdge> edges_;
+  std::span<const DirectedEdge> edges_;
   std::vector<bool> used_;
   std::vector<Ring> rings_;
 };
+
+// The only ring of the edges, which are in their order; nothing where there are several, or where
+// it touches itself. Most cells have one, of a few edges.
+std::optional<Ring> only_ring(std::span<const DirectedEdge> edges) {
+  const auto begins_alike = [](const DirectedEdge& a, const DirectedEdge& b) {
+    return a.from == b.from;
+  };
+  if (edges.size() < 3 || std::ranges::adjacent_find(edges, begins_alike) != edges.end())
+    return std::nullopt;
+  Ring ring;
+  ring.reserve(edges.size());
+  auto edge = edges.begin();
+  do {
+    ring.push_back(edge->from);
+    const auto next = std::ranges::lower_bound(edges, edge->to, {}, &DirectedEdge::from);
+    if (next == edges.end() || next->from != edge->to) return std::nullopt;
+    edge = next;
+  } while (edge != edges.begin() && ring.size() < edges.size());
+  const bool is_closed = edge == edges.begin() && ring.size() == edges.size();
+  return is_closed ? std::optional(std::move(ring)) : std::nullopt;
+}
 
 double doubled_area_of(const Ring& ring) {
   double sum = 0;
@@ -158,11 +178,18 @@ void place_holes(MultiPolygon& parts, const std::vector<Shell>& shells, std::vec
 
 }  // namespace
 
-MultiPolygon link_rings(std::vector<DirectedEdge> edges) {
+MultiPolygon link_rings(std::span<DirectedEdge> edges) {
+  std::ranges::sort(edges, [](const DirectedEdge& a, const DirectedEdge& b) {
+    return std::tie(a.from, a.to) < std::tie(b.from, b.to);
+  });
   MultiPolygon parts;
+  if (std::optional<Ring> ring = only_ring(edges)) {
+    if (doubled_area_of(*ring) > 0) parts.push_back({*std::move(ring), {}});
+    return parts;
+  }
   std::vector<Shell> shells;
   std::vector<Ring> holes;
-  for (Ring& ring : RingWalk(std::move(edges)).rings()) {
+  for (Ring& ring : RingWalk(edges).rings()) {
     const double area = doubled_area_of(ring);
     if (area > 0) {
       shells.push_back({box_of(ring), area});

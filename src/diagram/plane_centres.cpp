@@ -13,25 +13,29 @@ PlaneCentres::PlaneCentres(const Tessellation<2>& tessellation)
   constexpr double indistinct = 4;
   unite([this](VertexId v, VertexId w) { return are_cocircular(v, w); });
   compute();
-  unite([this](VertexId v, VertexId w) {
+  const bool any_indistinct = unite([this](VertexId v, VertexId w) {
     const Point p = centre_[index(v)];
     const Point q = centre_[index(w)];
     const double allowed = indistinct * (rounding(v) + rounding(w));
     return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
   });
-  compute();
+  if (any_indistinct) compute();
 }
 
+// Returns whether any were united.
 template <typename AreOne>
-void PlaneCentres::unite(AreOne&& are_one) {
+bool PlaneCentres::unite(AreOne&& are_one) {
+  bool any = false;
   topology_.for_each_vertex([&](VertexId v) {
     if (topology_.is_infinite(v)) return;
     for (std::size_t side = 0; side < 3; ++side) {
       const VertexId w = topology_.neighbour(v, side);
-      if (w > v && !topology_.is_infinite(w) && are_one(v, w))
-        groups_.unite(groups_.find(index(v)), groups_.find(index(w)));
+      if (w < v || topology_.is_infinite(w) || !are_one(v, w)) continue;
+      groups_.unite(groups_.find(index(v)), groups_.find(index(w)));
+      any = true;
     }
   });
+  return any;
 }
 
 // Computes the centre of each group from its lexicographically first simplex, so that it does not
@@ -49,9 +53,14 @@ void PlaneCentres::compute() {
   });
   centre_.resize(topology_.size());
   for_each_simplex([&](VertexId v) {
-    const auto corners = corners_of(first[group_of(v)]);
-    centre_[index(v)] = circumcentre(corners[0], corners[1], corners[2]);
+    if (first[group_of(v)] == v) centre_[index(v)] = centre_of(v);
   });
+  for_each_simplex([&](VertexId v) { centre_[index(v)] = centre_[index(first[group_of(v)])]; });
+}
+
+Point PlaneCentres::centre_of(VertexId v) const {
+  const auto& f = topology_.forming(v);
+  return circumcentre(position(f[0]), position(f[1]), position(f[2]));
 }
 
 bool PlaneCentres::are_cocircular(VertexId v, VertexId w) const {

@@ -24,10 +24,11 @@ class PlaneCentres {
 
  private:
   template <typename AreOne>
-  void unite(AreOne&& are_one);
+  bool unite(AreOne&& are_one);
   void compute();
   bool are_cocircular(VertexId v, VertexId w) const;
   double rounding(VertexId v) const;
+  Point centre_of(VertexId v) const;
   std::array<Point, 3> corners_of(VertexId v) const;
   Point position(PointId p) const { return tessellation_.position(p); }
 

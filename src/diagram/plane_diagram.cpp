@@ -100,7 +100,12 @@ class PlaneDiagramBuilder {
     }
   }
 
+  // What is reserved and not used is never touched, and takes no memory.
   void add_edges() {
+    const std::size_t edges = topology().size() / 2 * 3;
+    diagram_.neighbours.reserve(edges);
+    diagram_.chords.reserve(edges);
+    diagram_.nodes.reserve(topology().size());
     // The edge runs from the centre on the right of a→b to that on the left.
     for_each_joined_pair(topology(), [&](PointId a, PointId b, VertexId v, std::size_t side) {
       add_neighbours(a, b);

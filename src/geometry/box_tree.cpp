@@ -1,7 +1,6 @@
 #include "geometry/box_tree.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "geometry/hilbert.h"
 
@@ -11,14 +10,14 @@ BoxTree::BoxTree(std::span<const Box> boxes) : positions_(boxes.size()) {
   if (boxes.empty()) return;
   Box all;
   for (const Box& box : boxes) all.take_in(box);
-  std::vector<std::uint32_t> distance(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    distance[i] = hilbert_distance(all, boxes[i].centre());
-  }
-  std::iota(positions_.begin(), positions_.end(), 0u);
-  std::sort(positions_.begin(), positions_.end(), [&](std::uint32_t i, std::uint32_t j) {
-    return distance[i] != distance[j] ? distance[i] < distance[j] : i < j;
-  });
+  constexpr int position_bits = 32;
+  std::vector<std::uint64_t> order(boxes.size());  // along the curve, then by position
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    order[i] = std::uint64_t{hilbert_distance(all, boxes[i].centre())} << position_bits | i;
+  std::sort(order.begin(), order.end());
+  std::ranges::transform(order, positions_.begin(),
+                         [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); });
+  order = {};
 
   std::vector<Box> level;
   level.reserve(boxes.size());

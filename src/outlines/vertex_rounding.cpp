@@ -10,6 +10,7 @@
 #include "base/number.h"
 #include "outlines/polygon_validity.h"
 #include "outlines/ring_direction.h"
+#include "outlines/star_shape.h"
 
 namespace thiessen {
 namespace {
@@ -32,6 +33,8 @@ bool is_writable(const MultiPolygon& shape) {
       if (!keeps_its_side(hole, false)) return false;
     }
   }
+  const bool is_one_ring = shape.size() == 1 && shape.front().holes.empty();
+  if (is_one_ring && is_star_shaped(shape.front().outer)) return true;
   return validity_fault(shape).empty();
 }
 

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numeric>
 #include <utility>
 #include <vector>
 
+#include "basin/containment.h"
 #include "basin/laid_basins.h"
 #include "diagram/plane_diagram.h"
 #include "oracles/half_planes.h"
@@ -17,13 +19,23 @@
 namespace thiessen {
 namespace {
 
+/// All pieces of a basin, those of whole chords after the others.
+CutBasin with_whole_chords(CutBasin cut, const Diagram& diagram) {
+  for (const std::uint32_t chord : cut.whole_chords) {
+    const auto [left, right] = pieces_of(diagram, chord);
+    cut.pieces.push_back(left);
+    cut.pieces.push_back(right);
+  }
+  return cut;
+}
+
 /// Calls `look` with the pieces of each.
 template <typename Look>
 void for_each_cut(Look&& look) {
   for (const shapes::Laid& laid : shapes::laid_in_many_ways()) {
     const Diagram diagram = plane_diagram(laid.places, shapes::box_of(laid.basin.shape));
     Overlay overlay(diagram);
-    look(laid, overlay.cut(laid.basin));
+    look(laid, with_whole_chords(overlay.cut(laid.basin), diagram));
   }
 }
 
@@ -128,7 +140,8 @@ TEST(Overlay, law_6_bulges_of_edges_are_shared_and_those_of_chords_only_change_s
       diagram.bulges.push_back(seeded.uniform(-1, 1));
     Overlay overlay(diagram);
     double found = 0;
-    for (const BoundaryPiece& piece : overlay.cut(laid.basin).pieces) found += piece.bulge;
+    const CutBasin cut = with_whole_chords(overlay.cut(laid.basin), diagram);
+    for (const BoundaryPiece& piece : cut.pieces) found += piece.bulge;
     EXPECT_NEAR(found, sum, 1e-11);
   }
 }
@@ -139,16 +152,32 @@ TEST(Overlay, law_7_a_basin_is_cut_the_same_after_any_other) {
   const Diagram diagram = plane_diagram(places, {{0, 0}, {8, 8}});
   Overlay overlay(diagram);
   const Basin basin = shapes::basin({{shapes::star(seeded, {4, 4}, 3, 30), {}}});
-  const std::vector<BoundaryPiece> first = overlay.cut(basin).pieces;
+  const CutBasin cut = overlay.cut(basin);
+  const std::vector<BoundaryPiece>& first = cut.pieces;
   for (int i = 0; i < 10; ++i)
     overlay.cut(shapes::basin({{shapes::staircase(seeded, {1, 1}, 1, 6, 6), {}}}));
   const CutBasin& again = overlay.cut(basin);
   EXPECT_FALSE(again.touching);
+  EXPECT_EQ(again.whole_chords, cut.whole_chords);
   ASSERT_EQ(again.pieces.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(again.pieces[i].place, first[i].place);
     EXPECT_EQ(again.pieces[i].from, first[i].from);
     EXPECT_EQ(again.pieces[i].to, first[i].to);
+  }
+}
+
+TEST(Overlay, law_8_only_chords_that_lie_in_the_basin_from_end_to_end_are_whole) {
+  for (const shapes::Laid& laid : shapes::laid_in_many_ways()) {
+    const Diagram diagram = plane_diagram(laid.places, shapes::box_of(laid.basin.shape));
+    const Containment within(laid.basin);
+    Overlay overlay(diagram);
+    const CutBasin& cut = overlay.cut(laid.basin);
+    EXPECT_TRUE(!cut.touching || cut.whole_chords.empty());
+    for (const std::uint32_t chord : cut.whole_chords) {
+      EXPECT_TRUE(within.contains(diagram.nodes[diagram.chords[chord].from]));
+      EXPECT_TRUE(within.contains(diagram.nodes[diagram.chords[chord].to]));
+    }
   }
 }
 

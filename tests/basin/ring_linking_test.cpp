@@ -34,7 +34,7 @@ Ring from_least(Ring ring) {
 }
 
 TEST(RingLinking, of_nothing_is_nothing) {
-  EXPECT_TRUE(link_rings({}).empty());
+  EXPECT_TRUE(link_rings(std::vector<DirectedEdge>()).empty());
 }
 
 TEST(RingLinking, joins_the_edges_of_a_ring) {

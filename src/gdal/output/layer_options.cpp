@@ -91,8 +91,10 @@ CPLStringList layer_options(const VectorLayer& layer, const std::string& driver,
     options.SetNameValue("ENCODING", "UTF-8");
   if (driver == "GPKG") {
     options.SetNameValue("FID", free_name(layer, "fid").c_str());
-    if (layer.shapes != VectorLayer::Shapes::none)
+    if (layer.shapes != VectorLayer::Shapes::none) {
       options.SetNameValue("GEOMETRY_NAME", free_name(layer, "geom").c_str());
+      options.SetNameValue("SPATIAL_INDEX", "NO");  // it is SpatialIndex's
+    }
   }
   if (driver == "SQLite" || driver == "PGDUMP") {
     options.SetNameValue("LAUNDER", "NO");

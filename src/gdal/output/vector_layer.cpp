@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "base/interrupt.h"
@@ -19,6 +20,7 @@
 #include "gdal/output/layer_formats.h"
 #include "gdal/output/layer_options.h"
 #include "gdal/output/memory_files.h"
+#include "gdal/output/spatial_index.h"
 
 namespace thiessen {
 namespace {
@@ -65,11 +67,17 @@ class LayerWriter {
                                  const std::string& older) {
     const FixedDate date;
     dataset_ = older.empty() ? create(driver) : open(driver, older);
+    const bool in_one = dataset_->TestCapability(ODsCTransactions) != FALSE;
     OGRLayer& written = create_layer(crs);
+    // Else each row is a transaction of its own, and a file that is not whole is never seen.
+    if (in_one) check(dataset_->StartTransaction() == OGRERR_NONE);
     for (std::size_t row = 0; row < layer_.values.rows; ++row) {
       throw_if_interrupted();
       add(written, row);
     }
+    if (index_) index_->write();
+    if (in_one) check(dataset_->CommitTransaction() == OGRERR_NONE);
+    index_.reset();
     dataset_.reset();
     check(true);
     const std::string name = driver.GetDescription();
@@ -139,6 +147,7 @@ class LayerWriter {
       for (const auto& [name, value] : items_of(*layer_.made_by))
         layer->SetMetadataItem(name.c_str(), value.c_str());
     }
+    if (driver == "GPKG" && has_shapes) index_.emplace(*dataset_, *layer, path_);
     return *layer;
   }
 
@@ -191,10 +200,16 @@ class LayerWriter {
   void add(OGRLayer& layer, std::size_t row) {
     const std::unique_ptr<OGRFeature, void (*)(OGRFeature*)> feature(
         OGRFeature::CreateFeature(layer.GetLayerDefn()), OGRFeature::DestroyFeature);
-    if (auto shape = layer_.shape(row)) feature->SetGeometryDirectly(shape.release());
+    OGREnvelope extent;
+    if (auto shape = layer_.shape(row)) {
+      if (!shape->IsEmpty()) shape->getEnvelope(&extent);
+      feature->SetGeometryDirectly(shape.release());
+    }
     for (std::size_t i = 0; i < layer_.fields.size(); ++i) set(*feature, row, i);
     if (layer_.style) feature->SetStyleString(layer_.style(row).c_str());
     check(layer.CreateFeature(feature.get()) == OGRERR_NONE);
+    if (index_ && extent.IsInit())
+      index_->add(feature->GetFID(), {{extent.MinX, extent.MinY}, {extent.MaxX, extent.MaxY}});
   }
 
   void set(OGRFeature& feature, std::size_t row, std::size_t field) const {
@@ -220,6 +235,7 @@ class LayerWriter {
   MemoryFolder folder_;
   GdalErrors errors_;
   std::unique_ptr<GDALDataset> dataset_;
+  std::optional<SpatialIndex> index_;
 };
 
 }  // namespace

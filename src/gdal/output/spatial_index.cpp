@@ -1,0 +1,191 @@
+#include "gdal/output/spatial_index.h"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "base/hexadecimal.h"
+#include "geometry/hilbert.h"
+
+namespace thiessen {
+namespace {
+
+constexpr std::size_t node_head = 4;     // the tree's depth and the number of entries
+constexpr std::size_t entry_bytes = 24;  // a number of 8 bytes, and four coordinates as floats
+constexpr std::size_t rows_a_statement = 500;
+
+/// A text in SQL, between quotes of that kind.
+std::string in_quotes(const std::string& text, char quote) {
+  std::string quoted(1, quote);
+  for (const char c : text) {
+    if (c == quote) quoted += quote;
+    quoted += c;
+  }
+  return quoted + quote;
+}
+
+/// The greatest float that is not above the value.
+float float_below(double value) {
+  const auto nearest = static_cast<float>(value);
+  return static_cast<double>(nearest) > value
+             ? std::nextafter(nearest, -std::numeric_limits<float>::infinity())
+             : nearest;
+}
+float float_above(double value) {
+  return -float_below(-value);
+}
+
+/// Appends a number in hexadecimal digits, its highest byte first.
+void append_bytes(std::string& out, std::uint64_t number, int bytes) {
+  for (int i = bytes - 1; i >= 0; --i)
+    append_hexadecimal(out, static_cast<std::uint8_t>(number >> (8 * i)));
+}
+
+void append_float(std::string& out, float value) {
+  append_bytes(out, std::bit_cast<std::uint32_t>(value), 4);
+}
+
+/// A statement that puts many rows into a table, some hundred at a time.
+template <typename Run>
+class RowsInserted {
+ public:
+  RowsInserted(std::string into, Run run) : into_(std::move(into)), run_(std::move(run)) {}
+
+  void add(const std::string& row) {
+    statement_ += (statement_.empty() ? into_ + " VALUES " : ",") + row;
+    if (++count_ % rows_a_statement == 0) finish();
+  }
+  void finish() {
+    if (!statement_.empty()) run_(statement_);
+    statement_.clear();
+  }
+
+ private:
+  std::string into_;
+  Run run_;
+  std::string statement_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+SpatialIndex::SpatialIndex(GDALDataset& dataset, OGRLayer& layer, std::string path)
+    : dataset_(dataset),
+      path_(std::move(path)),
+      table_(layer.GetName()),
+      tree_("rtree_" + table_ + "_" + layer.GetGeometryColumn()) {
+  const auto made = texts("SELECT CreateSpatialIndex(" + in_quotes(table_, '\'') + "," +
+                          in_quotes(layer.GetGeometryColumn(), '\'') + ")");
+  if (made != std::vector<std::string>{"1"})
+    throw Error(Message{path_, 0, "GDAL makes no spatial index", {}});
+  take_triggers_away();
+  capacity_ = (node_bytes() - node_head) / entry_bytes;
+}
+
+void SpatialIndex::take_triggers_away() {
+  const std::string of_tree =
+      " FROM sqlite_master WHERE type = 'trigger' AND tbl_name = " + in_quotes(table_, '\'') +
+      " AND substr(name, 1, " + std::to_string(tree_.size() + 1) +
+      ") = " + in_quotes(tree_ + "_", '\'') + " ORDER BY rowid";
+  triggers_ = texts("SELECT sql" + of_tree);
+  for (const std::string& name : texts("SELECT name" + of_tree))
+    run("DROP TRIGGER " + in_quotes(name, '"'));
+}
+
+std::size_t SpatialIndex::node_bytes() const {
+  const auto found =
+      texts("SELECT length(data) FROM " + in_quotes(tree_ + "_node", '"') + " WHERE nodeno = 1");
+  const std::size_t bytes = found.size() == 1 ? std::stoul(found.front()) : 0;
+  if (bytes < node_head + 2 * entry_bytes)
+    throw Error(Message{path_, 0, "GDAL's spatial index has no nodes", {}});
+  return bytes;
+}
+
+void SpatialIndex::write() {
+  std::vector<Entry> level = std::move(entries_);
+  Box all;
+  for (const Entry& entry : level) all.take_in(entry.box);
+  std::vector<std::pair<std::uint32_t, std::size_t>> order;
+  order.reserve(level.size());
+  for (const Entry& entry : level)
+    order.emplace_back(hilbert_distance(all, entry.box.centre()), order.size());
+  std::sort(order.begin(), order.end());
+  std::vector<Entry> sorted;
+  sorted.reserve(level.size());
+  for (const auto& [distance, at] : order) sorted.push_back(level[at]);
+  level = std::move(sorted);
+  int depth = 0;
+  for (; level.size() > capacity_; ++depth) level = write_level(level, depth, false);
+  write_level(level, depth, true);
+  for (const std::string& trigger : triggers_) run(trigger);
+}
+
+// Writes nodes over the entries, as evenly filled as can be, and returns them as entries of the
+// level above. Entries of the lowest level are rows.
+std::vector<SpatialIndex::Entry> SpatialIndex::write_level(const std::vector<Entry>& entries,
+                                                           int depth, bool is_root) {
+  const auto insert = [this](const std::string& verb, const char* table) {
+    return RowsInserted(verb + " INTO " + in_quotes(tree_ + table, '"'),
+                        [this](const std::string& statement) { run(statement); });
+  };
+  auto node_rows = insert("REPLACE", "_node");
+  auto entry_rows = insert("INSERT", depth == 0 ? "_rowid" : "_parent");
+  const std::size_t nodes = is_root ? 1 : (entries.size() + capacity_ - 1) / capacity_;
+  std::vector<Entry> above;
+  above.reserve(nodes);
+  std::vector<std::pair<std::int64_t, std::int64_t>> node_of;  // of each entry
+  node_of.reserve(entries.size());
+  for (std::size_t n = 0; n < nodes; ++n) {
+    const std::size_t begin = entries.size() * n / nodes;
+    const std::size_t end = entries.size() * (n + 1) / nodes;
+    Entry& node = above.emplace_back(Entry{is_root ? 1 : ++last_node_, {}});
+    const std::string number = std::to_string(node.number);
+    std::string row = "(" + number + ",X'";
+    append_bytes(row, is_root ? static_cast<std::uint64_t>(depth) : 0, 2);
+    append_bytes(row, end - begin, 2);
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [entry, box] = entries[i];
+      append_bytes(row, static_cast<std::uint64_t>(entry), 8);
+      append_float(row, float_below(box.low.x));
+      append_float(row, float_above(box.high.x));
+      append_float(row, float_below(box.low.y));
+      append_float(row, float_above(box.high.y));
+      node.box.take_in(box);
+      node_of.emplace_back(entry, node.number);
+    }
+    row.append(2 * entry_bytes * (capacity_ - (end - begin)), '0');
+    node_rows.add(row + "')");
+  }
+  node_rows.finish();
+  std::sort(node_of.begin(), node_of.end());  // a table grows fastest at its end
+  for (const auto& [entry, node] : node_of)
+    entry_rows.add("(" + std::to_string(entry) + "," + std::to_string(node) + ")");
+  entry_rows.finish();
+  return above;
+}
+
+void SpatialIndex::run(const std::string& statement) const {
+  CPLErrorReset();
+  if (OGRLayer* const answer = dataset_.ExecuteSQL(statement.c_str(), nullptr, nullptr))
+    dataset_.ReleaseResultSet(answer);
+  if (CPLGetLastErrorType() >= CE_Failure)
+    throw Error(Message{path_, 0, "GDAL cannot write the spatial index", {}});
+}
+
+std::vector<std::string> SpatialIndex::texts(const std::string& query) const {
+  std::vector<std::string> found;
+  OGRLayer* const answer = dataset_.ExecuteSQL(query.c_str(), nullptr, nullptr);
+  if (answer == nullptr) return found;
+  for (const auto& feature : *answer) found.emplace_back(feature->GetFieldAsString(0));
+  dataset_.ReleaseResultSet(answer);
+  return found;
+}
+
+}  // namespace thiessen
