@@ -27,16 +27,23 @@ class Remembered {
   /// much memory a value holds beside itself. Several threads may compute the same value at once.
   template <typename Compute, typename BytesOf>
   std::shared_ptr<const Value> of(Key key, const Compute& compute, const BytesOf& bytes_of) {
-    Shard& shard = shards_[(Hash{}(key) >> 32) % shard_count];
-    {
-      const std::lock_guard lock(shard.mutex);
-      if (auto found = find(shard, key)) return found;
-    }
-    Entry entry{std::make_shared<const Value>(compute()), 0};
-    entry.bytes = bytes_of_an_entry + key.size_bytes() + bytes_of(*entry.value);
+    if (auto found = find(key)) return found;
+    auto value = std::make_shared<const Value>(compute());
+    keep(key, value, bytes_of(*value));
+    return value;
+  }
+
+  /// What is remembered of a key, or null.
+  std::shared_ptr<const Value> find(Key key) {
+    Shard& shard = shard_of(key);
     const std::lock_guard lock(shard.mutex);
-    keep(shard, key, entry);
-    return entry.value;
+    return find(shard, key);
+  }
+  /// Remembers the value of a key, which holds `bytes` of memory beside itself.
+  void keep(Key key, const std::shared_ptr<const Value>& value, std::size_t bytes) {
+    Shard& shard = shard_of(key);
+    const std::lock_guard lock(shard.mutex);
+    keep(shard, key, Entry{value, bytes_of_an_entry + key.size_bytes() + bytes});
   }
 
  private:
@@ -76,6 +83,8 @@ class Remembered {
     Generation old;
     std::size_t young_bytes = 0;
   };
+
+  Shard& shard_of(Key key) { return shards_[(Hash{}(key) >> 32) % shard_count]; }
 
   std::shared_ptr<const Value> find(Shard& shard, Key key) {
     const auto young = shard.young.find(key);

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
+#include "rainfall/methods/point_order.h"
 #include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
@@ -57,13 +59,51 @@ InverseDistance::InverseDistance(const Weighing& weighing, std::size_t points, u
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
     points_[b].at = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     keep_neighbours(points_[b]);
-    WeightSums sums(places.size());
     points_[b].normals = point_normals(weighing.normals(), b, points_[b].at);
+    Bench bench(places.size());
+    const ReportingPlaces all(places.size(), true);
     for (std::size_t m = 0; m < std::max<std::size_t>(1, points_[b].normals.size()); ++m) {
-      points_[b].full.push_back(
-          weights_of(points_[b], m, ReportingPlaces(places.size(), true), sums));
+      for (std::size_t i = 0; i < points_[b].at.size(); ++i) add(points_[b], m, i, all, bench);
+      points_[b].full.push_back(bench.sums.take());
     }
+    put_in_blocks(points_[b], all, bench);
   });
+}
+
+// The full network's weights, above, are summed along the rows of the basin.
+void InverseDistance::put_in_blocks(Points& points, const ReportingPlaces& all,
+                                    Bench& bench) const {
+  std::vector<std::array<PlaceIndex, neighbours>> sets(points.at.size());
+  const std::size_t count = std::min(neighbours, kept_);
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    sets[i].fill(PlaceIndex{});
+    for (std::size_t k = 0; k < count; ++k) sets[i][k] = kept_at(points, i)[k].place;
+    std::sort(sets[i].begin(), sets[i].begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  const std::vector<std::uint32_t> order = order_of(sets);
+  std::vector<Neighbour> near;
+  near.reserve(points.near.size());
+  for (const std::uint32_t i : order) {
+    const auto kept = kept_at(points, i);
+    near.insert(near.end(), kept.begin(), kept.end());
+  }
+  points.near = std::move(near);
+  points.at = in_order(points.at, order);
+  for (std::vector<double>& normals : points.normals) normals = in_order(normals, order);
+  points.sums.resize(std::max<std::size_t>(1, points.normals.size()));
+  for (std::uint32_t first = 0; first < order.size();) {
+    std::uint32_t end = first;
+    while (end < order.size() && sets[order[end]] == sets[order[first]]) ++end;
+    const auto first_sum = static_cast<std::uint32_t>(points.sums.front().size());
+    for (std::size_t m = 0; m < points.sums.size(); ++m) {
+      for (std::uint32_t i = first; i < end; ++i) add(points, m, i, all, bench);
+      const std::vector<PlaceSum> block = bench.sums.take_sums();
+      points.sums[m].insert(points.sums[m].end(), block.begin(), block.end());
+    }
+    const auto end_sum = static_cast<std::uint32_t>(points.sums.front().size());
+    points.blocks.push_back({first, end, first_sum, end_sum});
+    first = end;
+  }
 }
 
 void InverseDistance::keep_neighbours(Points& points) const {
@@ -94,46 +134,59 @@ void InverseDistance::weigh(Point at, std::span<const NearestGauges::Near> near,
   }
 }
 
+// Adds what gauges weigh at a point.
+void InverseDistance::add(const Points& points, std::size_t month, std::size_t point,
+                          const ReportingPlaces& reports, Bench& bench) const {
+  Shares<Neighbour> shares;
+  for (const Neighbour& neighbour : kept_at(points, point)) {
+    if (!reports[neighbour.place]) continue;
+    shares.add(neighbour);
+    if (shares.is_full()) break;
+  }
+  if (!shares.is_full() && kept_ < reports.size()) {
+    std::array<Neighbour, neighbours> others{};
+    nearest_.find(points.at[point], neighbours, reports, bench.near);
+    weigh(points.at[point], bench.near, others);
+    shares = {};
+    for (std::size_t k = 0; k < bench.near.size(); ++k) shares.add(others[k]);
+  }
+  if (points.normals.empty()) {
+    shares.add_to([&](PlaceIndex place, double weight) { bench.sums.add(place, weight); });
+  } else {
+    const double normal = points.normals[month][point];
+    shares.add_to([&](PlaceIndex place, double weight) { bench.sums.add(place, weight, normal); });
+  }
+}
+
 std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points, std::size_t month,
                                                      const ReportingPlaces& reports,
-                                                     WeightSums& sums) const {
-  std::vector<NearestGauges::Near> near;
-  std::array<Neighbour, neighbours> others{};
-  const bool has_all = kept_ == reports.size();
-  for (std::size_t i = 0; i < points.at.size(); ++i) {
-    Shares<Neighbour> shares;
-    for (const Neighbour& neighbour : kept_at(points, i)) {
-      if (!reports[neighbour.place]) continue;
-      shares.add(neighbour);
-      if (shares.is_full()) break;
-    }
-    if (!shares.is_full() && !has_all) {
-      nearest_.find(points.at[i], neighbours, reports, near);
-      weigh(points.at[i], near, others);
-      shares = {};
-      for (std::size_t k = 0; k < near.size(); ++k) shares.add(others[k]);
-    }
-    if (points.normals.empty()) {
-      shares.add_to([&](PlaceIndex place, double weight) { sums.add(place, weight); });
+                                                     Bench& bench) const {
+  for (const Block& block : points.blocks) {
+    const auto sums =
+        std::span(points.sums[month]).subspan(block.first_sum, block.end_sum - block.first_sum);
+    const bool is_full =
+        std::all_of(sums.begin(), sums.end(), [&](const PlaceSum& s) { return reports[s.place]; });
+    if (is_full) {
+      bench.sums.add(sums);
     } else {
-      const double normal = points.normals[month][i];
-      shares.add_to([&](PlaceIndex place, double weight) { sums.add(place, weight, normal); });
+      for (std::uint32_t i = block.first_point; i < block.end_point; ++i)
+        add(points, month, i, reports, bench);
     }
   }
-  return sums.take();
+  return bench.sums.take();
 }
 
 AreaMethod::Weights InverseDistance::weights(const ReportingPlaces& reports,
                                              const NormalMonth& month) const {
   Weights weights(points_.size());
   if (!reports.any()) return weights;
-  WeightSums sums(reports.size());
+  Bench bench(reports.size());
   const std::size_t m = place_of(weighing_.normals(), month);
   for (std::size_t b = 0; b < points_.size(); ++b) {
     const auto& full = points_[b].full[m];
     const bool is_full = std::all_of(full.begin(), full.end(),
                                      [&](const PlaceWeight& w) { return reports[w.place]; });
-    weights[b] = is_full ? full : weights_of(points_[b], m, reports, sums);
+    weights[b] = is_full ? full : weights_of(points_[b], m, reports, bench);
   }
   return weights;
 }

@@ -1,12 +1,13 @@
 #include "rainfall/methods/natural_neighbours.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <optional>
 #include <span>
+#include <utility>
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
+#include "rainfall/methods/natural_step.h"
+#include "rainfall/methods/point_order.h"
 #include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
@@ -41,98 +42,15 @@ NaturalNeighbours::Gauges::Gauges(const std::vector<Point>& positions,
   }
 }
 
-class NaturalNeighbours::Workplace {
- public:
-  explicit Workplace(const NaturalNeighbours& all)
-      : all_(all), natural_(all.full_.natural), sums(all.weighing_.network().places().size()) {}
-
-  /// Finds the weights at a point when these places report, and tells whether the point is in the
-  /// hull. Requires that at least one place reports, and that the tessellation is of those that
-  /// report.
-  bool find(const ChartPoint& at, Point position, const ReportingPlaces& reports,
-            std::vector<Neighbour>& weights) {
-    weights.clear();
-    const bool is_inside = afresh_ ? afresh_->natural.find(afresh_->chart.at(position), gauges_)
-                                   : natural_.find(at, gauges_);
-    if (!is_inside) {
-      all_.nearest_.find(position, 1, reports, near_);
-      weights.push_back({near_.front().place, 1});
-    }
-    for (const NaturalWeight& w : gauges_) add_places(w, reports, weights);
-    return is_inside;
-  }
-
-  void begin_anew() { natural_.begin_anew(); }
-  /// Does `work` while the tessellation is of the places that report.
-  template <typename Work>
-  void with(const ReportingPlaces& reports, Work&& work) {
-    const std::vector<PointId> silent = silent_numbers(reports);
-    const bool closes = all_.full_.chart.kind() == ChartKind::whole_earth;
-    bool done = false;
-    if (!closes || silent.empty() || silent.front() != infinite_point) {
-      natural_.without(silent, [&] {
-        if (closes && !natural_.close_round_the_earth()) return;
-        work();
-        done = true;
-      });
-    }
-    if (!done) with_others_afresh(reports, work);
-  }
-
- private:
-  std::vector<PointId> silent_numbers(const ReportingPlaces& reports) const {
-    std::vector<PointId> silent;
-    for (std::size_t n = 0; n < all_.full_.places_of.size(); ++n) {
-      const auto& places = all_.full_.places_of[n];
-      const bool is_silent =
-          std::none_of(places.begin(), places.end(), [&](PlaceIndex p) { return reports[p]; });
-      if (!places.empty() && is_silent) silent.push_back(PointId{static_cast<std::uint32_t>(n)});
-    }
-    return silent;
-  }
-
-  template <typename Work>
-  void with_others_afresh(const ReportingPlaces& reports, Work&& work) {
-    std::vector<Point> positions;
-    std::vector<PlaceIndex> places;
-    const std::vector<Point>& all = all_.weighing_.network().places();
-    for (std::uint32_t p = 0; p < all.size(); ++p) {
-      if (!reports[PlaceIndex{p}]) continue;
-      positions.push_back(all[p]);
-      places.push_back(PlaceIndex{p});
-    }
-    afresh_.emplace(positions, places, all_.weighing_.yardstick().metric);
-    work();
-    afresh_.reset();
-  }
-
-  void add_places(const NaturalWeight& w, const ReportingPlaces& reports,
-                  std::vector<Neighbour>& weights) const {
-    const std::size_t first = weights.size();
-    for (const PlaceIndex p : (afresh_ ? *afresh_ : all_.full_).places_of[index(w.gauge)]) {
-      if (reports[p]) weights.push_back({p, w.weight});
-    }
-    const auto count = static_cast<double>(weights.size() - first);
-    for (std::size_t i = first; i < weights.size(); ++i) weights[i].weight /= count;
-  }
-
-  const NaturalNeighbours& all_;
-  NaturalWeights natural_;
-  std::optional<Gauges> afresh_;  // of a step for which it does not do to delete gauges
-  std::vector<NaturalWeight> gauges_;
-  std::vector<NearestGauges::Near> near_;
-
- public:
-  WeightSums sums;
-};
-
-NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads)
+NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t points, unsigned threads,
+                                     std::size_t remembered_bytes)
     : weighing_(weighing),
       nearest_(weighing.network().places(), weighing.yardstick().metric),
       full_(weighing.network().places(), all_places(weighing.network().places().size()),
             weighing.yardstick().metric),
       points_(weighing.basins().size()),
-      shares_outside_(points_.size()) {
+      shares_outside_(points_.size()),
+      remembered_(remembered_bytes / 2) {
   in_parallel(points_.size(), threads, [&](std::size_t, std::size_t b) {
     points_[b].positions = basin_points(weighing.basins()[b], weighing.yardstick(), points);
     points_[b].at = charted(points_[b].positions, full_.chart);
@@ -142,6 +60,12 @@ NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t point
         static_cast<double>(keep_neighbours(points_[b], *workplace)) / static_cast<double>(points);
     give_back(std::move(workplace));
   });
+  std::size_t sums = 0;
+  for (const Points& of_basin : points_) {
+    first_sum_.push_back(sums);
+    sums += of_basin.sums.size() * of_basin.sums.front().size();
+  }
+  singles_ = std::make_unique<Kept<Sums>>(sums, remembered_bytes / 2);
 }
 
 NaturalNeighbours::~NaturalNeighbours() = default;
@@ -149,43 +73,66 @@ NaturalNeighbours::~NaturalNeighbours() = default;
 // Returns how many points are outside the hull.
 std::size_t NaturalNeighbours::keep_neighbours(Points& points, Workplace& workplace) const {
   const ReportingPlaces reports(weighing_.network().places().size(), true);
+  Found found;
   std::vector<Neighbour> weights;
   std::size_t outside = 0;
   workplace.begin_anew();
   for (std::size_t i = 0; i < points.at.size(); ++i) {
     if (!workplace.find(points.at[i], points.positions[i], reports, weights)) ++outside;
-    points.neighbours.insert(points.neighbours.end(), weights.begin(), weights.end());
-    points.first.push_back(static_cast<std::uint32_t>(points.neighbours.size()));
+    found.neighbours.insert(found.neighbours.end(), weights.begin(), weights.end());
+    found.first.push_back(static_cast<std::uint32_t>(found.neighbours.size()));
   }
-  points.neighbours.shrink_to_fit();
-  for (const Neighbour& w : points.neighbours) points.all.push_back(w.place);
+  for (const Neighbour& w : found.neighbours) points.all.push_back(w.place);
   std::sort(points.all.begin(), points.all.end());
   points.all.erase(std::unique(points.all.begin(), points.all.end()), points.all.end());
   points.all.shrink_to_fit();
-  for (std::size_t m = 0; m < std::max<std::size_t>(1, points.normals.size()); ++m)
-    points.full.push_back(weights_of(points, m, reports, workplace));
+  weigh_all(points, found, workplace.sums);
+  put_in_blocks(points, found, workplace.sums);
   return outside;
 }
 
-std::vector<PlaceWeight> NaturalNeighbours::weights_of(const Points& points, std::size_t month,
-                                                       const ReportingPlaces& reports,
-                                                       Workplace& workplace) const {
-  std::vector<Neighbour> found;
-  for (std::size_t i = 0; i < points.at.size(); ++i) {
-    const auto first = points.neighbours.begin() + points.first[i];
-    const auto end = points.neighbours.begin() + points.first[i + 1];
-    const bool as_ever =
-        std::all_of(first, end, [&](const Neighbour& w) { return reports[w.place]; });
-    if (!as_ever) workplace.find(points.at[i], points.positions[i], reports, found);
-    const std::span<const Neighbour> weights = as_ever ? std::span(first, end) : std::span(found);
-    if (points.normals.empty()) {
-      for (const Neighbour& w : weights) workplace.sums.add(w.place, w.weight);
-    } else {
-      for (const Neighbour& w : weights)
-        workplace.sums.add(w.place, w.weight, points.normals[month][i]);
-    }
+// Adds what the neighbours of a point weigh there.
+void NaturalNeighbours::add(const Points& points, std::size_t month, std::size_t point,
+                            std::span<const Neighbour> neighbours, WeightSums& sums) {
+  if (points.normals.empty()) {
+    for (const Neighbour& w : neighbours) sums.add(w.place, w.weight);
+  } else {
+    for (const Neighbour& w : neighbours) sums.add(w.place, w.weight, points.normals[month][point]);
   }
-  return workplace.sums.take();
+}
+
+// The full network's weights are summed point by point, along the rows of the basin.
+void NaturalNeighbours::weigh_all(Points& points, const Found& found, WeightSums& sums) {
+  for (std::size_t m = 0; m < std::max<std::size_t>(1, points.normals.size()); ++m) {
+    for (std::size_t i = 0; i < points.at.size(); ++i) add(points, m, i, found.of(i), sums);
+    points.full.push_back(sums.take());
+  }
+}
+
+void NaturalNeighbours::put_in_blocks(Points& points, const Found& found, WeightSums& sums) {
+  std::vector<std::vector<PlaceIndex>> sets(points.at.size());
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    for (const Neighbour& w : found.of(i)) sets[i].push_back(w.place);
+    std::sort(sets[i].begin(), sets[i].end());
+  }
+  const std::vector<std::uint32_t> order = order_of(sets);
+  points.positions = in_order(points.positions, order);
+  points.at = in_order(points.at, order);
+  for (std::vector<double>& normals : points.normals) normals = in_order(normals, order);
+  points.sums.resize(std::max<std::size_t>(1, points.normals.size()));
+  for (std::uint32_t first = 0; first < order.size();) {
+    std::uint32_t end = first;
+    while (end < order.size() && sets[order[end]] == sets[order[first]]) ++end;
+    const auto first_sum = static_cast<std::uint32_t>(points.sums.front().size());
+    for (std::size_t m = 0; m < points.sums.size(); ++m) {
+      for (std::uint32_t i = first; i < end; ++i) add(points, m, i, found.of(order[i]), sums);
+      const Sums block = sums.take_sums();
+      points.sums[m].insert(points.sums[m].end(), block.begin(), block.end());
+    }
+    const auto end_sum = static_cast<std::uint32_t>(points.sums.front().size());
+    points.blocks.push_back({first, end, first_sum, end_sum});
+    first = end;
+  }
 }
 
 AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports,
@@ -193,8 +140,8 @@ AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports,
   const std::size_t m = place_of(weighing_.normals(), month);
   Weights weights(points_.size());
   if (!reports.any()) return weights;
-  std::vector<std::size_t> changed;
-  for (std::size_t b = 0; b < points_.size(); ++b) {
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t b = 0; b < points_.size(); ++b) {
     if (all_report(points_[b].all, reports)) {
       weights[b] = points_[b].full[m];
     } else {
@@ -203,9 +150,10 @@ AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports,
   }
   if (changed.empty()) return weights;
   auto workplace = borrow();
-  workplace->with(reports, [&] {
-    for (const std::size_t b : changed) weights[b] = weights_of(points_[b], m, reports, *workplace);
-  });
+  AtStep step(*this, reports, m, *workplace);
+  for (const std::uint32_t b : changed) step.take_up(b);
+  step.find_all();
+  for (const std::uint32_t b : changed) weights[b] = step.weights_of(b);
   give_back(std::move(workplace));
   return weights;
 }

@@ -25,7 +25,7 @@ NaturalWeights::NaturalWeights(std::span<const ChartPoint> gauges, ChartKind kin
 
 void NaturalWeights::take_vertices() {
   last_ = no_vertex;
-  if (kind_ != ChartKind::plane && tessellation_.span() == Span::plane)
+  if (kind_ == ChartKind::whole_earth && tessellation_.span() == Span::plane)
     sphere_.take(tessellation_.topology(), directions_);
 }
 

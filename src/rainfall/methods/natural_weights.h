@@ -47,6 +47,11 @@ class NaturalWeights {
 
   /// Forgets where the last point was, for the last bits of weights may depend on it.
   void begin_anew() { last_ = no_vertex; }
+  /// Has the next search begin at a gauge that is there, wherever the last point was.
+  void begin_at(PointId gauge) {
+    last_ =
+        tessellation_.span() == Span::plane ? tessellation_.topology().vertex_of(gauge) : no_vertex;
+  }
   /// Finds the weights at a point, which add up to 1. Outside the hull it returns false and gives
   /// none.
   bool find(const ChartPoint& point, std::vector<NaturalWeight>& weights);
@@ -58,7 +63,7 @@ class NaturalWeights {
   /// Does `work` while some gauges are deleted; they are back afterwards. `silent` holds their
   /// numbers, each once, without the infinite point. In a chart of the whole Earth `work` may only
   /// look for weights where the others still stand all round it. Cost: that of the deletions, and
-  /// on the sphere that of all vertices.
+  /// in such a chart that of all vertices.
   template <typename Work>
   void without(std::span<const PointId> silent, Work&& work) {
     {

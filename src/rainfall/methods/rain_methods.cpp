@@ -33,8 +33,10 @@ void warn_of_hull(const std::vector<double>& outside, const std::vector<Basin>& 
 }
 
 std::shared_ptr<const AreaMethod> natural_neighbours(const Weighing& weighing, std::size_t points,
-                                                     unsigned threads, Warnings& warnings) {
-  auto method = std::make_shared<const NaturalNeighbours>(weighing, points, threads);
+                                                     unsigned threads, std::size_t remembered_bytes,
+                                                     Warnings& warnings) {
+  auto method =
+      std::make_shared<const NaturalNeighbours>(weighing, points, threads, remembered_bytes);
   warn_of_hull(method->shares_outside(), weighing.basins(), warnings);
   return method;
 }
@@ -46,7 +48,7 @@ using OfMonth = std::function<std::unique_ptr<const StepRainfall>(const NormalMo
 struct MethodMaker {
   const Weighing& weighing;
   const PointSettings& points;
-  const ArealRainfallSettings& settings;
+  ArealRainfallSettings settings;
   unsigned threads;
   const AroundRainfall& around;
 
@@ -74,6 +76,14 @@ struct MethodMaker {
                                                        points.interval, threads, month);
     };
   }
+  // One half of what may be remembered is for the sums of points, one for the weights of steps.
+  OfMonth by_natural_neighbours(Warnings& warnings) const {
+    ArealRainfallSettings half = settings;
+    half.remembered_bytes /= 2;
+    const MethodMaker maker{weighing, points, half, threads, around};
+    return maker.by(
+        natural_neighbours(weighing, points.points, threads, half.remembered_bytes, warnings));
+  }
   OfMonth rainfall(RainMethod method, Warnings& warnings) const {
     switch (method) {
       case RainMethod::thiessen:
@@ -83,9 +93,9 @@ struct MethodMaker {
       case RainMethod::idw:
         return by(std::make_shared<const InverseDistance>(weighing, points.points, threads));
       case RainMethod::natural:
-        return by(natural_neighbours(weighing, points.points, threads, warnings));
+        return by_natural_neighbours(warnings);
       case RainMethod::isohyetal:
-        return by_isohyets(by(natural_neighbours(weighing, points.points, threads, warnings)));
+        return by_isohyets(by_natural_neighbours(warnings));
     }
     throw std::logic_error("not a method");
   }

@@ -24,17 +24,31 @@ double spherical_area(Direction a, Direction b, Direction c) {
 }
 
 void SphereStolenAreas::take(const Topology<2>& topology, const std::vector<Direction>& gauges) {
-  centres_.resize(topology.size());
-  topology.for_each_vertex([&](VertexId v) {
-    const auto& forming = topology.forming(v);
-    centres_[index(v)] =
-        centre(gauges[index(forming[0])], gauges[index(forming[1])], gauges[index(forming[2])]);
-  });
+  make_room(topology);
+  topology.for_each_vertex([&](VertexId v) { take(topology, gauges, v); });
+}
+
+// No vertex is formed by one point three times.
+void SphereStolenAreas::make_room(const Topology<2>& topology) {
+  if (known_.size() < topology.size())
+    known_.resize(topology.size(), {{infinite_point, infinite_point, infinite_point}, {}});
+}
+
+void SphereStolenAreas::take(const Topology<2>& topology, const std::vector<Direction>& gauges,
+                             VertexId v) {
+  const auto& forming = topology.forming(v);
+  Known& known = known_[index(v)];
+  if (std::equal(forming.begin(), forming.end(), known.forming.begin())) return;
+  std::copy(forming.begin(), forming.end(), known.forming.begin());
+  known.centre =
+      centre(gauges[index(forming[0])], gauges[index(forming[1])], gauges[index(forming[2])]);
 }
 
 void SphereStolenAreas::find(const Topology<2>& topology, const ConflictZone<2>& zone,
                              const std::vector<Direction>& gauges, Direction x,
-                             std::vector<StolenArea>& areas) const {
+                             std::vector<StolenArea>& areas) {
+  make_room(topology);
+  for (const VertexId v : zone.vertices()) take(topology, gauges, v);
   const auto& rim = zone.rim();
   const auto with = [&](PointId p, PointId q) {
     return centre(x, gauges[index(p)], gauges[index(q)]);
@@ -48,13 +62,13 @@ void SphereStolenAreas::find(const Topology<2>& topology, const ConflictZone<2>&
     const auto& end = i == 0 ? rim.back() : rim[i - 1];
     double area = 0;
     VertexId v = rim[i].inside;
-    Direction from = centres_[index(v)];
+    Direction from = known_[index(v)].centre;
     for (;;) {
       const std::size_t corner = topology.corner_of(v, gauge);
       const std::size_t across = corner == 2 ? 0 : corner + 1;
       if (v == end.inside && across == end.side) break;
       v = topology.neighbour(v, across);
-      const Direction to = centres_[index(v)];
+      const Direction to = known_[index(v)].centre;
       area += spherical_area(after, from, to);
       from = to;
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "geometry/direction.h"
@@ -23,23 +24,31 @@ double spherical_area(Direction a, Direction b, Direction c);
 /// known.
 class SphereStolenAreas {
  public:
-  /// Takes the vertices of a tessellation as they are now. `gauges` holds the points' directions on
-  /// the sphere; that of the infinite point counts only where it is a gauge. Cost: the number of
-  /// vertices.
+  /// Takes all vertices of a tessellation as they are now, so that `centre_of` tells of them.
+  /// `gauges` holds the points' directions on the sphere, which never change; that of the infinite
+  /// point counts only where it is a gauge. Cost: the number of vertices.
   void take(const Topology<2>& topology, const std::vector<Direction>& gauges);
 
   /// Finds the area taken from each gauge on the zone's rim, in the order of the rim. Requires the
-  /// zone of x in the tessellation that was taken, without the infinite point unless that is a
-  /// gauge. Cost: 0.3 microseconds for four vertices.
+  /// zone of x in the tessellation as it is now, without the infinite point unless that is a gauge.
+  /// Cost: 0.3 microseconds for four vertices.
   void find(const Topology<2>& topology, const ConflictZone<2>& zone,
-            const std::vector<Direction>& gauges, Direction x,
-            std::vector<StolenArea>& areas) const;
+            const std::vector<Direction>& gauges, Direction x, std::vector<StolenArea>& areas);
 
   /// The centre of the circle through the forming points of a vertex that was taken.
-  Direction centre_of(VertexId v) const { return centres_[index(v)]; }
+  Direction centre_of(VertexId v) const { return known_[index(v)].centre; }
 
  private:
-  std::vector<Direction> centres_;  // by vertex
+  /// What a vertex was when its centre was computed.
+  struct Known {
+    std::array<PointId, 3> forming;
+    Direction centre;
+  };
+
+  void take(const Topology<2>& topology, const std::vector<Direction>& gauges, VertexId v);
+  void make_room(const Topology<2>& topology);
+
+  std::vector<Known> known_;  // by vertex
 };
 
 }  // namespace thiessen

@@ -71,6 +71,26 @@ TEST(NaturalNeighbours, silent_gauges_are_as_if_they_had_never_been) {
   }
 }
 
+// Neither what is remembered nor what was asked for before changes a bit.
+TEST(NaturalNeighbours, weights_depend_on_who_reports_alone) {
+  Seeded seeded;
+  for (const Yardstick& yardstick : {plane, earth}) {
+    const auto stations = scattered(seeded, 60, {5, 45}, 3);
+    const Basin basin = shapes::basin({{shapes::star(seeded, {5, 45}, 2, 12), {}}});
+    const Study study(stations, {basin}, yardstick);
+    const NaturalNeighbours forgetful(study.weighing, 300, 1, 0);
+    const NaturalNeighbours natural(study.weighing, 300, 1);
+    for (int step = 0; step < 40; ++step) {
+      ReportingPlaces reports(60, true);
+      for (std::uint32_t p = 0; p < 60; ++p) reports.set(PlaceIndex{p}, seeded.below(8) > 0);
+      const auto weights = natural.weights(reports);
+      EXPECT_EQ(weights, forgetful.weights(reports));
+      EXPECT_EQ(weights, natural.weights(reports));
+      EXPECT_EQ(weights, NaturalNeighbours(study.weighing, 300, 1).weights(reports));
+    }
+  }
+}
+
 // A gauge that is the first by coordinates stands at infinity in the chart of the world; where so
 // many are silent that the others leave a hemisphere free, these have a hull again.
 TEST(NaturalNeighbours, of_the_world_silent_gauges_are_as_if_they_had_never_been) {

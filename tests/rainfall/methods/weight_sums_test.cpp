@@ -38,5 +38,21 @@ TEST(WeightSums, law_3_leave_out_what_is_no_more_than_rounding) {
   EXPECT_EQ(weights[1].place, PlaceIndex{2});
 }
 
+TEST(WeightSums, law_4_add_up_sums_of_several_points_with_their_normals) {
+  WeightSums sums(3);
+  sums.add(PlaceIndex{2}, 0.5, 4);
+  sums.add(PlaceIndex{0}, 0.5, 2);
+  const std::vector<PlaceSum> first = sums.take_sums();
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].place, PlaceIndex{0});
+  EXPECT_EQ(first[1].of_normals, 2);
+  EXPECT_TRUE(sums.take_sums().empty());
+  sums.add(first);
+  sums.add(PlaceIndex{2}, 0.5, 2);
+  sums.add(PlaceIndex{1}, 0.5, 1);
+  EXPECT_EQ(sums.take(),
+            (Weights{{PlaceIndex{0}, 0.25, 2}, {PlaceIndex{1}, 0.25, 1}, {PlaceIndex{2}, 0.5, 3}}));
+}
+
 }  // namespace
 }  // namespace thiessen
