@@ -1,5 +1,9 @@
 #include "cli/program.h"
 
+#include <unistd.h>
+
+#include <cstdlib>
+#include <exception>
 #include <new>
 #include <string>
 
@@ -9,6 +13,7 @@
 #include "cli/command_line.h"
 #include "cli/terminal/messages.h"
 #include "gdal/drivers.h"
+#include "gdal/gdal_errors.h"
 
 namespace thiessen::cli {
 namespace {
@@ -30,13 +35,33 @@ int run_command(Command& command, Warnings& warnings) {
     report();
     throw;
   }
-  report();
+  try {
+    report();
+  } catch (const std::bad_alloc&) {  // the outputs are there, and whole
+    print_lack_of_memory("for the warnings");
+  }
   return done;
 }
 
-}  // namespace
+/// Where nothing else is left to do: what has no name vanishes with the process.
+[[noreturn]] void end_without_memory() noexcept {
+  print_lack_of_memory();
+  ::_exit(failed);
+}
 
-int run_program(int argc, char** argv) {
+/// A library that throws for want of memory where nothing may be thrown calls this.
+[[noreturn]] void end_after_uncaught() noexcept {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    end_without_memory();
+  } catch (...) {
+    std::abort();
+  }
+  std::abort();
+}
+
+int run_and_report(int argc, char** argv) {
   const char* when_interrupted = "interrupted";
   try {
     hold_standard_streams();
@@ -59,11 +84,28 @@ int run_program(int argc, char** argv) {
     print(before_error, when_interrupted, "");
     return interrupted.exit_status();
   } catch (const std::bad_alloc&) {
-    print(before_error, "not enough memory", "");
+    print_lack_of_memory();
     return failed;
   } catch (const std::exception& error) {
     print(before_error, std::string("a fault of the program itself: ") + error.what(),
           "please report it with the input");
+    return failed;
+  }
+}
+
+}  // namespace
+
+void watch_for_uncaught() noexcept {
+  std::set_terminate(end_after_uncaught);
+}
+
+int run_program(int argc, char** argv) {
+  watch_for_uncaught();
+  when_gdal_lacks_memory(end_without_memory);
+  try {
+    return run_and_report(argc, argv);
+  } catch (const std::bad_alloc&) {  // there was no memory for the message of what went wrong
+    print_lack_of_memory();
     return failed;
   }
 }

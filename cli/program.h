@@ -2,6 +2,9 @@
 
 namespace thiessen::cli {
 
+/// Has a lack of memory that nothing catches be told as such, instead of aborting the program.
+void watch_for_uncaught() noexcept;
+
 /// The whole program: parses the command line, runs the command, and turns what it throws into
 /// sentences on the standard error and an exit status.
 int run_program(int argc, char** argv);

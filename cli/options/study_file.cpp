@@ -118,7 +118,9 @@ std::set<std::string> given_keys(const OptionList& options) {
 /// The path without links in it, or as it is where the system does not tell.
 fs::path resolved(const fs::path& path) {
   std::error_code error;
-  const fs::path found = fs::weakly_canonical(path, error);
+  // A folder that is not made yet is seen from where it will lie.
+  const fs::path whole = fs::current_path(error) / path;
+  const fs::path found = error ? path : fs::weakly_canonical(whole, error);
   return error ? path.lexically_normal() : found;
 }
 

@@ -1,6 +1,9 @@
 #include "cli/terminal/messages.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 
 #include "base/secrets.h"
@@ -58,6 +61,14 @@ void print(std::string_view before, const std::string& text, const std::string& 
 void print(std::string_view before, const Error& error) {
   for (const Message& message : error.messages()) print(before, message);
   if (error.unlisted() > 0) print(before, "and " + std::to_string(error.unlisted()) + " more", "");
+}
+
+void print_lack_of_memory(std::string_view what) noexcept {
+  for (const std::string_view text :
+       {std::string_view("thiessen: error: not enough memory"),
+        std::string_view(what.empty() ? "" : " "), what, std::string_view("\n")}) {
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) errno = 0;
+  }
 }
 
 void print(Warnings& warnings) {

@@ -21,6 +21,9 @@ void print(std::string_view before, const std::string& text, const std::string& 
 /// Prints all messages of an error, and how many more there were.
 void print(std::string_view before, const Error& error);
 
+/// Prints that memory is lacking, and what for, which takes none.
+void print_lack_of_memory(std::string_view what = {}) noexcept;
+
 /// Prints notices and warnings, which are then forgotten.
 void print(Warnings& warnings);
 

@@ -15,6 +15,10 @@
 namespace thiessen {
 namespace {
 
+constexpr std::string_view hidden_prefix = ".thiessen-";
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz012345";
+constexpr std::size_t random_letters = 16;
+
 bool same_file(const struct stat& a, const struct stat& b) {
   return a.st_dev == b.st_dev && a.st_ino == b.st_ino;
 }
@@ -99,8 +103,7 @@ std::string name_in_folder(const std::string& path) {
 }
 
 std::string fresh_name(const std::string& folder) {
-  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz012345";
-  std::array<unsigned char, 16> random = {};
+  std::array<unsigned char, random_letters> random = {};
   if (::getrandom(random.data(), random.size(), GRND_NONBLOCK) < 0) {
     auto ticks =
         static_cast<std::uint64_t>(std::chrono::steady_clock::now().time_since_epoch().count() ^
@@ -110,9 +113,19 @@ std::string fresh_name(const std::string& folder) {
       ticks = ticks * 6364136223846793005u + 1442695040888963407u;
     }
   }
-  std::string name = folder + "/.thiessen-";
+  std::string name = folder + "/";
+  name += hidden_prefix;
   for (const unsigned char part : random) name += letters[part % letters.size()];
   return name;
+}
+
+bool is_fresh_name(std::string_view name) {
+  return name.size() == fresh_name_length() && name.starts_with(hidden_prefix) &&
+         name.find_first_not_of(letters, hidden_prefix.size()) == std::string_view::npos;
+}
+
+std::size_t fresh_name_length() {
+  return hidden_prefix.size() + random_letters;
 }
 
 }  // namespace thiessen

@@ -2,8 +2,10 @@
 
 #include <sys/stat.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/descriptor.h"
@@ -48,5 +50,8 @@ std::string name_in_folder(const std::string& path);
 
 /// Makes up a hidden, random name in the folder that nobody else uses.
 std::string fresh_name(const std::string& folder);
+/// Whether fresh_name makes such names within a folder, and how long they are.
+bool is_fresh_name(std::string_view name);
+std::size_t fresh_name_length();
 
 }  // namespace thiessen

@@ -141,6 +141,7 @@ OutputFile::OutputFile(std::string name, Descriptor file, Care care)
 }
 
 void OutputFile::append(std::string_view text) {
+  is_synced_ = false;
   if (buffer_.size() + text.size() > buffer_bytes) flush();
   if (text.size() >= buffer_bytes) {
     write(text);
@@ -161,14 +162,21 @@ void OutputFile::write(std::string_view text) {
   write_whole(spools ? spool_.number() : file_.number(), text, spools ? spool_name : name_);
 }
 
-void OutputFile::finish() {
-  if (!file_.is_open()) return;
+void OutputFile::sync() {
+  if (!file_.is_open() || is_synced_) return;
   // Where nothing was spooled, everything is still in the buffer and can be written now.
   if (care_ == Care::held && !spool_.is_open()) care_ = Care::closed;
   flush();
   if (spool_.is_open())
     copy_spool(spool_, [&](std::string_view text) { write_whole(file_.number(), text, name_); });
   if (care_ == Care::synced) sync_to_disk(file_.number(), name_);
+  is_synced_ = true;
+}
+
+void OutputFile::finish() {
+  if (!file_.is_open()) return;
+  sync();
+  if (before_closing_) before_closing_(file_);
   if (!file_.close()) throw system_error(name_, "cannot close", errno);
   buffer_ = {};  // who writes ten thousand files has all of them until the end
 }

@@ -72,8 +72,14 @@ class OutputFile {
   /// where there is none left. Held bytes stay where
   /// no reader sees them yet.
   void flush();
-  /// Writes the rest, syncs and closes the file. The bytes are safe only when this does not throw.
+  /// Writes the rest, and waits until it is on the disk, where the file is to be synced.
+  void sync();
+  /// As sync, and closes the file. The bytes are safe only when this does not throw.
   void finish();
+  /// Has `finish` hand over the file when it is synced, before it is closed.
+  void before_closing(std::function<void(const Descriptor& file)> take) {
+    before_closing_ = std::move(take);
+  }
   /// Drops what is not handed over yet.
   void discard();
   /// Whether it is a pipe from which nobody will read any more.
@@ -90,6 +96,8 @@ class OutputFile {
   Care care_;
   std::string buffer_;
   Descriptor spool_;  ///< open once held bytes exceed the buffer
+  bool is_synced_ = false;
+  std::function<void(const Descriptor&)> before_closing_;
 };
 
 /// The standard output as a checked file. Throws Error where it is closed.

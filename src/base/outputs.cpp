@@ -4,11 +4,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
+#include "base/hidden_file.h"
 #include "base/interrupt.h"
 
 namespace thiessen {
@@ -44,6 +47,11 @@ void take_over(int file, const Destination& old, const std::string& name) {
   }
 }
 
+std::string without_slashes_behind(std::string folder) {
+  while (folder.size() > 1 && folder.ends_with('/')) folder.pop_back();
+  return folder;
+}
+
 Descriptor open_stream(const std::string& path) {
   const std::optional<int> standing = standing_descriptor(path);
   Descriptor stream = standing ? twin_of(*standing) : open_descriptor(path, O_WRONLY);
@@ -76,6 +84,33 @@ Outputs::~Outputs() {
   if (!committed_) discard();
 }
 
+/// Opens the file without a name, else under a hidden one.
+Descriptor Outputs::open_staged(Staged& staged) {
+  const std::string folder = folder_of(staged.path);
+  // A folder that is not made yet will lie on the file system of the one above it.
+  std::string there = folder;
+  while (is_new(there)) there = folder_of(there);
+  Descriptor file = open_unnamed(there, new_file_mode);
+  if (file.is_open()) return file;
+  if (there != folder) make_folders();
+  use_folder(folder);
+  make_hidden(staged.path, staged.hidden, [&](const std::string& name) {
+    file = open_descriptor(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, new_file_mode);
+    return file.is_open();
+  });
+  return file;
+}
+
+/// Gives a file that is whole a hidden name, if it has none yet.
+void Outputs::hide(std::size_t number, const Descriptor& file) {
+  Staged& staged = staged_[number];
+  if (!staged.hidden.empty()) return;
+  make_folders();
+  use_folder(folder_of(staged.path));
+  make_hidden(staged.path, staged.hidden,
+              [&](const std::string& name) { return give_name(file, name) == 0; });
+}
+
 OutputFile& Outputs::add(const std::string& path) {
   if (path == "-") {
     if (has_standard_output_)
@@ -92,13 +127,12 @@ OutputFile& Outputs::add(const std::string& path) {
   refuse_twice(path);
   Staged& staged = staged_.emplace_back();
   staged.path = path;
-  Descriptor file;
-  make_hidden(path, staged.hidden, [&](const std::string& name) {
-    file = open_descriptor(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, new_file_mode);
-    return file.is_open();
-  });
+  Descriptor file = open_staged(staged);
   take_over(file.number(), destination, path);
-  return files_.emplace_back(path, std::move(file), OutputFile::Care::synced);
+  OutputFile& added = files_.emplace_back(path, std::move(file), OutputFile::Care::synced);
+  added.before_closing(
+      [this, number = staged_.size() - 1](const Descriptor& whole) { hide(number, whole); });
+  return added;
 }
 
 bool Outputs::is_stream(const std::string& path) const {
@@ -111,6 +145,8 @@ std::string Outputs::add_foreign(const std::string& path) {
     throw Error(Message{"", 0, path + " is no file, and this format needs one", ""});
   }
   refuse_twice(path);
+  make_folders();
+  use_folder(folder_of(path));
   Foreign& foreign = foreign_.emplace_back();
   foreign.path = path;
   make_hidden(path, foreign.folder,
@@ -122,19 +158,49 @@ void Outputs::remove(const std::string& path) {
   if (examine_destination(path, rules_).kind != Kind::nothing) removed_.push_back({path, {}});
 }
 
+bool Outputs::is_new(const std::string& folder) const {
+  const std::string path = without_slashes_behind(folder);
+  return std::any_of(new_folders_.begin(), new_folders_.end(),
+                     [&](const NewFolder& other) { return !other.is_made && other.path == path; });
+}
+
 void Outputs::make_folder(const std::string& path) {
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  std::error_code error;
-  if (!parent.empty() && !std::filesystem::exists(parent, error) && !error)
-    make_folder(parent.string());
-  new_folders_.push_back(path);
-  if (::mkdir(path.c_str(), 0777) == 0) return;
-  const int why = errno;
-  new_folders_.pop_back();
+  const std::string folder = without_slashes_behind(path);
   struct stat status = {};
-  if (why != EEXIST) throw system_error(path, "cannot make the folder", why);
-  if (::stat(path.c_str(), &status) != 0) throw system_error(path, "cannot use the folder", errno);
-  if (!S_ISDIR(status.st_mode)) throw system_error(path, "cannot use the folder", ENOTDIR);
+  if (::stat(folder.c_str(), &status) == 0) {
+    if (S_ISDIR(status.st_mode)) return;
+    throw system_error(path, "cannot use the folder", ENOTDIR);
+  }
+  const int why = errno;
+  if (why != ENOENT || ::lstat(folder.c_str(), &status) == 0) {
+    throw system_error(path, "cannot make the folder", why);
+  }
+  if (is_new(folder)) return;
+  const std::string above = folder_of(folder);
+  make_folder(above);
+  if (!is_new(above) && ::access(above.c_str(), W_OK | X_OK) != 0) {
+    throw system_error(path, "cannot make the folder", errno);
+  }
+  new_folders_.push_back({folder});
+}
+
+void Outputs::make_folders() {
+  for (NewFolder& folder : new_folders_) {
+    if (folder.is_made) continue;
+    if (::mkdir(folder.path.c_str(), 0777) == 0) {
+      folder.is_made = true;
+      continue;
+    }
+    const int why = errno;
+    struct stat status = {};
+    const bool is_there = ::stat(folder.path.c_str(), &status) == 0 && S_ISDIR(status.st_mode);
+    if (!is_there) throw system_error(folder.path, "cannot make the folder", why);
+  }
+  std::erase_if(new_folders_, [](const NewFolder& folder) { return !folder.is_made; });
+}
+
+void Outputs::use_folder(const std::string& folder) {
+  if (!folders_.contains(folder)) folders_.emplace(folder, FolderInUse(folder));
 }
 
 void Outputs::refuse_twice(const std::string& path) const {
@@ -170,12 +236,12 @@ void Outputs::prepare(Staged& staged) {
   if (old.kind == Kind::stream) throw system_error(staged.path, "cannot write", EEXIST);
   staged.replaced = old.kind != Kind::nothing;
   if (!staged.replaced || staged_.size() == 1) return;
-  staged.backup = fresh_name(folder_of(staged.path));
+  staged.backup = backup_name(staged.path);
   if (::link(staged.path.c_str(), staged.backup.c_str()) != 0) staged.backup.clear();
 }
 
 void Outputs::commit() {
-  for (OutputFile& file : files_) file.finish();
+  for (OutputFile& file : files_) file.sync();
   const std::size_t own = staged_.size();
   collect_foreign_files();
   for (std::size_t i = own; i < staged_.size(); ++i) {
@@ -184,28 +250,42 @@ void Outputs::commit() {
     take_over(file.number(), examine_destination(staged_[i].path, rules_), staged_[i].path);
     sync_to_disk(file.number(), staged_[i].path);
   }
+  throw_if_interrupted();
+  // From here on it takes no longer than the names do: a run that is killed leaves none of them but
+  // within these few moments.
+  for (OutputFile& file : files_) file.finish();
   for (Staged& staged : staged_) prepare(staged);
   throw_if_interrupted();
   for (OutputFile& stream : streams_) stream.finish();
   rename_all();
   committed_ = true;
+  clear_up();
+}
+
+/// What is left to do where all has been renamed: whatever fails now, the outputs are there.
+void Outputs::clear_up() noexcept {
   for (const Staged& staged : staged_) {
     if (!staged.backup.empty()) ::unlink(staged.backup.c_str());
-    sync_folder(folder_of(staged.path));
   }
   for (const Removed& removed : removed_) {
     if (!removed.backup.empty()) ::unlink(removed.backup.c_str());
   }
   for (const Foreign& foreign : foreign_) ::rmdir(foreign.folder.c_str());
+  try {
+    for (const Staged& staged : staged_) folders_.at(folder_of(staged.path)).forget(staged.path);
+    for (const auto& [path, folder] : folders_) sync_folder(path);
+  } catch (...) {  // no memory: the files are safe already, and older copies are for a later run
+    errno = 0;
+  }
+  folders_.clear();
 }
 
 void Outputs::move_away(Removed& removed) {
-  std::string backup = fresh_name(folder_of(removed.path));
+  std::string backup = backup_name(removed.path);
   if (std::rename(removed.path.c_str(), backup.c_str()) == 0) {
     removed.backup = std::move(backup);
   } else if (const int why = errno; why != ENOENT) {
-    roll_back();
-    throw system_error(removed.path, "cannot be removed", why);
+    take_back(system_error(removed.path, "cannot be removed", why));
   }
 }
 
@@ -214,21 +294,44 @@ void Outputs::rename_all() {
   for (Staged& staged : staged_) {
     const int failed = staged.replaced ? std::rename(staged.hidden.c_str(), staged.path.c_str())
                                        : rename_to_free_name(staged.hidden, staged.path);
-    if (failed == 0) {
-      staged.renamed = true;
-      continue;
-    }
-    const Error error = system_error(staged.path, "cannot write", errno);
-    std::string lost;
-    for (const Staged& other : staged_) {
-      if (other.renamed && other.replaced && other.backup.empty()) lost += " " + other.path;
-    }
-    roll_back();
-    if (lost.empty()) throw error;
-    Message message = error.messages().front();
-    message.hint = "replaced already, and not to be brought back:" + lost;
-    throw Error(std::move(message));
+    if (failed != 0) take_back(system_error(staged.path, "cannot write", errno));
+    staged.renamed = true;
   }
+}
+
+/// Undoes the renames and throws the error, which then names what cannot be brought back.
+void Outputs::take_back(const Error& error) {
+  std::string unsaved;
+  for (const Staged& other : staged_) {
+    if (other.renamed && other.replaced && other.backup.empty()) unsaved += " " + other.path;
+  }
+  roll_back();
+  std::string hint;
+  if (!unsaved.empty()) hint = "replaced already, and not to be brought back:" + unsaved;
+  if (const std::string kept = kept_files(); !kept.empty()) {
+    hint += (hint.empty() ? "" : "; ") + ("cannot be taken back: " + kept);
+  }
+  if (hint.empty()) throw error;
+  Message message = error.messages().front();
+  message.hint = hint;
+  throw Error(std::move(message));
+}
+
+/// What roll_back could not undo, and where the older files are.
+std::string Outputs::kept_files() const {
+  std::string kept;
+  const auto add = [&](const std::string& path, const std::string& backup) {
+    kept += kept.empty() ? "" : ", ";
+    kept += path;
+    kept += backup.empty() ? ", which is new" : ", whose older file is kept as " + backup;
+  };
+  for (const Removed& removed : removed_) {
+    if (removed.is_kept) add(removed.path, removed.backup);
+  }
+  for (const Staged& staged : staged_) {
+    if (staged.is_kept) add(staged.path, staged.backup);
+  }
+  return kept;
 }
 
 void Outputs::roll_back() noexcept {
@@ -237,16 +340,16 @@ void Outputs::roll_back() noexcept {
     staged.renamed = false;
     staged.hidden.clear();
     if (!staged.replaced) {
-      ::unlink(staged.path.c_str());
+      staged.is_kept = ::unlink(staged.path.c_str()) != 0;
     } else if (!staged.backup.empty()) {
-      std::rename(staged.backup.c_str(), staged.path.c_str());
-      staged.backup.clear();  // where that failed, the old file stays under its hidden name
+      staged.is_kept = std::rename(staged.backup.c_str(), staged.path.c_str()) != 0;
+      if (!staged.is_kept) staged.backup.clear();
     }
   }
   for (Removed& removed : removed_) {
     if (removed.backup.empty()) continue;
-    std::rename(removed.backup.c_str(), removed.path.c_str());
-    removed.backup.clear();
+    removed.is_kept = std::rename(removed.backup.c_str(), removed.path.c_str()) != 0;
+    if (!removed.is_kept) removed.backup.clear();
   }
 }
 
@@ -254,14 +357,13 @@ void Outputs::discard() noexcept {
   files_.clear();
   for (const Staged& staged : staged_) {
     if (!staged.hidden.empty()) ::unlink(staged.hidden.c_str());
-    if (!staged.backup.empty()) ::unlink(staged.backup.c_str());
+    if (!staged.backup.empty() && !staged.is_kept) ::unlink(staged.backup.c_str());
   }
-  std::error_code ignored;
   for (const Foreign& foreign : foreign_) {
-    if (!foreign.folder.empty()) std::filesystem::remove_all(foreign.folder, ignored);
+    if (!foreign.folder.empty()) remove_folder_of_files(foreign.folder);
   }
   for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
-    ::rmdir(folder->c_str());
+    if (folder->is_made) ::rmdir(folder->path.c_str());
   }
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <future>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -43,10 +45,23 @@ void in_parallel(std::size_t count, unsigned threads,
   try {
     for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
   } catch (const std::system_error&) {  // no more threads can start: those there do the work
+  } catch (const std::bad_alloc&) {     // nor is there memory for more
   }
   if (workers > 0) run(0);
   for (std::thread& thread : others) thread.join();
   if (failure) std::rethrow_exception(failure);
+}
+
+void side_by_side(const std::function<void()>& other, const std::function<void()>& own) {
+  std::future<void> running;
+  try {
+    running = std::async(std::launch::async, other);
+  } catch (const std::system_error&) {  // no further thread can be had
+  } catch (const std::bad_alloc&) {
+  }
+  if (!running.valid()) other();
+  own();
+  if (running.valid()) running.get();
 }
 
 }  // namespace thiessen

@@ -3,12 +3,29 @@
 #include <cpl_error.h>
 
 #include <algorithm>
+#include <atomic>
+#include <cstring>
 #include <utility>
 
 namespace thiessen {
 namespace {
 
+std::atomic<void (*)() noexcept> end_of_program = nullptr;
+
+/// Of a fatal lack of memory GDAL has no number: its words tell it.
+void end_where_fatal(CPLErr severity, const char* message) {
+  const auto end = end_of_program.load();
+  if (severity == CE_Fatal && end != nullptr && std::strstr(message, "emory") != nullptr) end();
+}
+
+/// Where nobody listens, an error is told as GDAL tells it.
+void CPL_STDCALL hear_alone(CPLErr severity, CPLErrorNum number, const char* message) {
+  end_where_fatal(severity, message);
+  CPLDefaultErrorHandler(severity, number, message);
+}
+
 void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
+  end_where_fatal(severity, message);
   auto* errors = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
   if (severity == CE_Failure || severity == CE_Fatal) errors->hear(true, message);
   if (severity == CE_Warning) errors->hear(false, message);
@@ -17,10 +34,18 @@ void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
 std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
+  // What a library of GDAL's caught tells its C++ name.
+  if (text.find("std::bad_alloc") != std::string::npos) return "not enough memory";
   return text;
 }
 
 }  // namespace
+
+void when_gdal_lacks_memory(void (*end)() noexcept) {
+  end_of_program = end;
+  CPLSetErrorHandler(hear_alone);
+  CPLErrorReset();  // makes what GDAL keeps of errors, for which there may be no memory later
+}
 
 GdalErrors::GdalErrors() {
   CPLPushErrorHandlerEx(keep, this);

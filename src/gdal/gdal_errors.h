@@ -6,6 +6,10 @@
 
 namespace thiessen {
 
+/// What is called where GDAL is about to end the program, as it does where it lacks memory. Without
+/// it the program is aborted.
+void when_gdal_lacks_memory(void (*end)() noexcept);
+
 /// Catches GDAL's messages on this thread for as long as it lives, so that nothing is printed.
 class GdalErrors {
  public:

@@ -81,8 +81,8 @@ TEST(Outputs, leave_nothing_behind_unless_committed) {
     outputs.add(folder.path("b.csv")).append("two");
     outputs.make_folder(folder.path("dir"));
     outputs.add(folder.path("dir/c.csv"));
-    std::ofstream(outputs.add_foreign(folder.path("d.gpkg"))) << "three";
-    EXPECT_EQ(folder.names().size(), 5u);
+    std::ofstream(outputs.add_foreign(folder.path("dir/d.gpkg"))) << "three";
+    EXPECT_TRUE(folder.names().contains("dir")) << "a library needs it";
   }
   EXPECT_EQ(folder.names(), (Names{"b.csv"}));
   EXPECT_EQ(folder.read("b.csv"), "old");
@@ -198,23 +198,23 @@ TEST(Outputs, do_not_replace_a_file_that_appears_meanwhile) {
   EXPECT_EQ(folder.read("b.csv"), "theirs");
 }
 
-/// Makes the rename of the last output fail: its hidden file goes away just before `commit`.
+/// Makes the last output fail when the others are renamed already: a folder cannot replace a file.
 void fail_at_the_last(const TemporaryFolder& folder, bool older_files) {
-  const TemporaryFolder elsewhere;
   if (older_files) {
     folder.write("a.csv", "old a");
     folder.write("b.csv", "old b");
   }
+  folder.write("c.csv", "old c");
   {
     Outputs outputs(replacing);
     outputs.add(folder.path("a.csv")).append("new a");
     outputs.add(folder.path("b.csv")).append("new b");
-    outputs.add(elsewhere.path("c.csv")).append("new c");
-    std::filesystem::remove(elsewhere.path(*elsewhere.names().begin()));
+    std::filesystem::create_directory(outputs.add_foreign(folder.path("c.csv")));
     EXPECT_EQ(sentence_of([&] { outputs.commit(); }),
-              elsewhere.path("c.csv") + ": cannot write: No such file or directory");
+              folder.path("c.csv") + ": cannot write: Not a directory");
   }
-  EXPECT_TRUE(elsewhere.names().empty());
+  EXPECT_EQ(folder.read("c.csv"), "old c");
+  std::filesystem::remove(folder.path("c.csv"));
 }
 
 TEST(Outputs, are_taken_back_where_a_later_one_fails) {

@@ -1,6 +1,8 @@
 #include "base/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
@@ -66,6 +68,41 @@ TEST(InParallel, law_4_a_signal_stops_it) {
                Interrupted);
   EXPECT_LT(done, 1'000'000u);
   forget_interrupt();
+}
+
+/// Does two things side by side in every way, and ends with 0 where all is as it should be.
+[[noreturn]] void do_side_by_side(bool has_threads) {
+  if (!has_threads) {  // one that counts for no other user can start no thread
+    rlimit one = {};
+    one.rlim_cur = one.rlim_max = 1;
+    if (::getuid() == 0 && ::setuid(65534) != 0) ::_exit(0);
+    ::setrlimit(RLIMIT_NPROC, &one);
+  }
+  int done = 0;
+  side_by_side([&] { done += 1; }, [] {});
+  side_by_side([] {}, [&] { done += 2; });
+  in_parallel(4, 4, [](std::size_t, std::size_t) {});
+  int thrown = 0;
+  const auto fail = [] { throw std::runtime_error("it failed"); };
+  try {
+    side_by_side(fail, [] {});
+  } catch (const std::runtime_error&) {
+    ++thrown;
+  }
+  try {
+    side_by_side([] {}, fail);
+  } catch (const std::runtime_error&) {
+    ++thrown;
+  }
+  ::_exit(done == 3 && thrown == 2 ? 0 : 1);
+}
+
+TEST(SideBySide, both_are_done_and_what_is_thrown_comes_out) {
+  EXPECT_EXIT(do_side_by_side(true), ::testing::ExitedWithCode(0), "");
+}
+
+TEST(SideBySide, where_no_thread_can_be_had_all_is_done_on_this_one) {
+  EXPECT_EXIT(do_side_by_side(false), ::testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fontconfig/fontconfig.h>
 
 #include <algorithm>
+#include <new>
 #include <vector>
 
 #include "base/error.h"
@@ -28,6 +29,7 @@ const FcChar8* name(const char* text) {
 /// otherwise take that of the locale.
 Held<FcPattern> wanted(FcConfig* config, bool bold) {
   Held<FcPattern> pattern(FcPatternCreate());
+  if (!pattern) throw std::bad_alloc();
   FcPatternAddString(pattern.get(), FC_FAMILY, name("DejaVu Sans"));
   FcPatternAddString(pattern.get(), FC_FAMILY, name("sans-serif"));
   FcPatternAddString(pattern.get(), FC_LANG, name("en"));
@@ -69,11 +71,11 @@ struct FontList::Set {
 
 FontList::FontList(bool bold) : set_(std::make_unique<Set>()) {
   set_->config.reset(FcInitLoadConfigAndFonts());
+  if (!set_->config) throw std::bad_alloc();
   FcResult result = FcResultNoMatch;
-  if (set_->config) {
-    const Held<FcPattern> pattern = wanted(set_->config.get(), bold);
-    set_->found.reset(FcFontSort(set_->config.get(), pattern.get(), FcFalse, nullptr, &result));
-  }
+  const Held<FcPattern> pattern = wanted(set_->config.get(), bold);
+  set_->found.reset(FcFontSort(set_->config.get(), pattern.get(), FcFalse, nullptr, &result));
+  if (result == FcResultOutOfMemory) throw std::bad_alloc();
   for (int i = 0; set_->found && i < set_->found->nfont; ++i) {
     FcPattern* const font = set_->found->fonts[i];
     FcChar8* file = nullptr;

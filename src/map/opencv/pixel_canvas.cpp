@@ -15,6 +15,7 @@
 #include "map/opencv/fine_grid.h"
 #include "map/opencv/halo.h"
 #include "map/opencv/line_drawing.h"
+#include "map/opencv/lone_thread.h"
 
 namespace thiessen {
 namespace {
@@ -40,7 +41,9 @@ Coverage firm(Coverage coverage) {
 
 PixelCanvas::PixelCanvas(int width, int height)
     : Canvas(width, height),
-      bytes_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255) {}
+      bytes_(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255) {
+  draw_on_one_thread();
+}
 
 std::uint64_t PixelCanvas::darkness(const PixelBox& box) {
   const cv::Mat pixels = pixels_of(*this)(on_page(box, *this));

@@ -2,18 +2,23 @@
 
 #include <algorithm>
 #include <map>
+#include <new>
 #include <opencv2/core.hpp>
 #include <opencv2/freetype.hpp>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "base/error.h"
+#include "base/memory.h"
 #include "map/ink/unicode.h"
 #include "map/opencv/fonts.h"
+#include "map/opencv/lone_thread.h"
 
 namespace thiessen {
 
 using Face = cv::Ptr<cv::freetype::FreeType2>;
+
+constexpr std::size_t bytes_of_fonts = std::size_t{32} << 20;
 
 /// The fonts of one weight. Each file is opened when it is first needed.
 struct Typesetter::Fonts {
@@ -22,8 +27,10 @@ struct Typesetter::Fonts {
   cv::freetype::FreeType2& face(std::size_t font) {
     Face& face = open[font];
     if (!face) {
-      face = cv::freetype::createFreeType2();
-      face->loadFontData(list.face(font).file, list.face(font).face);
+      // One whose loading fails must not be kept: OpenCV would take it for whole.
+      Face fresh = cv::freetype::createFreeType2();
+      fresh->loadFontData(list.face(font).file, list.face(font).face);
+      face = fresh;
     }
     return *face;
   }
@@ -134,7 +141,11 @@ Spaces take_spaces(std::u32string& text, bool right_to_left) {
 
 }  // namespace
 
-Typesetter::Typesetter() : regular_(std::make_unique<Fonts>(false)) {}
+Typesetter::Typesetter() : regular_(std::make_unique<Fonts>(false)) {
+  draw_on_one_thread();
+  // The libraries that read fonts crash where they get no memory, so it must be there before.
+  if (!can_have(bytes_of_fonts)) throw std::bad_alloc();
+}
 
 Typesetter::~Typesetter() = default;
 
@@ -245,6 +256,7 @@ SetText Typesetter::set_line(std::u32string_view text, int size, Weight weight) 
       const int gap = line.width() == 0 ? 0 : (size + 8) / 16 + space * 3 / 10;
       append(drawn, gap, line);
     } catch (const cv::Exception&) {
+      if (!can_have(bytes_of_fonts)) throw std::bad_alloc();
       note(piece.text, missing_);
     }
   }

@@ -148,6 +148,7 @@ std::string encode_multiples(std::span<const Picture> maps, PictureFormat format
                              Warnings& warnings) {
   if (maps.size() == 1) return encode_picture(maps.front(), format, warnings);
   check_picture_size(maps.front().width, maps.front().height);
+  if (format != PictureFormat::svg) check_picture_memory(maps.front().width, maps.front().height);
   try {
     Sheet sheet(maps);
     std::string bytes = page_file(sheet.layout.page, maps.front(), format,

@@ -1,9 +1,11 @@
 #include "map/sheet/picture.h"
 
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <utility>
 
+#include "base/memory.h"
 #include "map/opencv/drawing_errors.h"
 #include "map/opencv/typesetter.h"
 #include "map/sheet/font_warnings.h"
@@ -133,8 +135,22 @@ void check_picture_size(int width, int height) {
   }
 }
 
+void check_picture_memory(int width, int height) {
+  // Pixels, what is laid over them, and the file, which can be as large as the pixels.
+  constexpr long long bytes_a_pixel = 9;
+  const long long bytes = bytes_a_pixel * width * height;
+  if (can_have(static_cast<std::size_t>(bytes))) return;
+  throw Error(Message{{},
+                      0,
+                      "not enough memory to draw the picture: one of " + std::to_string(width) +
+                          " x " + std::to_string(height) + " pixels takes about " +
+                          std::to_string(1 + bytes / 1'000'000) + " MB",
+                      "choose a smaller " + setting("size")});
+}
+
 std::string encode_picture(const Picture& picture, PictureFormat format, Warnings& warnings) {
   check_picture_size(picture.width, picture.height);
+  if (format != PictureFormat::svg) check_picture_memory(picture.width, picture.height);
   try {
     return drawn(picture, format, warnings);
   } catch (...) {

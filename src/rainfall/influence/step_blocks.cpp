@@ -1,8 +1,9 @@
 #include "rainfall/influence/step_blocks.h"
 
-#include <future>
 #include <utility>
 #include <vector>
+
+#include "base/parallel.h"
 
 namespace thiessen {
 namespace {
@@ -42,9 +43,7 @@ void for_each_block(Readings& readings, std::size_t most, unsigned threads,
   Block ahead;
   for (block.read(readings, most, month_of); !block.empty(); std::swap(block, ahead)) {
     if (threads > 1) {
-      auto taking = std::async(std::launch::async, [&] { take(block.steps()); });
-      ahead.read(readings, most, month_of);
-      taking.get();
+      side_by_side([&] { take(block.steps()); }, [&] { ahead.read(readings, most, month_of); });
     } else {
       take(block.steps());
       ahead.read(readings, most, month_of);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
-#include <future>
 #include <utility>
 
 #include "base/interrupt.h"
@@ -123,9 +122,7 @@ std::size_t for_each_step(Readings& readings, const StepRainfall& rainfall, cons
     }
     if (work.threads > 1) {
       const std::size_t most_ahead = most;
-      auto computing = std::async(std::launch::async, compute);
-      reader.read(ahead, most_ahead);
-      computing.get();
+      side_by_side(compute, [&] { reader.read(ahead, most_ahead); });
     } else {
       compute();
     }

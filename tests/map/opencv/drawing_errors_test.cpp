@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <new>
+#include <opencv2/core.hpp>
 #include <stdexcept>
 
 #include "base/complaints.h"
@@ -24,6 +25,14 @@ TEST(DrawingErrors, tell_of_a_lack_of_memory_with_the_hint) {
             "not enough memory to draw the picture | draw less");
   EXPECT_EQ(complaint_of([] { draw_and_throw(std::bad_alloc(), ""); }),
             "not enough memory to draw the picture");
+}
+
+TEST(DrawingErrors, know_a_lack_of_memory_that_opencv_tells) {
+  EXPECT_EQ(complaint_of([] {
+              draw_and_throw(cv::Exception(cv::Error::StsNoMem, "Failed to allocate", "", "", 0),
+                             "draw less");
+            }),
+            "not enough memory to draw the picture | draw less");
 }
 
 TEST(DrawingErrors, pass_on_what_is_not_theirs) {

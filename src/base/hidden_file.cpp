@@ -1,0 +1,143 @@
+#include "base/hidden_file.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "base/destination.h"
+#include "base/interrupt.h"
+
+namespace thiessen {
+namespace {
+
+/// The name by which the system finds an open file, whatever it is called.
+std::string name_of_open(const Descriptor& file) {
+  return "/proc/self/fd/" + std::to_string(file.number());
+}
+
+/// A file's name as a backup's tells it. A name may be no longer than 255 bytes.
+std::string_view told_part(const std::string& path) {
+  constexpr std::size_t longest = 200;
+  const std::string_view whole = path;
+  return whole.substr(whole.rfind('/') + 1).substr(0, longest);  // npos + 1 is 0
+}
+
+/// Whether fresh_name or backup_name made up this name within a folder.
+bool is_hidden(std::string_view name) {
+  const std::size_t length = fresh_name_length();
+  return is_fresh_name(name.substr(0, length)) && (name.size() == length || name[length] == '-');
+}
+
+bool is_backup_of(const std::string& backup, const std::string& path) {
+  const std::string name = name_in_folder(backup);
+  return std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
+}
+
+enum class Left { nothing, only_copy };
+
+/// Removes what lies under a hidden name, unless it is another user's, or an older file without
+/// another name.
+Left remove_leftover(const std::string& path) {
+  struct stat status = {};
+  if (::lstat(path.c_str(), &status) != 0 || status.st_uid != ::geteuid()) return Left::nothing;
+  if (S_ISDIR(status.st_mode)) {
+    remove_folder_of_files(path);
+    return Left::nothing;
+  }
+  const bool is_backup = !is_fresh_name(name_in_folder(path));
+  if (is_backup && status.st_nlink < 2) return Left::only_copy;
+  ::unlink(path.c_str());
+  return Left::nothing;
+}
+
+/// Removes all leftovers of a folder. Returns those that are kept.
+std::vector<std::string> remove_leftovers(const std::string& folder) {
+  std::vector<std::string> only_copies;
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (!is_hidden(name)) continue;
+    std::string path = folder + "/" + name;
+    if (remove_leftover(path) == Left::only_copy) only_copies.push_back(std::move(path));
+  }
+  return only_copies;
+}
+
+/// Waits for the lock that all runs can share; another run has the folder for itself only while it
+/// removes leftovers. A program of another kind may hold it for ever, and is not waited for.
+void share_lock(const Descriptor& folder) {
+  constexpr int looks = 50;
+  constexpr std::chrono::milliseconds between_looks(20);
+  for (int look = 0; look < looks; ++look) {
+    if (::flock(folder.number(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    throw_if_interrupted();
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+}  // namespace
+
+Descriptor open_unnamed(const std::string& folder, unsigned mode) {
+  Descriptor file = open_descriptor(folder, O_TMPFILE | O_WRONLY, mode);
+  if (file.is_open() && ::access(name_of_open(file).c_str(), F_OK) != 0) file = Descriptor();
+  return file;
+}
+
+int give_name(const Descriptor& file, const std::string& name) {
+  return ::linkat(AT_FDCWD, name_of_open(file).c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW);
+}
+
+std::string backup_name(const std::string& path) {
+  std::string name = fresh_name(folder_of(path));
+  name += '-';
+  name += told_part(path);
+  return name;
+}
+
+FolderInUse::FolderInUse(const std::string& folder)
+    : lock_(open_descriptor(folder, O_RDONLY | O_DIRECTORY)) {
+  if (!lock_.is_open()) return;
+  // Where the file system has no locks, nothing tells what is left over.
+  if (::flock(lock_.number(), LOCK_EX | LOCK_NB) == 0) only_copies_ = remove_leftovers(folder);
+  share_lock(lock_);
+}
+
+void FolderInUse::forget(const std::string& path) noexcept {
+  for (const std::string& copy : only_copies_) {
+    if (is_backup_of(copy, path)) ::unlink(copy.c_str());
+  }
+}
+
+void remove_folder_of_files(const std::string& folder) noexcept {
+  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (opened >= 0) {
+    alignas(dirent64) char entries[4096];
+    for (;;) {
+      const long bytes = ::syscall(SYS_getdents64, opened, entries, sizeof entries);
+      if (bytes <= 0) break;
+      for (long at = 0; at < bytes;) {
+        const auto* const entry = reinterpret_cast<const dirent64*>(entries + at);
+        if (::unlinkat(opened, entry->d_name, 0) != 0 && errno == EISDIR)
+          ::unlinkat(opened, entry->d_name, AT_REMOVEDIR);
+        at += entry->d_reclen;
+      }
+    }
+    ::close(opened);
+  }
+  ::rmdir(folder.c_str());
+}
+
+}  // namespace thiessen

@@ -1,0 +1,38 @@
+"""A machine that fails, in short: some calls of each kind, and all where there are few. tests/faults/faults.py is the
+long form, with every call."""
+
+import os
+import unittest
+
+import faults
+
+MACHINE = faults.Machine(os.environ["THIESSEN_PROGRAM"], os.environ["THIESSEN_SHIM"])
+
+
+class FaultsTest(unittest.TestCase):
+    def assert_none(self, jobs, kinds, most):
+        runs, found = faults.try_all(MACHINE, jobs, kinds, most=most, tell=lambda line: None)
+        self.assertGreater(runs, len(kinds))
+        self.assertEqual(found, {})
+
+    def test_calls_that_name_the_outputs(self):
+        self.assert_none(["run"], ["rename", "link", "fsync"], 3)
+
+    def test_a_folder_and_what_is_written(self):
+        self.assert_none(["run_anew"], ["mkdir", "write", "thread"], 2)
+
+    def test_memory(self):
+        self.assert_none(["rain"], ["malloc"], 5)
+
+    def test_a_library_that_writes(self):
+        self.assert_none(["raster"], ["write", "mkdir", "rename"], 2)
+
+
+class KilledTest(unittest.TestCase):
+    def test_a_run_that_is_killed_leaves_the_old_files_and_nothing_else(self):
+        """Killed after so many reads, the run is gone; it has made neither files nor folders."""
+        self.assertEqual(faults.killed(MACHINE, "run", 4) + faults.killed(MACHINE, "run_anew", 4), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
