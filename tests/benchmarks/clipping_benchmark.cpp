@@ -1,5 +1,7 @@
 // Weights of 10,000 stations in 1,000 basins of 50 vertices, beside GEOS: cells from its Voronoi
-// diagram in an STRtree, each prepared basin intersected with the cells that meet it.
+// diagram in an STRtree, each prepared basin intersected with the cells that meet it. And the same
+// whole job for large networks: one basin of 10,000 vertices over a third of them, and 1,024 tiles
+// that cover all of them.
 #include <benchmark/benchmark.h>
 #include <geos_c.h>
 
@@ -44,8 +46,62 @@ Study random_study(std::size_t stations, std::size_t basins, std::size_t vertice
   return study;
 }
 
+/// One basin with a winding outline, over a third of the ground.
+Study study_of_one_basin(std::size_t stations, bool degrees) {
+  constexpr std::size_t vertices = 10000;
+  Study study = random_study(stations, 0, 0, degrees);
+  const double size = degrees ? 10 : 1e6;
+  const Point centre = degrees ? Point{-105, 40} : Point{5e5, 5e5};
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  Ring ring;
+  for (std::size_t k = 0; k < vertices; ++k) {
+    const double angle = 2 * M_PI * static_cast<double>(k) / static_cast<double>(vertices);
+    const double radius =
+        size * (0.32 + 0.03 * std::sin(7 * angle) + 0.0003 * (uniform(random) - 0.5));
+    ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+  }
+  study.basins.push_back({"basin", {{ring, {}}}, {}});
+  return study;
+}
+
+/// 32 by 32 square tiles over all the ground.
+Study study_of_tiles(std::size_t stations, bool degrees) {
+  constexpr int tiles = 32;
+  Study study = random_study(stations, 0, 0, degrees);
+  const double size = degrees ? 10 : 1e6;
+  const Point origin = degrees ? Point{-110, 35} : Point{0, 0};
+  const auto at = [&](int column, int row) {
+    return Point{origin.x + size * column / tiles, origin.y + size * row / tiles};
+  };
+  for (int row = 0; row < tiles; ++row) {
+    for (int column = 0; column < tiles; ++column) {
+      const Ring ring{at(column, row), at(column + 1, row), at(column + 1, row + 1),
+                      at(column, row + 1)};
+      study.basins.push_back({std::to_string(row * tiles + column), {{ring, {}}}, {}});
+    }
+  }
+  return study;
+}
+
+using MakeStudy = Study (*)(std::size_t stations, bool degrees);
+
+Study basins_of_fifty(std::size_t stations, bool degrees) {
+  return random_study(stations, 1000, 50, degrees);
+}
+
+void whole_ours(benchmark::State& state, Metric metric, MakeStudy make) {
+  const Study study = make(static_cast<std::size_t>(state.range(0)), metric == Metric::geodesic);
+  const ReportingStations all(study.stations.size(), true);
+  for (auto _ : state) {
+    const Network network(study.stations, metric);
+    const Weighing weighing(network, study.basins, Yardstick{metric, 1, 0.1});
+    benchmark::DoNotOptimize(weighing.weights(all, 1));
+  }
+}
+
 void weights_ours(benchmark::State& state, Metric metric) {
-  const Study study = random_study(10000, 1000, 50, metric == Metric::geodesic);
+  const Study study = basins_of_fifty(10000, metric == Metric::geodesic);
   const ReportingStations all(study.stations.size(), true);
   for (auto _ : state) {
     const Network network(study.stations, metric);
@@ -93,8 +149,8 @@ void add_area(void* item, void* data) {
   search.area += area;
 }
 
-void weights_geos(benchmark::State& state) {
-  const Study study = random_study(10000, 1000, 50, false);
+void whole_geos(benchmark::State& state, MakeStudy make) {
+  const Study study = make(static_cast<std::size_t>(state.range(0)), false);
   const GEOSContextHandle_t geos = GEOS_init_r();
   for (auto _ : state) {
     std::vector<GEOSGeometry*> points;
@@ -127,6 +183,10 @@ void weights_geos(benchmark::State& state) {
   GEOS_finish_r(geos);
 }
 
+void weights_geos(benchmark::State& state) {
+  whole_geos(state, basins_of_fifty);
+}
+
 // A step with a set of silent gauges not seen before, and one seen before.
 void rainfall_step(benchmark::State& state, std::size_t remembered_bytes) {
   const Study study = random_study(400, 60, 50, true);
@@ -156,7 +216,29 @@ BENCHMARK_CAPTURE(cells_ours, geodesic, Metric::geodesic)
     ->Arg(1)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(weights_geos)->Unit(benchmark::kMillisecond);
+BENCHMARK(weights_geos)->Arg(10000)->Unit(benchmark::kMillisecond);
+// Each kind of study, ours and the peer's by turns.
+BENCHMARK_CAPTURE(whole_ours, one_basin_geodesic, Metric::geodesic, study_of_one_basin)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_ours, one_basin_planar, Metric::planar, study_of_one_basin)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_geos, one_basin, study_of_one_basin)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_ours, tiles_geodesic, Metric::geodesic, study_of_tiles)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_ours, tiles_planar, Metric::planar, study_of_tiles)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(whole_geos, tiles, study_of_tiles)
+    ->Arg(10000)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rainfall_step, new_set, std::size_t{0})->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(rainfall_step, remembered_set, std::size_t{1} << 28)
     ->Unit(benchmark::kMicrosecond);
