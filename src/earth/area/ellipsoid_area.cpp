@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "earth/sphere/small_angles.h"
 #include "earth/sphere/units.h"
 
 namespace thiessen {
@@ -27,25 +28,64 @@ const Wgs84& wgs84() {
 /// The area of a strip one radian wide between two parallels, in square metres.
 class Strip {
  public:
-  explicit Strip(double reference) : reference_(reference), sine_(std::sin(reference)) {}
+  explicit Strip(double reference)
+      : reference_(reference), sine_(std::sin(reference)), cosine_(std::cos(reference)) {}
 
-  double up_to(double latitude) const {
+  double up_to(double latitude) const { return up_to(sines_at(latitude)); }
+
+  /// The mean of the areas up to the latitudes of a segment, for one that rises by no more than
+  /// longest_for_one_point: that up to its middle, and the second term of the series about it. The
+  /// third is below rise^4 / 1920 of the Earth's radius squared.
+  double mean(double middle, double rise) const {
     const Wgs84& e = wgs84();
-    const double sine = std::sin(latitude);
-    const double rise =
-        2 * std::sin((latitude - reference_) / 2) * std::cos((latitude + reference_) / 2);
+    const Sines there = sines_at(middle);
+    const double square = there.sine * there.sine;
+    const double narrowing = 1 - e.square_eccentricity * square;
+    const double bend = there.sine * (4 * e.square_eccentricity * (1 - square) - narrowing) /
+                        (narrowing * narrowing * narrowing);
+    return up_to(there) + e.polar_radius * e.polar_radius * bend * rise * rise / 24;
+  }
+
+ private:
+  /// The sine of a latitude, and what it is more than the reference's.
+  struct Sines {
+    double sine;
+    double rise;
+  };
+
+  Sines sines_at(double latitude) const {
+    const double half = (latitude - reference_) / 2;
+    if (std::abs(half) > small_angle) {
+      return {std::sin(latitude), 2 * std::sin(half) * std::cos((latitude + reference_) / 2)};
+    }
+    const double sine = small_sine(half);
+    const double rise = 2 * sine * (cosine_ * small_cosine(half) - sine_ * sine);
+    return {sine_ + rise, rise};
+  }
+
+  double up_to(const Sines& there) const {
+    const Wgs84& e = wgs84();
+    const auto [sine, rise] = there;
     const double product = e.square_eccentricity * sine * sine_;
     const double rational =
         rise * (1 + product) /
         ((1 - e.square_eccentricity * sine * sine) * (1 - e.square_eccentricity * sine_ * sine_));
     const double transcendental =
-        std::atanh(e.eccentricity * rise / (1 - product)) / e.eccentricity;
+        area_tangent(e.eccentricity * rise / (1 - product)) / e.eccentricity;
     return e.polar_radius * e.polar_radius / 2 * (rational + transcendental);
   }
 
- private:
+  /// The inverse of the hyperbolic tangent. The first term that the series leaves out is below
+  /// 2e-18 of the result.
+  static double area_tangent(double t) {
+    if (std::abs(t) > 0.01) return std::atanh(t);
+    const double s = t * t;
+    return t + t * s * (1. / 3 + s * (1. / 5 + s * (1. / 7)));
+  }
+
   double reference_;
   double sine_;
+  double cosine_;
 };
 
 struct Abscissa {
@@ -57,6 +97,7 @@ constexpr std::array<Abscissa, 4> four_points{{{-0.8611363115940526, 0.347854845
                                                {-0.3399810435848563, 0.6521451548625461},
                                                {0.3399810435848563, 0.6521451548625461},
                                                {0.8611363115940526, 0.34785484513745386}}};
+constexpr double longest_for_one_point = 1e-3;  // radians
 // The Gauss-Legendre rules are right to 1e-17 of the Earth's radius squared for segments that rise
 // by no more than this, in radians.
 constexpr double longest_for_two_points = 2e-3;
@@ -79,6 +120,7 @@ double area_under(Point a, Point b, double reference_latitude) {
   if (width == 0) return 0;
   const double south = a.y * degree;
   const double rise = (b.y - a.y) * degree;
+  if (std::abs(rise) <= longest_for_one_point) return width * strip.mean(south + rise / 2, rise);
   if (std::abs(rise) <= longest_for_two_points) {
     return width * mean_strip(strip, south + rise / 2, rise / 2, two_points);
   }
@@ -93,15 +135,21 @@ double area_under(Point a, Point b, double reference_latitude) {
 }
 
 double area_beside_chord(Point start, Point middle, Point end) {
+  return area_beside_chord(start, middle, end, std::sin(middle.y * degree),
+                           std::cos(middle.y * degree));
+}
+
+double area_beside_chord(Point start, Point middle, Point end, double sine, double cosine) {
   const Wgs84& e = wgs84();
-  const auto east = [&](Point p) { return std::remainder(p.x - start.x, 360) * degree; };
+  const auto east = [&](Point p) {
+    const double way = p.x - start.x;
+    return (std::abs(way) <= 180 ? way : std::remainder(way, 360)) * degree;
+  };
   const auto north = [&](Point p) { return (p.y - start.y) * degree; };
   const double sagitta =
       east(end) * (north(middle) - north(end) / 2) - north(end) * (east(middle) - east(end) / 2);
-  const double sine = std::sin(middle.y * degree);
   const double narrowing = 1 - e.square_eccentricity * sine * sine;
-  const double square_radian =
-      e.polar_radius * e.polar_radius * std::cos(middle.y * degree) / (narrowing * narrowing);
+  const double square_radian = e.polar_radius * e.polar_radius * cosine / (narrowing * narrowing);
   return -2.0 / 3 * sagitta * square_radian;
 }
 

@@ -24,5 +24,8 @@ double area_under(Point a, Point b, double reference_latitude);
 /// taken for a parabola and the Earth's curvature for that at its middle. Accuracy: 1e-4 of the
 /// area for a curve of constant curvature and 30 km. Cost: 50 nanoseconds.
 double area_beside_chord(Point start, Point middle, Point end);
+/// The same, where the sine and the cosine of the middle's latitude are known. Cost: 10
+/// nanoseconds.
+double area_beside_chord(Point start, Point middle, Point end, double sine, double cosine);
 
 }  // namespace thiessen

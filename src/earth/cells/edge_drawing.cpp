@@ -45,14 +45,43 @@ double bulge(Point start, Point middle, Point end) {
 
 /// How far, in metres, an edge's middle lies to the right of the line of its chord. The sign tells
 /// an edge that bends both ways, as one does that crosses the equator, from one that is even.
-double sagitta(Point start, Point middle, Point end) {
-  const double cosine = std::cos(middle.y * degree);
+double sagitta(Point start, Point middle, Point end, double cosine) {
   const Way before(start, middle, cosine);
   const Way after(middle, end, cosine);
-  const double length = std::hypot(before.east + after.east, before.north + after.north);
+  const double east = before.east + after.east;
+  const double north = before.north + after.north;
+  const double length = std::sqrt(east * east + north * north);
   if (length == 0) return std::hypot(before.east, before.north);
   return (before.east * after.north - before.north * after.east) / length;
 }
+double sagitta(Point start, Point middle, Point end) {
+  return sagitta(start, middle, end, std::cos(middle.y * degree));
+}
+
+/// How a piece of an edge bends: how far, in metres, its middle and those of its halves lie from
+/// their chords.
+struct Bend {
+  double whole;
+  double first;
+  double last;
+
+  double most() const { return std::max(std::abs(first), std::abs(last)); }
+  /// Whether the curve is as strong in one half as in the other.
+  bool is_even() const {
+    return std::abs(first - last) <= most() / 2 && std::abs(whole) <= 5 * most();
+  }
+  bool is_fine(double tolerance) const {
+    return std::max(std::abs(whole), 4 * most()) <= tolerance;
+  }
+  /// How many chords an even piece takes. A piece that bulges by b bulges by b / n^2 where it is
+  /// divided into n. Near one of its ends the curve is stronger still, by half the difference
+  /// between the halves.
+  int chords(double tolerance) const {
+    if (is_fine(tolerance)) return 1;
+    const double at_an_end = 1.02 * (most() + std::abs(first - last) / 2);
+    return static_cast<int>(std::ceil(2 * std::sqrt(at_an_end / tolerance)));
+  }
+};
 
 /// How many times the accuracy of vertices the ends of chords may be off.
 constexpr double ends_are_right_to = 10;
@@ -234,27 +263,57 @@ void EdgeDrawing::draw_piece(const GeodesicBisector& edge, EdgePoint& start, Edg
 void EdgeDrawing::draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end) {
   const double half = (end.angle - start.angle) / 2;
   EdgePoint middle = point_at(offset, start.angle + half);
-  const bool is_long = half / degree > frame_size_ / 16;
-  if (is_long && !thiessen::may_come_near(frame_, middle.position, half / degree)) return;
+  const bool piece_is_long = is_long(half);
+  if (piece_is_long && !thiessen::may_come_near(frame_, middle.position, half / degree)) return;
   const Point first_quarter = longitudes_.within(offset.at(start.angle + half / 2));
   const Point last_quarter = longitudes_.within(offset.at(end.angle - half / 2));
-  const double first = sagitta(start.position, first_quarter, middle.position);
-  const double last = sagitta(middle.position, last_quarter, end.position);
-  const double most = std::max(std::abs(first), std::abs(last));
-  const double whole = std::abs(sagitta(start.position, middle.position, end.position));
-  const bool is_even = std::abs(first - last) <= most / 2 && whole <= 5 * most;
-  const bool is_fine = std::max(whole, 4 * most) <= tolerance_;
-  if ((is_long || !is_even) && !is_fine && half >= shortest_chord) {
+  const Bend bend{sagitta(start.position, middle.position, end.position),
+                  sagitta(start.position, first_quarter, middle.position),
+                  sagitta(middle.position, last_quarter, end.position)};
+  if ((piece_is_long || !bend.is_even()) && !bend.is_fine(tolerance_) && half >= shortest_chord) {
     draw_piece(offset, start, middle);
     draw_piece(offset, middle, end);
     return;
   }
-  // A piece that bulges by b bulges by b / n^2 where it is divided into n. Near one of its ends the
-  // curve is stronger still, by half the difference between the halves.
-  const double at_an_end = 1.02 * (most + std::abs(first - last) / 2);
-  const double pieces = 2 * std::sqrt(at_an_end / tolerance_);
-  const int chords = is_fine ? 1 : static_cast<int>(std::ceil(pieces));
-  draw_chords(offset, start, end, chords);
+  draw_chords(offset, start, end, bend.chords(tolerance_));
+}
+
+bool EdgeDrawing::is_long(double half) const {
+  return half / degree > frame_size_ / 16;
+}
+
+bool EdgeDrawing::may_be_short(Point from, Point to) const {
+  return frame_.contains(from) && frame_.contains(to) &&
+         std::abs(from.y) <= ShortEdge::highest_latitude &&
+         std::abs(to.y) <= ShortEdge::highest_latitude && longitudes_.is_clear_of_cuts(from.x) &&
+         longitudes_.is_clear_of_cuts(to.x);
+}
+
+bool EdgeDrawing::draw_short(const ShortEdge& edge, EdgePoint start, EdgePoint end, PlaceIndex left,
+                             PlaceIndex right) {
+  throw_if_interrupted();
+  if (is_long(edge.length() / 2)) return false;
+  const Point middle = edge.at(0.5);
+  const auto cosine = [&](Point p) { return edge.latitude(p.y).cosine; };
+  const Point first_quarter = edge.at(0.25);
+  const Point last_quarter = edge.at(0.75);
+  const Bend bend{sagitta(start.position, middle, end.position, cosine(middle)),
+                  sagitta(start.position, first_quarter, middle, cosine(first_quarter)),
+                  sagitta(middle, last_quarter, end.position, cosine(last_quarter))};
+  if (!bend.is_even() && !bend.is_fine(tolerance_)) return false;
+  left_ = left;
+  right_ = right;
+  const int chords = bend.chords(tolerance_);
+  EdgePoint from = start;
+  for (int i = 1; i <= chords; ++i) {
+    EdgePoint to = i == chords ? end : EdgePoint{0, no_node, edge.at(1. * i / chords)};
+    const Point halfway = chords == 1 ? middle : edge.at((i - 0.5) / chords);
+    const auto [sine, cosine_there] = edge.latitude(halfway.y);
+    draw_chord(from, to,
+               area_beside_chord(from.position, halfway, to.position, sine, cosine_there));
+    from = to;
+  }
+  return true;
 }
 
 void EdgeDrawing::draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "earth/cells/bisector_offset.h"
 #include "earth/cells/geodesic_bisector.h"
 #include "earth/cells/longitude_turn.h"
+#include "earth/cells/short_edge.h"
 
 namespace thiessen {
 
@@ -38,6 +40,17 @@ class EdgeDrawing {
   void draw(const GeodesicBisector& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
             PlaceIndex right);
 
+  /// Whether an edge that may be short is drawn by draw_short: both its ends lie within the frame,
+  /// and far from poles and from the sides of maps.
+  bool may_be_short(Point from, Point to) const;
+  /// Draws a short edge as draw would, to a micrometre. Returns false where it does not, since the
+  /// edge is long against the frame or bends unevenly.
+  bool draw_short(const ShortEdge& edge, EdgePoint from, EdgePoint to, PlaceIndex left,
+                  PlaceIndex right);
+
+  /// How many new nodes and chords there are.
+  std::size_t nodes() const { return nodes_.size(); }
+  std::size_t chords() const { return chords_.size(); }
   /// Appends the new nodes and chords to the diagram. Nodes numbered below `first_node` are the
   /// diagram's own.
   void add_to(Diagram& diagram) const;
@@ -54,6 +67,7 @@ class EdgeDrawing {
   void draw_piece(const GeodesicBisector& edge, EdgePoint& start, EdgePoint& end);
   void draw_piece(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end);
   void draw_chords(const BisectorOffset& offset, EdgePoint& start, EdgePoint& end, int chords);
+  bool is_long(double half) const;
   void draw_chord(EdgePoint& start, EdgePoint& end, double bulge);
   void add_chord(std::uint32_t from, std::uint32_t to, double bulge);
   double bulge_of(const BisectorOffset& offset, const EdgePoint& start, const EdgePoint& end) const;

@@ -17,7 +17,27 @@ constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away by the g
 Direction moved_on_sphere(Direction p, Direction tangent) {
   const double angle = length(tangent);
   if (angle == 0) return p;
+  if (angle <= small_angle)
+    return unit(small_cosine(angle) * p + (small_sine(angle) / angle) * tangent);
   return unit(std::cos(angle) * p + (std::sin(angle) / angle) * tangent);
+}
+
+/// A place, and the sphere's scale there.
+struct Site {
+  const EarthPoint& place;
+  double scale;
+};
+
+/// As sphere_arrival; the scale at `at` is looked up once for all sites.
+SphereArrival site_arrival(const Site& site, Direction at, double scale_there, double accuracy) {
+  const Direction chord = at - site.place.direction;
+  const double half = length(chord) / 2;
+  if (half == 0 || !is_short_path(half, accuracy)) return sphere_arrival(site.place, at, accuracy);
+  // The chord of two points of the unit sphere has 2 half^2 along each of them.
+  const double along = 2 * half * half;
+  const double size = 2 * half * std::sqrt(1 - half * half);
+  return {short_path(sphere_scale(), {site.place.direction, site.scale}, {at, scale_there}, half),
+          (1 / size) * (chord - along * at)};
 }
 
 }  // namespace
@@ -25,13 +45,24 @@ Direction moved_on_sphere(Direction p, Direction tangent) {
 std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
                                              const EarthPoint& c, Direction start,
                                              double accuracy) {
+  const auto scale = [](const EarthPoint& place) { return scale_on_earth(place.direction.z); };
+  return equidistant_point({a, b, c}, {scale(a), scale(b), scale(c)}, start, accuracy);
+}
+
+std::optional<Equidistant> equidistant_point(const std::array<EarthPoint, 3>& places,
+                                             const std::array<double, 3>& scales, Direction start,
+                                             double accuracy) {
+  const Site a{places[0], scales[0]};
+  const Site b{places[1], scales[1]};
+  const Site c{places[2], scales[2]};
   constexpr int most_steps = 20;
   Direction p = start;
   double before = HUGE_VAL;
   for (int i = 0; i < most_steps; ++i) {
-    const SphereArrival from_a = sphere_arrival(a, p, accuracy);
-    const SphereArrival from_b = sphere_arrival(b, p, accuracy);
-    const SphereArrival from_c = sphere_arrival(c, p, accuracy);
+    const double scale = scale_on_earth(p.z);
+    const SphereArrival from_a = site_arrival(a, p, scale, accuracy);
+    const SphereArrival from_b = site_arrival(b, p, scale, accuracy);
+    const SphereArrival from_c = site_arrival(c, p, scale, accuracy);
     const double ab = from_a.distance - from_b.distance;
     const double ac = from_a.distance - from_c.distance;
     const double wrong = std::max(std::abs(ab), std::abs(ac));
@@ -46,7 +77,7 @@ std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoi
     const Direction step = (1 / determinant) * (-ab * cross(v, p) + ac * cross(u, p));
     const double size = length(step);
     if (!(size <= longest_step)) return {};
-    p = moved_on_sphere(p, (1 / scale_on_earth(p.z)) * step);
+    p = moved_on_sphere(p, (1 / scale) * step);
     // The error that a step leaves is of the second order in the step.
     const double nearest = std::min({from_a.distance, from_b.distance, from_c.distance});
     if (size * size <= accuracy / 20 * nearest && from_a.distance < antipodal)

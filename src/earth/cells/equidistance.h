@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "earth/sphere/geodesic.h"
@@ -19,5 +20,9 @@ struct Equidistant {
 /// steps.
 std::optional<Equidistant> equidistant_point(const EarthPoint& a, const EarthPoint& b,
                                              const EarthPoint& c, Direction start, double accuracy);
+/// The same, where the sphere's scale at each place is known.
+std::optional<Equidistant> equidistant_point(const std::array<EarthPoint, 3>& places,
+                                             const std::array<double, 3>& scales, Direction start,
+                                             double accuracy);
 
 }  // namespace thiessen

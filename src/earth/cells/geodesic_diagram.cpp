@@ -5,9 +5,11 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "base/interrupt.h"
 #include "base/parallel.h"
 #include "earth/cells/cell_mesh.h"
 #include "earth/cells/edge_drawing.h"
@@ -16,6 +18,8 @@
 #include "earth/cells/longitude_turn.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/sphere_tessellation.h"
+#include "earth/sphere/units.h"
+#include "geometry/insertion_order.h"
 
 namespace thiessen {
 namespace {
@@ -102,6 +106,15 @@ class GeodesicDiagramBuilder {
       mesh.for_each_edge(first, end,
                          [&](SideIndex s) { draw_edge(vertices, node, s, drawings[piece]); });
     });
+    std::size_t nodes = diagram_.nodes.size();
+    std::size_t chords = 0;
+    for (const EdgeDrawing& drawing : drawings) {
+      nodes += drawing.nodes();
+      chords += drawing.chords();
+    }
+    diagram_.nodes.reserve(nodes);
+    diagram_.chords.reserve(chords);
+    diagram_.bulges.reserve(chords);
     for (const EdgeDrawing& drawing : drawings) drawing.add_to(diagram_);
   }
 
@@ -110,10 +123,27 @@ class GeodesicDiagramBuilder {
     const auto border = vertices.border(s);
     if (!border) return;
     const auto& [left, right, start, end] = *border;
+    EdgePoint from{0, node[start], diagram_.nodes[node[start]]};
+    EdgePoint to{0, node[end], diagram_.nodes[node[end]]};
+    if (drawing.may_be_short(from.position, to.position)) {
+      const auto short_edge =
+          ShortEdge::fit(vertices.edge_side(left), vertices.edge_side(right),
+                         vertices.chord(left, right), {from.position, vertices.direction(start)},
+                         {to.position, vertices.direction(end)}, accuracy_);
+      if (short_edge && drawing.draw_short(*short_edge, from, to, left, right)) return;
+    }
+    if (is_far(vertices.direction(start), vertices.direction(end), from.position)) return;
     const GeodesicBisector edge = vertices.edge(left, right);
-    const auto [from, to] = vertices.angles(edge, start, end);
-    drawing.draw(edge, {from, node[start], diagram_.nodes[node[start]]},
-                 {to, node[end], diagram_.nodes[node[end]]}, left, right);
+    std::tie(from.angle, to.angle) = vertices.angles(edge, start, end);
+    drawing.draw(edge, from, to, left, right);
+  }
+
+  // Whether an edge is short, and all of it is farther from the frame than it is long.
+  bool is_far(Direction start, Direction end, Point start_position) const {
+    constexpr double longest = 0.1;  // radians
+    const double chord = length(end - start);
+    return chord <= longest &&
+           !may_come_near(diagram_.frame, start_position, 1.1 * chord / degree + 1e-3);
   }
 
   std::shared_ptr<const SphereTessellation> sphere_;
@@ -123,11 +153,45 @@ class GeodesicDiagramBuilder {
   Diagram diagram_;
 };
 
+/// Gives the places of a diagram other numbers: `number` has that of each.
+void renumber(Diagram& diagram, std::vector<std::uint32_t> number) {
+  const auto renumbered = [&](PlaceIndex p) { return PlaceIndex{number[index(p)]}; };
+  for (Chord& chord : diagram.chords) {
+    throw_if_interrupted();
+    chord.left = renumbered(chord.left);
+    chord.right = renumbered(chord.right);
+  }
+  for (auto& [first, second] : diagram.neighbours) {
+    first = renumbered(first);
+    second = renumbered(second);
+  }
+  const std::vector<PlaceIndex> cell_of = diagram.cell_of;
+  const std::vector<Point> places = diagram.places;
+  for (std::size_t p = 0; p < number.size(); ++p) {
+    diagram.cell_of[number[p]] = renumbered(cell_of[p]);
+    diagram.places[number[p]] = places[p];
+  }
+  diagram.near = [near = std::move(diagram.near), number = std::move(number)](Point p) {
+    return PlaceIndex{number[index(near(p))]};
+  };
+}
+
 }  // namespace
 
+// Many places are put in the order in which they lie, for in any other each look at a place's
+// position would wait for the memory.
 Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
                          double accuracy, unsigned threads) {
-  return GeodesicDiagramBuilder(places, frame, tolerance, accuracy, threads).build();
+  constexpr std::size_t few = 1000;
+  if (places.size() <= few)
+    return GeodesicDiagramBuilder(places, frame, tolerance, accuracy, threads).build();
+  std::vector<std::uint32_t> order = insertion_order(places);
+  std::vector<Point> ordered;
+  ordered.reserve(places.size());
+  for (const std::uint32_t p : order) ordered.push_back(places[p]);
+  Diagram diagram = GeodesicDiagramBuilder(ordered, frame, tolerance, accuracy, threads).build();
+  renumber(diagram, std::move(order));
+  return diagram;
 }
 
 }  // namespace thiessen

@@ -9,10 +9,44 @@
 #include "earth/cells/far_side.h"
 #include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
+#include "earth/sphere/nearby_positions.h"
 #include "earth/sphere/units.h"
 #include "geometry/disjoint_sets.h"
 
 namespace thiessen {
+namespace {
+
+/// Which directions are within a frame less than half a turn wide. It may say no of some, where the
+/// frame reaches a pole or is wider.
+class FrameOnSphere {
+ public:
+  explicit FrameOnSphere(const Box& frame)
+      : is_told_(frame.width() < 170 && frame.low.y > -89 && frame.high.y < 89),
+        south_(on_sphere(frame.low).z),
+        north_(on_sphere(frame.high).z),
+        west_(on_sphere({frame.low.x, 0})),
+        east_(on_sphere({frame.high.x, 0})) {}
+
+  bool holds(Direction p) const {
+    return is_told_ && p.z > south_ && p.z < north_ && west_.x * p.y - west_.y * p.x > 0 &&
+           east_.x * p.y - east_.y * p.x < 0;
+  }
+
+ private:
+  bool is_told_;
+  double south_;
+  double north_;
+  Direction west_;
+  Direction east_;
+};
+
+/// The point with its longitude in [-180, 180].
+Point within_turn(Point p) {
+  return std::abs(p.x) <= 180 ? p : Point{std::remainder(p.x, 360), p.y};
+}
+
+}  // namespace
+
 GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<const Point> places,
                                    const Box& frame, double accuracy, unsigned threads)
     : sphere_(sphere),
@@ -20,9 +54,13 @@ GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<c
       accuracy_(accuracy),
       mesh_(sphere),
       vertices_(mesh_.triangles()) {
+  scales_.reserve(places.size());
+  for (std::uint32_t p = 0; p < places.size(); ++p)
+    scales_.push_back(sphere_scale().at(sphere.direction(PlaceIndex{p}).z));
+  const FrameOnSphere frame_on_sphere(frame);
   for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
     place_on_sphere(t);
-    vertices_[t].is_near = may_come_near(frame, vertices_[t].position, farthest_off(t));
+    vertices_[t].is_near = frame_on_sphere.holds(vertices_[t].direction) || is_near_frame(frame, t);
   }
   lay_far_side_anew();
   constexpr std::size_t some = 256;
@@ -37,6 +75,18 @@ GeodesicVertices::GeodesicVertices(const SphereTessellation& sphere, std::span<c
   unite();
 }
 
+bool GeodesicVertices::is_near_frame(const Box& frame, std::uint32_t triangle) {
+  Vertex& vertex = vertices_[triangle];
+  vertex.position = position_near_corner(triangle);
+  return may_come_near(frame, vertex.position, farthest_off(triangle));
+}
+
+Point GeodesicVertices::position_near_corner(std::uint32_t triangle) const {
+  const PlaceIndex corner = sphere_.in_order(mesh_.corners(triangle))[0];
+  const NearbyPositions near(position(corner), sphere_.direction(corner));
+  return within_turn(near.of(vertices_[triangle].direction));
+}
+
 // An upper bound, in degrees, on how far the vertex moves from the sphere to the ellipsoid.
 double GeodesicVertices::farthest_off(std::uint32_t triangle) const {
   const double square =
@@ -48,7 +98,6 @@ void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
   const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
   vertex.direction = sphere_.centre(a, b, c);
-  vertex.position = from_sphere(vertex.direction);
   vertex.is_exact = false;
 }
 
@@ -66,7 +115,10 @@ void GeodesicVertices::lay_far_side_anew() {
   }
   if (!any_near) return;
   const auto direction_of = [&](std::uint32_t t) { return vertices_[t].direction; };
-  for (const std::uint32_t t : far) vertices_[t].is_far = true;
+  for (const std::uint32_t t : far) {
+    vertices_[t].is_far = true;
+    vertices_[t].position = from_sphere(vertices_[t].direction);
+  }
   for (const auto& [t, at] :
        FarSide(sphere_, places_, accuracy_, mesh_).lay_anew(far, direction_of))
     vertices_[t] = {at.position, on_sphere(at.position), at.radius, true, true, true};
@@ -76,15 +128,19 @@ void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   constexpr double farthest = 0.5;  // radians
   const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
-  const auto found = equidistant_point(earth_point(a), earth_point(b), earth_point(c),
+  const auto found = equidistant_point({earth_point(a), earth_point(b), earth_point(c)},
+                                       {scales_[index(a)], scales_[index(b)], scales_[index(c)]},
                                        vertex.direction, accuracy_ / 10);
-  if (!found) return;
-  const Direction moved = found->at - vertex.direction;
-  if (dot(moved, moved) > farthest * farthest) return;
-  vertex.position = from_sphere(found->at);
-  vertex.direction = found->at;
-  vertex.radius = found->radius;
-  vertex.is_exact = true;
+  const auto is_close = [&](Direction at) {
+    const Direction moved = at - vertex.direction;
+    return dot(moved, moved) <= farthest * farthest;
+  };
+  if (found && is_close(found->at)) {
+    vertex.direction = found->at;
+    vertex.radius = found->radius;
+    vertex.is_exact = true;
+  }
+  vertex.position = position_near_corner(triangle);
 }
 
 std::optional<GeodesicVertices::Border> GeodesicVertices::border(SideIndex s) const {

@@ -8,6 +8,7 @@
 
 #include "earth/cells/cell_mesh.h"
 #include "earth/cells/geodesic_bisector.h"
+#include "earth/cells/short_edge.h"
 #include "geometry/box.h"
 
 namespace thiessen {
@@ -34,6 +35,11 @@ class GeodesicVertices {
   /// between neighbours whose centres are less than twice the accuracy apart have one vertex; the
   /// first of them by its corners' coordinates stands for them.
   std::uint32_t group_of(std::uint32_t triangle) const;
+  /// The places on either side of a short edge, and the vector from the first to the second.
+  EdgeSide edge_side(PlaceIndex p) const { return {sphere_.direction(p), scales_[index(p)]}; }
+  Direction chord(PlaceIndex first, PlaceIndex second) const {
+    return sphere_.chord(first, second, SphereTessellation::turned_at_most);
+  }
   /// The edge between the cells of two places.
   GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
     return {earth_point(first), earth_point(second), sphere_.bisector(first, second), accuracy_};
@@ -79,6 +85,8 @@ class GeodesicVertices {
   EarthPoint earth_point(PlaceIndex p) const { return {position(p), sphere_.direction(p)}; }
   double farthest_off(std::uint32_t triangle) const;
   void place_on_sphere(std::uint32_t triangle);
+  bool is_near_frame(const Box& frame, std::uint32_t triangle);
+  Point position_near_corner(std::uint32_t triangle) const;
   void place_on_earth(std::uint32_t triangle);
   void lay_far_side_anew();
   void flip_sides();
@@ -93,6 +101,7 @@ class GeodesicVertices {
   CellMesh mesh_;
   std::vector<Vertex> vertices_;
   std::vector<std::uint32_t> group_;
+  std::vector<double> scales_;  // of the sphere, by place
 };
 
 }  // namespace thiessen

@@ -68,11 +68,22 @@ class OtherSide {
 
 }  // namespace
 
+LongitudeTurn::LongitudeTurn(const Box& frame)
+    : west_(frame.centre().x - 180), antimeridian_(180 + 360 * std::ceil((west_ - 180) / 360)) {}
+
+bool LongitudeTurn::is_clear_of_cuts(double x) const {
+  constexpr double degrees = 1;
+  return x - west_ > degrees && west_ + 360 - x > degrees && std::abs(x - antimeridian_) > degrees;
+}
+
 Point LongitudeTurn::within(Point p) const {
-  const double near = micrometre / (mean_radius * degree * std::cos(p.y * degree));
   p.x -= 360 * std::floor((p.x - west_) / 360);
-  const double antimeridian = 180 + 360 * std::round((p.x - 180) / 360);
+  // A micrometre is less than a degree of longitude up to here.
+  constexpr double far_from_pole = 89.9;
+  if (std::abs(p.y) <= far_from_pole && is_clear_of_cuts(p.x)) return p;
   if (std::abs(p.y) < 90) {
+    const double near = micrometre / (mean_radius * degree * std::cos(p.y * degree));
+    const double antimeridian = 180 + 360 * std::round((p.x - 180) / 360);
     for (const double cut : {antimeridian, west_, west_ + 360})
       if (std::abs(p.x - cut) <= near) p.x = cut;
   }

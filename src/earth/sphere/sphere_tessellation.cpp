@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
@@ -83,16 +84,28 @@ bool SphereTessellation::merge_indistinct() {
   return merged;
 }
 
-void SphereTessellation::connect() {
-  neighbours_.resize(directions_.size());
-  const auto join = [&](PlaceIndex a, PlaceIndex b) {
-    neighbours_[index(a)].push_back(b);
-    neighbours_[index(b)].push_back(a);
-  };
-  for_each_edge(join);
+// Visits the pairs of places whose cells have an edge in common, and of those that share a cell.
+template <typename Visit>
+void SphereTessellation::for_each_link(Visit&& visit) const {
+  for_each_edge(visit);
   for (std::uint32_t i = 0; i < cell_of_.size(); ++i) {
-    if (index(cell_of_[i]) != i) join(cell_of_[i], PlaceIndex{i});
+    if (index(cell_of_[i]) != i) visit(cell_of_[i], PlaceIndex{i});
   }
+}
+
+void SphereTessellation::connect() {
+  first_neighbour_.assign(directions_.size() + 1, 0);
+  for_each_link([&](PlaceIndex a, PlaceIndex b) {
+    ++first_neighbour_[index(a) + 1];
+    ++first_neighbour_[index(b) + 1];
+  });
+  std::partial_sum(first_neighbour_.begin(), first_neighbour_.end(), first_neighbour_.begin());
+  neighbours_.resize(first_neighbour_.back());
+  std::vector<std::uint32_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
+  for_each_link([&](PlaceIndex a, PlaceIndex b) {
+    neighbours_[next[index(a)]++] = b;
+    neighbours_[next[index(b)]++] = a;
+  });
 }
 
 Direction SphereTessellation::chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const {
@@ -123,7 +136,7 @@ PlaceIndex SphereTessellation::nearest(Direction p, PlaceIndex start) const {
   double distance = square_distance(p, best);
   for (bool moved = true; moved;) {
     moved = false;
-    for (const PlaceIndex q : neighbours_[index(best)]) {
+    for (const PlaceIndex q : neighbours(best)) {
       const double d = square_distance(p, q);
       if (d >= distance) continue;
       best = q;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,18 +32,23 @@ class SphereTessellation {
   const std::vector<PlaceIndex>& cell_of() const { return cell_of_; }
   /// The places whose cells have an edge in common with the place's, and those that rounding does
   /// not tell from it. A place may stand in the list twice.
-  const std::vector<PlaceIndex>& neighbours(PlaceIndex p) const { return neighbours_[index(p)]; }
+  std::span<const PlaceIndex> neighbours(PlaceIndex p) const {
+    const std::size_t first = first_neighbour_[index(p)];
+    return std::span(neighbours_).subspan(first, first_neighbour_[index(p) + 1] - first);
+  }
   /// The vector from a to b on the sphere. The plain difference of their directions has their
   /// rounding, which turns a chord of length s by 1e-16 / s, so it is taken only where that turn is
   /// below `turned_at_most`; otherwise chord_on_sphere computes it.
   Direction chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const;
+  /// What chords of bisectors and circumcentres may be turned by, in radians.
+  static constexpr double turned_at_most = 1e-12;
   /// The great circle between the cells of a and b.
   BisectorArc bisector(PlaceIndex a, PlaceIndex b) const {
-    return {direction(a), direction(b), chord(a, b, 1e-12)};
+    return {direction(a), direction(b), chord(a, b, turned_at_most)};
   }
   /// The circumcentre, as a unit vector, of the triangle a, b, c, which must be counter-clockwise.
   Direction centre(PlaceIndex a, PlaceIndex b, PlaceIndex c) const {
-    return unit(cross(chord(a, b, 1e-12), chord(a, c, 1e-12)));
+    return unit(cross(chord(a, b, turned_at_most), chord(a, c, turned_at_most)));
   }
   /// A triangle's corners, turned to begin with the first by coordinates, so that figures computed
   /// from them are rounded the same for any order of places.
@@ -65,6 +72,8 @@ class SphereTessellation {
  private:
   template <typename Visit>
   void for_each_edge(Visit&& visit) const;
+  template <typename Visit>
+  void for_each_link(Visit&& visit) const;
   void tessellate();
   bool merge_indistinct();
   void connect();
@@ -76,7 +85,8 @@ class SphereTessellation {
   Tessellation<2> tessellation_;
   std::vector<PlaceIndex> place_of_;  // by point; the infinite point stands for the pole
   std::vector<PlaceIndex> cell_of_;
-  std::vector<std::vector<PlaceIndex>> neighbours_;
+  std::vector<std::uint32_t> first_neighbour_;  // by place: where its own begin in neighbours_
+  std::vector<PlaceIndex> neighbours_;
 };
 
 template <typename Visit>

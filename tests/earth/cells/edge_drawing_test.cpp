@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "earth/sphere/geodesic.h"
 #include "earth/sphere/units.h"
 
@@ -113,6 +114,67 @@ TEST(EdgeDrawing, law_2_chords_are_a_way_from_the_first_point_to_the_last_with_t
     const double turn = (to.x - from.x) * (a.y - from.y) - (to.y - from.y) * (a.x - from.x);
     EXPECT_GT(turn, 0);
   }
+}
+
+// Node for node, chord for chord and area for area.
+TEST(EdgeDrawing, law_2b_a_short_edge_is_drawn_as_any_other) {
+  Seeded seeded;
+  std::size_t shorts = 0;
+  std::size_t halved = 0;
+  for (std::uint64_t i = 0; i < Seeded::rounds(500); ++i) {
+    const Point a{seeded.uniform(-170, 170), seeded.uniform(-74, 74)};
+    const Point b = random_point_at(seeded, a, std::pow(10, seeded.uniform(3, 4)));
+    const Box frame = box({a.x - 8, a.y - 8}, {a.x + 8, a.y + 8});
+    const double tolerance = std::pow(10, seeded.uniform(-3, 0));
+    const double from = seeded.uniform(-1e-3, 0);
+    const double to = from + seeded.uniform(1e-4, ShortEdge::longest);
+    const Diagram expected = drawn(a, b, frame, tolerance, from, to);
+    const EarthPoint left(a);
+    const EarthPoint right(b);
+    const auto side = [](const EarthPoint& p) {
+      return EdgeSide{p.direction, scale_on_earth(p.direction.z)};
+    };
+    const auto end = [&](std::size_t node) {
+      return EdgeEnd{expected.nodes[node], on_sphere(expected.nodes[node])};
+    };
+    const auto edge = ShortEdge::fit(side(left), side(right), right.direction - left.direction,
+                                     end(0), end(1), accuracy);
+    Diagram found;
+    found.nodes = {expected.nodes[0], expected.nodes[1]};
+    EdgeDrawing drawing(frame, tolerance, 2);
+    ASSERT_TRUE(drawing.may_be_short(found.nodes[0], found.nodes[1]));
+    if (!edge) continue;
+    ++shorts;
+    if (!drawing.draw_short(*edge, {0, 0, found.nodes[0]}, {0, 1, found.nodes[1]}, first, second)) {
+      ++halved;  // it crosses the equator
+      continue;
+    }
+    drawing.add_to(found);
+    ASSERT_EQ(found.nodes.size(), expected.nodes.size());
+    for (std::size_t n = 2; n < found.nodes.size(); ++n)
+      ASSERT_LT(geodesic_distance(found.nodes[n], expected.nodes[n]), 1e-5);
+    ASSERT_EQ(found.chords.size(), expected.chords.size());
+    for (std::size_t c = 0; c < found.chords.size(); ++c) {
+      EXPECT_EQ(found.chords[c].from, expected.chords[c].from);
+      EXPECT_EQ(found.chords[c].left, first);
+      EXPECT_NEAR(found.bulges[c], expected.bulges[c], 0.1);
+    }
+  }
+  EXPECT_GT(shorts, Seeded::rounds(450));
+  EXPECT_LT(halved, Seeded::rounds(20));
+}
+
+TEST(EdgeDrawing, what_lies_at_a_side_of_the_map_or_beyond_the_frame_is_not_short) {
+  const EdgeDrawing drawing(box({-180, -80}, {180, 80}), 0.1, 0);
+  EXPECT_TRUE(drawing.may_be_short({10, 50}, {10.1, 50}));
+  EXPECT_FALSE(drawing.may_be_short({179.5, 50}, {179.4, 50}));
+  EXPECT_FALSE(drawing.may_be_short({-179.5, 50}, {179.9, 50}));
+  EXPECT_FALSE(drawing.may_be_short({10, 76}, {10, 74}));
+  EXPECT_FALSE(drawing.may_be_short({10, 50}, {10, -81}));
+  // The map of this frame ends at 10 and at 370 degrees, and has the antimeridian in it.
+  const EdgeDrawing eastern(box({170, 0}, {210, 50}), 0.1, 0);
+  EXPECT_TRUE(eastern.may_be_short({175, 40}, {175.1, 40}));
+  EXPECT_FALSE(eastern.may_be_short({179.9, 40}, {180.1, 40}));
 }
 
 // A chord of length s bulges by s^2.

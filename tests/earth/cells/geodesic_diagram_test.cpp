@@ -173,6 +173,29 @@ TEST(GeodesicDiagramOfTwoPlaces, is_one_closed_line) {
   }
 }
 
+// They are looked at in another order within; what comes out has the caller's numbers.
+TEST(GeodesicDiagramOfManyPlaces, law_knows_each_place_by_its_number) {
+  Seeded seeded;
+  const Network network{"many", {-105, 40}, 1, 1, 1500};
+  std::vector<Point> places = places_of(network, seeded);
+  places.push_back({places[7].x, places[7].y + 1e-13});  // shares its cell
+  const Diagram diagram = geodesic_diagram(places, frame_of(network), tolerance, 1e-6, 1);
+  EXPECT_EQ(diagram.places, places);
+  ASSERT_EQ(diagram.cell_of.size(), places.size());
+  for (std::uint32_t p = 0; p + 1 < places.size(); ++p) {
+    if (p != 7) {
+      EXPECT_EQ(diagram.cell_of[p], PlaceIndex{p});
+    }
+    EXPECT_EQ(diagram.near(places[p]), diagram.cell_of[p]);
+  }
+  EXPECT_EQ(diagram.cell_of[7], diagram.cell_of.back());
+  for (std::size_t c = 0; c < diagram.chords.size(); c += 50) {
+    const Chord& chord = diagram.chords[c];
+    expect_between(places, chord, diagram.nodes[chord.from], 1e-5);
+    expect_between(places, chord, diagram.nodes[chord.to], 1e-5);
+  }
+}
+
 TEST(GeodesicDiagramOnThreads, is_the_same) {
   Seeded seeded;
   const Network network{"", {20, 60}, 10, 5, 3000};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "earth/random_points.h"
+#include "earth/sphere/conformal_sphere.h"
 #include "geometry/seeded.h"
 
 namespace thiessen {
@@ -33,6 +34,26 @@ TEST(Geodesic, arrives_as_exactly_as_is_asked) {
       EXPECT_NEAR(found.east, exact.east, 1e-3);
       EXPECT_NEAR(found.north, exact.north, 1e-3);
     }
+  }
+}
+
+TEST(Geodesic, short_paths_are_as_exact) {
+  Seeded seeded;
+  for (const double accuracy : {1e-7, 1e-6, 1e-3}) {
+    std::size_t paths = 0;
+    for (std::uint64_t round = 0; round < seeded.rounds(1000); ++round) {
+      const Point from = random_point(seeded);
+      const Point to = random_point_at(seeded, from, std::pow(10, seeded.uniform(0, 5)));
+      const Direction a = on_sphere(from);
+      const Direction b = on_sphere(to);
+      const double half = length(b - a) / 2;
+      if (!is_short_path(half, accuracy)) continue;
+      ++paths;
+      const double found =
+          short_path(sphere_scale(), {a, scale_on_earth(a.z)}, {b, scale_on_earth(b.z)}, half);
+      EXPECT_NEAR(found, geodesic_distance(from, to), accuracy / 10 + 2e-8);
+    }
+    EXPECT_GT(paths, seeded.rounds(500));
   }
 }
 
