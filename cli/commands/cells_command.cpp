@@ -87,9 +87,10 @@ class CellsCommand : public Command {
     const auto readings = shown_readings(inputs, study_, rainfall_, view_.time(), warnings);
     const GaugeReadings* shown = readings ? &*readings : nullptr;
     if (shown != nullptr) view_.units = unit_shown(shown->unit, view_.units, false, "");
-    if (file != nullptr) {
-      const auto cells = cells_of(inputs, shown, static_cast<unsigned>(common_.threads));
-      CellsOutput output = cells_output(inputs, cells, shown, study_, view_.units);
+    if (file != nullptr && !write_singly(outputs, *file, inputs, shown, warnings)) {
+      CellsOutput output =
+          cells_output(inputs, cells_of(inputs, shown, static_cast<unsigned>(common_.threads)),
+                       shown, study_, view_.units);
       if (table) output.geometry_column = DatabaseTable::geometry_column;
       if (shown != nullptr && holds_colours(output_.output)) output.colours = colours_of(output);
       const std::string older_bytes = older ? older->bytes() : "";
@@ -102,9 +103,7 @@ class CellsCommand : public Command {
       } else {
         append_files(outputs, *file, cells_files(output, output_.output, warnings, older_bytes));
       }
-      const std::string name = table ? table->name() : output_.output;
-      warn_of_new_names(output, name == "-" ? "standard output" : name, warnings);
-      warn_of_own_coordinates(inputs, name, warnings);
+      warn_of_names(output, inputs, table ? table->name() : output_.output, warnings);
     }
     dual.write(inputs, study_, shown, view_.units, static_cast<unsigned>(common_.threads),
                warnings);
@@ -134,6 +133,26 @@ class CellsCommand : public Command {
     if (table) return table->rows();
     if (output_.output != "-") require_cells_format(output_.output);
     return outputs.add(output_.output);
+  }
+
+  /// Writes cells as they come, without holding them. Returns false, with nothing written, where
+  /// the output has to have them all at once.
+  bool write_singly(Outputs& outputs, OutputFile& file, const Inputs& inputs,
+                    const GaugeReadings* readings, Warnings& warnings) const {
+    const bool is_stream = output_.output == "-";
+    if (!is_stream && (output_.is_database() || !is_cells_geojson(output_.output))) return false;
+    const CellsOutput output = cells_output(inputs, {}, readings, study_, view_.units);
+    const auto threads = static_cast<unsigned>(common_.threads);
+    if (!append_cells_geojson(file, output, cell_source(inputs, readings, threads))) return false;
+    if (!is_stream) append_side_files(outputs, {{output_.output, {}}});
+    warn_of_names(output, inputs, output_.output, warnings);
+    return true;
+  }
+
+  static void warn_of_names(const CellsOutput& output, const Inputs& inputs,
+                            const std::string& name, Warnings& warnings) {
+    warn_of_new_names(output, name == "-" ? "standard output" : name, warnings);
+    warn_of_own_coordinates(inputs, name, warnings);
   }
 
   std::string packaged(const Inputs& inputs, const CellsOutput& output,

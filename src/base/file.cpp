@@ -185,6 +185,14 @@ void OutputFile::discard() {
   buffer_.clear();
 }
 
+void OutputFile::start_over() {
+  buffer_.clear();
+  spool_ = {};
+  if (care_ != Care::synced) return;
+  if (::ftruncate(file_.number(), 0) != 0 || ::lseek(file_.number(), 0, SEEK_SET) != 0)
+    throw system_error(name_, "cannot write", errno);
+}
+
 bool OutputFile::is_reader_gone() const {
   if (!file_.is_open()) return false;
   pollfd pipe = {file_.number(), 0, 0};

@@ -82,6 +82,9 @@ class OutputFile {
   }
   /// Drops what is not handed over yet.
   void discard();
+  /// Drops all that was appended, so that something else may be written in its place. Requires care
+  /// `held` or `synced`, and that it is not finished.
+  void start_over();
   /// Whether it is a pipe from which nobody will read any more.
   bool is_reader_gone() const;
   /// Another output to the same place, none of whose bytes go there until it is finished. What this

@@ -287,8 +287,9 @@ CellsInBasin CellClipper::cells_of(const CutBasin& cut) {
 CellsInBasin::CellsInBasin(const Diagram& diagram, const CutBasin& cut,
                            std::vector<CellShare> shares, const std::vector<std::uint32_t>& order)
     : diagram_(diagram), cut_(cut), shares_(std::move(shares)) {
-  if (cut.pieces.size() + 2 * cut.whole_chords.size() > std::numeric_limits<std::uint32_t>::max())
-    throw std::length_error("more than 2^32 pieces of cells in a basin");
+  const std::uint64_t numbers = cut.pieces.size() + 2 * std::uint64_t{diagram.chords.size()};
+  if (numbers > std::numeric_limits<std::uint32_t>::max())
+    throw std::length_error("more than 2^32 pieces of cells");
   const auto for_each_piece = [&](auto&& visit) {
     std::uint32_t number = 0;
     const auto visit_next = [&](PlaceIndex place) {
@@ -301,6 +302,7 @@ CellsInBasin::CellsInBasin(const Diagram& diagram, const CutBasin& cut,
     }
     for (const std::uint32_t chord : cut.whole_chords) {
       throw_if_interrupted();
+      number = static_cast<std::uint32_t>(cut.pieces.size()) + 2 * chord;
       visit_next(diagram.chords[chord].left);
       visit_next(diagram.chords[chord].right);
     }
@@ -330,7 +332,7 @@ ClippedCell CellsInBasin::cell(std::size_t i) {
       pieces_.push_back(cut_.pieces[number]);
     } else {
       const std::size_t side = number - cut_.pieces.size();
-      const auto [left, right] = pieces_of(diagram_, cut_.whole_chords[side / 2]);
+      const auto [left, right] = pieces_of(diagram_, static_cast<std::uint32_t>(side / 2));
       pieces_.push_back(side % 2 == 0 ? left : right);
     }
     edges_.push_back({pieces_.back().from, pieces_.back().to});

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "files/cells_shapes.h"
@@ -12,6 +13,7 @@
 #include "gdal/output/layer_formats.h"
 #include "outlines/cell_validity.h"
 #include "outlines/polygon_validity.h"
+#include "outlines/vertex_rounding.h"
 #include "results/cells_geojson.h"
 
 namespace thiessen {
@@ -131,6 +133,34 @@ std::string cells_geojson(const CellsOutput& output, const std::string& file, Wa
   return cells_geojson(output, cells.shapes, rounding);
 }
 
+bool append_cells_geojson(OutputFile& file, const CellsOutput& output, const CellSource& cells) {
+  if (output.study_crs) return false;
+  constexpr std::size_t block = 1U << 16U;
+  const VertexRounding every_digit;
+  CellsGeojson geojson(output, every_digit);
+  std::string text;
+  geojson.begin(text);
+  bool are_valid = true;
+  cells([&](const CellFeature& cell) {
+    throw_if_interrupted();
+    are_valid = !cell.shape.empty() && is_writable(cell.shape);
+    if (!are_valid) return false;
+    geojson.append(text, cell, cell.shape);
+    if (text.size() >= block) {
+      file.append(text);
+      text.clear();
+    }
+    return true;
+  });
+  if (!are_valid) {
+    file.start_over();
+    return false;
+  }
+  geojson.end(text);
+  file.append(text);
+  return true;
+}
+
 void warn_of_new_names(const CellsOutput& output, const std::string& file, Warnings& warnings) {
   const std::vector<FieldName> written = attribute_fields(output);
   for (std::size_t i = 0; i < written.size(); ++i) {
@@ -142,6 +172,10 @@ void warn_of_new_names(const CellsOutput& output, const std::string& file, Warni
                       quoted(written[i].name, 80) + " beside the cell's own",
                   {}});
   }
+}
+
+bool is_cells_geojson(const std::string& path) {
+  return is_geojson(extension_of(path));
 }
 
 void require_cells_format(const std::string& path) {

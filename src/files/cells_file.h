@@ -1,10 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "files/database/database_table.h"
 #include "gdal/crs/crs.h"
 #include "gdal/output/encoded_file.h"
@@ -29,6 +31,16 @@ struct CellsOutput : CellFeatures {
 /// shape even so. Cost: one check of validity a cell, n log n.
 std::string cells_geojson(const CellsOutput& output, const std::string& file, Warnings& warnings);
 
+/// Hands over cells one after the other, until `take` returns false.
+using CellSource = std::function<void(const std::function<bool(const CellFeature& cell)>& take)>;
+
+/// Appends to `file` what cells_geojson returns of the cells of a source, and holds one at a time.
+/// `output` tells what they have in common; it has no cells itself. Returns false, with nothing
+/// appended, where all cells have to be looked at before one is written: where vertices are
+/// rounded, as in longitude and latitude, and where a cell has no valid shape. Requires a file to
+/// which nothing was appended.
+bool append_cells_geojson(OutputFile& file, const CellsOutput& output, const CellSource& cells);
+
 /// The cells in the format that the extension of `path` names: the first file is `path` itself,
 /// others lie beside it. GeoJSON is written as cells_geojson says, all other formats by GDAL in
 /// `file_crs`. Every cell is checked to be valid, slivers being collapsed in basins where one is
@@ -48,6 +60,9 @@ void cells_table(const CellsOutput& output, DatabaseTable& table, Warnings& warn
 /// Warns of each attribute of the stations that has another name beside the cells' own fields, with
 /// both names. `file` is the name of the output in messages.
 void warn_of_new_names(const CellsOutput& output, const std::string& file, Warnings& warnings);
+
+/// Whether the cells of a file of that name are written as cells_geojson says.
+bool is_cells_geojson(const std::string& path);
 
 /// Throws Error, listing the known extensions, where cells_files could not write to `path`.
 void require_cells_format(const std::string& path);

@@ -60,27 +60,44 @@ void append_properties(std::string& out, const CellFeatures& features, const Cel
 
 }  // namespace
 
-std::string cells_geojson(const CellFeatures& features, std::span<const MultiPolygon> shapes,
-                          const VertexRounding& rounding) {
-  const std::vector<FieldName> attributes = attribute_fields(features);
-  std::string out = R"({"type":"FeatureCollection",)";
-  if (features.made_by) append_provenance(out, *features.made_by);
-  if (features.has_rainfall && !features.rainfall_is.empty()) {
+CellsGeojson::CellsGeojson(const CellFeatures& features, const VertexRounding& rounding)
+    : features_(features), rounding_(rounding), attributes_(attribute_fields(features)) {}
+
+void CellsGeojson::begin(std::string& out) const {
+  out += R"({"type":"FeatureCollection",)";
+  if (features_.made_by) append_provenance(out, *features_.made_by);
+  if (features_.has_rainfall && !features_.rainfall_is.empty()) {
     out += R"("rainfall":)";
-    append_json_string(out, features.rainfall_is);
+    append_json_string(out, features_.rainfall_is);
     out += ',';
   }
   out += R"("features":[)";
+}
+
+void CellsGeojson::append(std::string& out, const CellFeature& cell, const MultiPolygon& shape) {
+  out += any_ ? ",\n" : "\n";
+  any_ = true;
+  out += R"({"type":"Feature","properties":{)";
+  append_properties(out, features_, cell, attributes_);
+  out += R"(},"geometry":)";
+  append_geometry(out, shape, rounding_);
+  out += '}';
+}
+
+void CellsGeojson::end(std::string& out) const {
+  out += "\n]}\n";
+}
+
+std::string cells_geojson(const CellFeatures& features, std::span<const MultiPolygon> shapes,
+                          const VertexRounding& rounding) {
+  CellsGeojson geojson(features, rounding);
+  std::string out;
+  geojson.begin(out);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     throw_if_interrupted();
-    out += i == 0 ? "\n" : ",\n";
-    out += R"({"type":"Feature","properties":{)";
-    append_properties(out, features, features.cells[i], attributes);
-    out += R"(},"geometry":)";
-    append_geometry(out, shapes[i], rounding);
-    out += '}';
+    geojson.append(out, features.cells[i], shapes[i]);
   }
-  out += "\n]}\n";
+  geojson.end(out);
   return out;
 }
 

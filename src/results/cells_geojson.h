@@ -2,11 +2,32 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "outlines/vertex_rounding.h"
 #include "results/cell_features.h"
 
 namespace thiessen {
+
+/// Writes cells as cells_geojson does, one after the other.
+class CellsGeojson {
+ public:
+  /// `features` tells what the cells have in common; cells of its own are not written. Both have to
+  /// outlive this object.
+  CellsGeojson(const CellFeatures& features, const VertexRounding& rounding);
+
+  /// Appends what stands before the first cell.
+  void begin(std::string& out) const;
+  void append(std::string& out, const CellFeature& cell, const MultiPolygon& shape);
+  /// Appends what stands after the last cell.
+  void end(std::string& out) const;
+
+ private:
+  const CellFeatures& features_;
+  const VertexRounding& rounding_;
+  std::vector<FieldName> attributes_;
+  bool any_ = false;
+};
 
 /// The cells as GeoJSON (RFC 7946), one feature a line, in their order. `shapes` holds the geometry
 /// to write for each cell, outer rings counter-clockwise, in WGS 84 longitude and latitude cut at

@@ -238,6 +238,21 @@ TEST(OutputFile, hands_held_text_over_when_it_is_finished_and_drops_what_is_disc
   EXPECT_EQ(folder.read("out"), "first second third");
 }
 
+TEST(OutputFile, starts_over_with_nothing_of_what_was_appended) {
+  const std::string large(1'000'000, 'x');
+  for (const OutputFile::Care care : {OutputFile::Care::synced, OutputFile::Care::held}) {
+    for (const std::string& dropped : {std::string("dropped"), large}) {
+      const TemporaryFolder folder;
+      OutputFile output("out", open_descriptor(folder.path("out"), O_WRONLY | O_CREAT, 0600), care);
+      output.append(dropped);
+      output.start_over();
+      output.append("kept");
+      output.finish();
+      EXPECT_EQ(folder.read("out"), "kept");
+    }
+  }
+}
+
 TEST(InputFile, knows_whether_a_pipe_has_bytes) {
   FedPipe pipe;
   InputFile file(pipe.path());

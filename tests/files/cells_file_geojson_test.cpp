@@ -1,7 +1,10 @@
+#include <fcntl.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 
 #include "base/complaints.h"
 #include "base/number.h"
@@ -66,6 +69,49 @@ TEST(CellsGeoJson, is_what_it_was_yesterday) {
       "{\"type\":\"Feature\",\"properties\":{\"station\":\"A\",\"basin\":\"B\",\"area_km2\":0.1,"
       "\"weight\":0.3333333333333333},\"geometry\":{\"type\":\"Polygon\",\"coordinates\":"
       "[[[0,0],[1,0],[1,1],[0,1],[0,0]]]}}\n]}\n");
+}
+
+/// What is written of the cells of a source; nothing where that cannot be done one at a time.
+std::optional<std::string> written_singly(const CellsOutput& wanted) {
+  const TemporaryFolder folder;
+  OutputFile file("cells.geojson", open_descriptor(folder.path("c"), O_WRONLY | O_CREAT, 0600),
+                  OutputFile::Care::synced);
+  CellsOutput common = wanted;
+  common.cells.clear();
+  const bool done = append_cells_geojson(
+      file, common, [&](const std::function<bool(const CellFeature& cell)>& take) {
+        for (const CellFeature& cell : wanted.cells) {
+          if (!take(cell)) return;
+        }
+      });
+  file.finish();
+  if (!done) {
+    EXPECT_EQ(folder.read("c"), "");
+    return std::nullopt;
+  }
+  return folder.read("c");
+}
+
+TEST(CellsGeoJson, is_the_same_where_cells_come_one_at_a_time) {
+  CellsOutput wanted = output({cell("A", {square}), cell("B", {{{{1, 0}, {2, 0}, {1, 1}}, {}}})});
+  wanted.study_crs.reset();
+  EXPECT_EQ(written_singly(wanted), geojson_of(wanted));
+  wanted.cells.clear();
+  EXPECT_EQ(written_singly(wanted), geojson_of(wanted));
+}
+
+TEST(CellsGeoJson, waits_for_all_cells_where_one_has_no_valid_shape) {
+  std::vector<CellFeature> cells(10'000, cell("A", {square}));  // more than a buffer holds
+  CellsOutput wanted = output(std::move(cells));
+  wanted.study_crs.reset();
+  wanted.cells.push_back(cell("crossed", {{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}}));
+  EXPECT_EQ(written_singly(wanted), std::nullopt);
+  wanted.cells.back() = cell("none", {});
+  EXPECT_EQ(written_singly(wanted), std::nullopt);
+}
+
+TEST(CellsGeoJson, waits_for_all_cells_where_vertices_are_rounded) {
+  EXPECT_EQ(written_singly(output({cell("A", {square})})), std::nullopt);
 }
 
 TEST(CellsGeoJson, has_seven_decimals_at_a_decimetre) {

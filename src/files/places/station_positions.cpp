@@ -18,6 +18,7 @@ constexpr double most_latitude = 90;
 
 /// Whether a text is one of those that mean that there is no reading, and no number.
 bool means_none(std::string_view text) {
+  if (parse_number(text)) return false;
   return text.empty() || std::ranges::any_of(known::gaps, [&](std::string_view gap) {
            return !parse_number(gap) && equal_ignoring_case(gap, text);
          });
@@ -87,13 +88,15 @@ std::optional<double> StationPositions::read_number(const Station& station, std:
                                                     DegreesText::Axis axis) {
   const std::string_view text = trimmed(features_.row().fields[field]);
   const auto number = parse_number(text, features_.decimal_mark());
+  const bool missing =
+      is_missing(field, axis == DegreesText::Axis::latitude ? most_latitude : most_longitude);
+  if (number && !missing) return number.value;
   const std::string what =
       quoted(features_.header()[field], 40) + " of station " + quoted(station.id, 80);
-  if (is_missing(field, axis == DegreesText::Axis::latitude ? most_latitude : most_longitude)) {
+  if (missing) {
     complain(what + (text.empty() ? " is empty" : " is missing: " + quoted(text, 60)), leave_out());
     return std::nullopt;
   }
-  if (number) return number.value;
   if (number.fault == NumberFault::out_of_range) {
     complain(what + " is outside the range of numbers: " + quoted(text, 60));
   } else if (const auto angle = degrees_text(text); angle && may_be_angle(*angle)) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string_view>
 #include <system_error>
-#include <unordered_map>
 #include <utility>
 
 #include "base/secrets.h"
@@ -11,6 +10,7 @@
 #include "files/normals/elevation_column.h"
 #include "files/normals/normal_columns.h"
 #include "files/places/crs_fit.h"
+#include "files/places/met_stations.h"
 #include "files/places/station_fields.h"
 #include "files/places/station_positions.h"
 #include "files/tables/features.h"
@@ -22,12 +22,6 @@ namespace thiessen {
 namespace {
 
 constexpr std::size_t longest_field = std::size_t{1} << 20U;
-
-/// Where a station came first.
-struct Known {
-  std::size_t line;
-  Point position;
-};
 
 /// Reads the stations of one file, a feature at a time.
 class StationsReader {
@@ -99,8 +93,8 @@ class StationsReader {
       complain("a station has no id");
       return;
     }
-    const auto [first, fresh] = known_.emplace(station.id, Known{row.line, station.position});
-    if (!fresh) return meet_again(station, placing, first->second);
+    if (const Station* const first = met_.meet(station))
+      return meet_again(station, placing, *first);
     if (placing != Placing::good) return;
     if (fields_.label && !row.fields[*fields_.label].empty())
       result_.labels.emplace(station.id, std::string(row.fields[*fields_.label]));
@@ -118,7 +112,7 @@ class StationsReader {
   }
 
   /// A file of one row a reading gives each station again and again, at one place.
-  void meet_again(const Station& station, Placing placing, const Known& first) {
+  void meet_again(const Station& station, Placing placing, const Station& first) {
     if (placing == Placing::good && station.position == first.position) {
       ++repeated_;
       return;
@@ -201,7 +195,7 @@ class StationsReader {
   std::optional<StationPositions> positions_;
   std::optional<NormalColumns> normals_;
   std::optional<ElevationColumn> elevations_;
-  std::unordered_map<std::string, Known> known_;
+  MetStations met_;
   std::size_t read_ = 0;
   std::size_t repeated_ = 0;
   std::size_t unplaced_ = 0;

@@ -104,6 +104,7 @@ class Weighing::Clipping {
   std::vector<ClippedCell> cells(std::size_t worker, std::size_t basin) {
     return clipper(worker).cells(basins_[basin]);
   }
+  CellsInBasin cells_in(std::size_t basin) { return clipper(0).cells_in(basins_[basin]); }
 
  private:
   CellClipper& clipper(std::size_t worker) {
@@ -201,6 +202,70 @@ std::vector<StationCell> Weighing::by_station(const std::vector<ClippedCell>& ce
   }
   sort_by_station(found);
   return found;
+}
+
+/// Hands over cells until no more are wanted.
+class Weighing::CellsHandedOver {
+ public:
+  using Take = std::function<bool(std::size_t basin, StationCell&& cell)>;
+
+  CellsHandedOver(const Weighing& weighing, const Take& take) : weighing_(weighing), take_(take) {}
+
+  bool goes_on() const { return goes_on_; }
+  void hand_over(std::size_t basin, std::vector<StationCell> cells) {
+    for (std::size_t i = 0; goes_on_ && i < cells.size(); ++i)
+      goes_on_ = take_(basin, std::move(cells[i]));
+  }
+  /// Makes each cell when it is its turn, in the order of the stations.
+  void make(std::size_t basin, Clipping& clipping) {
+    CellsInBasin cells = clipping.cells_in(basin);
+    std::vector<std::pair<StationIndex, std::uint32_t>> turns;
+    turns.reserve(cells.shares().size());
+    for (std::uint32_t i = 0; i < cells.shares().size(); ++i) {
+      for (const StationIndex s : clipping.stations_of(cells.shares()[i].place))
+        turns.emplace_back(s, i);
+    }
+    std::sort(turns.begin(), turns.end());
+    for (std::size_t t = 0; goes_on_ && t < turns.size(); ++t) {
+      throw_if_interrupted();
+      ClippedCell cell = cells.cell(turns[t].second);
+      const auto sharing = static_cast<double>(clipping.stations_of(cell.place).size());
+      const double area = cell.area / sharing;
+      const double weight = std::min(area / weighing_.areas_[basin], 1.0);
+      goes_on_ = take_(basin, {turns[t].first, area, weight, std::move(cell.shape)});
+    }
+  }
+
+ private:
+  const Weighing& weighing_;
+  const Take& take_;
+  bool goes_on_ = true;
+};
+
+void Weighing::for_each_cell(
+    const ReportingStations& reports, unsigned threads, const NormalMonth& month,
+    const std::function<bool(std::size_t basin, StationCell&& cell)>& take) const {
+  CellsHandedOver handed(*this, take);
+  if (!yardstick_.draws_as_measured() || normals_ != nullptr) {
+    std::vector<std::vector<StationCell>> all = cells(reports, threads, month);
+    for (std::size_t b = 0; b < all.size(); ++b) handed.hand_over(b, std::move(all[b]));
+    return;
+  }
+  Clipping measured(*this, reports, threads, Edges::measured);
+  if (!measured.any()) return;
+  const std::size_t at_once = threads > 1 && basins_.size() > 1 ? 64 : 1;
+  std::vector<std::vector<StationCell>> some(at_once);
+  for (std::size_t first = 0; handed.goes_on() && first < basins_.size(); first += at_once) {
+    if (at_once == 1) {
+      handed.make(first, measured);
+      continue;
+    }
+    const std::size_t count = std::min(at_once, basins_.size() - first);
+    in_parallel(count, threads, [&](std::size_t worker, std::size_t i) {
+      some[i] = by_station(measured.cells(worker, first + i), measured, first + i);
+    });
+    for (std::size_t i = 0; i < count; ++i) handed.hand_over(first + i, std::move(some[i]));
+  }
 }
 
 std::vector<std::vector<StationCell>> Weighing::pictured_cells(const ReportingStations& reports,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <utility>
@@ -98,6 +100,12 @@ class Weighing {
   /// basin's cells have the edges that they are measured with.
   std::vector<std::vector<StationCell>> cells(const ReportingStations& reports, unsigned threads,
                                               const NormalMonth& month = {}) const;
+  /// Hands the same cells over one at a time, by basin, until `take` returns false. Where edges are
+  /// drawn as they are measured, and there are no normals, only what the cells are made from is
+  /// held: 50 bytes for each cell of a basin, or with several threads and basins the cells of some
+  /// basins.
+  void for_each_cell(const ReportingStations& reports, unsigned threads, const NormalMonth& month,
+                     const std::function<bool(std::size_t basin, StationCell&& cell)>& take) const;
   /// The same cells for a picture: on the Earth edges are drawn within `tolerance` metres, and
   /// areas and weights are those of what is drawn.
   std::vector<std::vector<StationCell>> pictured_cells(const ReportingStations& reports,
@@ -109,6 +117,7 @@ class Weighing {
   std::vector<std::vector<BasinWeights>> weights_in(const std::vector<NormalMonth>& months,
                                                     const ReportingStations& reports,
                                                     unsigned threads) const;
+  class CellsHandedOver;
   std::vector<StationCell> by_station(const std::vector<ClippedCell>& cells,
                                       const Clipping& clipping, std::size_t basin) const;
 

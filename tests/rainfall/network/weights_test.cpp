@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "basin/shapes.h"
@@ -130,6 +131,63 @@ TEST(Weights, do_not_depend_on_the_number_of_threads_by_a_bit) {
         ASSERT_EQ(weights_by_id(network, many[b]), weights_by_id(network, one[b]));
     }
   }
+}
+
+/// The cells that are handed over one at a time, up to so many.
+std::vector<std::vector<StationCell>> handed_over(const Weighing& weighing,
+                                                  const ReportingStations& reports,
+                                                  unsigned threads, std::size_t most) {
+  std::vector<std::vector<StationCell>> cells(weighing.basins().size());
+  std::size_t count = 0;
+  weighing.for_each_cell(reports, threads, {}, [&](std::size_t basin, StationCell&& cell) {
+    cells.at(basin).push_back(std::move(cell));
+    return ++count < most;
+  });
+  EXPECT_LE(count, most);
+  return cells;
+}
+
+void expect_same_cells(const std::vector<std::vector<StationCell>>& found,
+                       const std::vector<std::vector<StationCell>>& expected) {
+  for (std::size_t b = 0; b < expected.size(); ++b) {
+    ASSERT_EQ(found[b].size(), expected[b].size());
+    for (std::size_t i = 0; i < expected[b].size(); ++i) {
+      EXPECT_EQ(found[b][i].station, expected[b][i].station);
+      EXPECT_EQ(found[b][i].area, expected[b][i].area);
+      EXPECT_EQ(found[b][i].weight, expected[b][i].weight);
+      ASSERT_EQ(found[b][i].shape.size(), expected[b][i].shape.size());
+      for (std::size_t k = 0; k < expected[b][i].shape.size(); ++k) {
+        EXPECT_EQ(found[b][i].shape[k].outer, expected[b][i].shape[k].outer);
+        EXPECT_EQ(found[b][i].shape[k].holes, expected[b][i].shape[k].holes);
+      }
+    }
+  }
+}
+
+TEST(Weights, cells_that_are_handed_over_are_the_same_by_a_bit) {
+  Seeded seeded;
+  Study study = random_study(seeded);
+  study.stations[40].position = study.stations[7].position;  // a cell that two stations share
+  for (const Yardstick& yardstick : {plane, ellipsoid}) {
+    const Network network(study.stations, yardstick.metric);
+    const Weighing weighing(network, study.basins, yardstick);
+    ReportingStations reports = all_of(network);
+    reports.set(StationIndex{3}, false);
+    const auto expected = weighing.cells(reports, 1);
+    for (const unsigned threads : {1u, 3u})
+      expect_same_cells(handed_over(weighing, reports, threads, 1'000'000), expected);
+    const auto some = handed_over(weighing, reports, 1, expected[0].size() + 2);
+    EXPECT_EQ(some[0].size(), expected[0].size());
+    EXPECT_EQ(some[1].size(), 2u);
+    EXPECT_TRUE(some[2].empty());
+  }
+}
+
+TEST(Weights, no_cells_are_handed_over_where_no_gauge_reports) {
+  const Network network(textbook::stations(), Metric::planar);
+  const std::vector<Basin> basins{textbook::basin()};
+  const ReportingStations none(network.stations().size(), false);
+  EXPECT_TRUE(handed_over(Weighing(network, basins, plane), none, 1, 10).front().empty());
 }
 
 TEST(Weights, do_not_depend_on_the_order_of_the_stations_by_a_bit) {
