@@ -26,6 +26,7 @@
 #include "files/netcdf_grid.h"
 #include "files/rainfall/rainfall_file.h"
 #include "gdal/output/geotiff_grid.h"
+#include "gdal/output/image_file.h"
 #include "gdal/output/raster_output.h"
 #include "map/sheet/multiples.h"
 #include "map/sheet/picture.h"
@@ -123,7 +124,7 @@ class MapCommand : public Command {
     auto maps = maps_of(inputs, steps, study_, view_, threads);
     add_surfaces(inputs, steps, surface_, maps, threads);
     if (view_.title.empty() && surface_.shows_any()) maps.front().title = title_of(surface_);
-    file.append(encode_multiples(maps, format_of(kind), warnings));
+    file.append(encode_multiples(maps, format_of(kind), image_file, warnings));
     outputs.commit();
   }
   bool quiet() const override { return common_.quiet; }

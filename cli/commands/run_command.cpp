@@ -34,6 +34,7 @@
 #include "cli/terminal/line_width.h"
 #include "cli/terminal/progress.h"
 #include "files/geopackage_copy.h"
+#include "gdal/output/image_file.h"
 #include "rainfall/errors/mean_error.h"
 #include "rainfall/methods/method_rainfall.h"
 #include "rainfall/series/gauge_readings.h"
@@ -237,7 +238,7 @@ class RunCommand : public Command {
     warn_of_new_names(output, files.cells.name(), warnings);
     warn_of_own_coordinates(inputs, files.cells.name(), warnings);
     const Picture picture = picture_of(inputs, cells, &mean, study_, view_);
-    files.map.append(encode_picture(picture, PictureFormat::png, warnings));
+    files.map.append(encode_picture(picture, PictureFormat::png, image_file, warnings));
     StudyPackage package = study_package_of(inputs, std::move(output),
                                             {.readings = &mean,
                                              .weights = &rainfall.full_weights(),

@@ -13,12 +13,21 @@
 #include "cli/session/keyboard.h"
 #include "cli/session/script_lines.h"
 #include "cli/terminal/messages.h"
+#include "gdal/output/image_file.h"
 #include "map/plot/tessellation_picture.h"
 
 namespace thiessen::cli {
 namespace {
 
-constexpr SessionPictures pictures{plane_picture, space_picture};
+constexpr SessionPictures pictures{
+    [](const Tessellation<2>& tessellation, const NumberOf& number_of,
+       const std::optional<PlaneWindow>& window, const PlotSize& size) {
+      return plane_picture(tessellation, number_of, image_file, window, size);
+    },
+    [](const Tessellation<3>& tessellation, const NumberOf& number_of,
+       const std::optional<View>& view, const PlotSize& size) {
+      return space_picture(tessellation, number_of, image_file, view, size);
+    }};
 
 /// The error of a line of a script: all of its messages, with the place of that line.
 Error placed(const Error& error, const std::string& file, std::size_t line) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,8 +16,13 @@ namespace thiessen::cli {
 /// What draws a session's pictures, in the plane and in space. A session that shows none needs
 /// neither.
 struct SessionPictures {
-  decltype(&plane_picture) of_plane = nullptr;
-  decltype(&space_picture) of_space = nullptr;
+  std::vector<unsigned char> (*of_plane)(const Tessellation<2>& tessellation,
+                                         const NumberOf& number_of,
+                                         const std::optional<PlaneWindow>& window,
+                                         const PlotSize& size) = nullptr;
+  std::vector<unsigned char> (*of_space)(const Tessellation<3>& tessellation,
+                                         const NumberOf& number_of, const std::optional<View>& view,
+                                         const PlotSize& size) = nullptr;
 };
 
 /// The surroundings of a session: where its commands come from, where its answers go, and

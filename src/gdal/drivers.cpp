@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -74,7 +75,15 @@ void set_options() {
   OSRSetPROJEnableNetwork(FALSE);
 }
 
-void register_drivers() {
+/// Drivers that ask other machines, or have other programs do their work.
+constexpr std::array remote_drivers = {
+    "AmigoCloud",   "Carto",    "Cloudant", "CouchDB", "CSW",      "DAAS",          "DODS",
+    "EEDA",         "EEDAI",    "GFT",      "HANA",    "HTTP",     "Elasticsearch", "MongoDB",
+    "MongoDBv3",    "MySQL",    "NGW",      "OAPIF",   "OCI",      "ODBC",          "OGCAPI",
+    "MSSQLSpatial", "PLMOSAIC", "PLScenes", "PGeo",    "GPSBabel", "PostGISRaster", "TileDB",
+    "WCS",          "WFS",      "WMS",      "WMTS"};
+
+void register_promised_drivers() {
   RegisterOGRGeoJSON();
   RegisterOGRGeoPackage();
   RegisterOGRShape();
@@ -94,7 +103,20 @@ void start_gdal() {
   std::call_once(started, [] {
     remove_options_from_environment();
     set_options();
-    register_drivers();
+    register_promised_drivers();
+  });
+}
+
+void register_local_drivers() {
+  start_gdal();
+  static std::once_flag registered;
+  std::call_once(registered, [] {
+    GDALAllRegister();
+    GDALDriverManager& drivers = *GetGDALDriverManager();
+    for (const char* name : remote_drivers) {
+      const std::unique_ptr<GDALDriver> driver(drivers.GetDriverByName(name));
+      if (driver != nullptr) drivers.DeregisterDriver(driver.get());
+    }
   });
 }
 

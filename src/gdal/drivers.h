@@ -8,4 +8,9 @@ namespace thiessen {
 /// it. Call it before threads start, since the environment is changed.
 void start_gdal();
 
+/// Starts GDAL, and registers its drivers of all formats but of those that need another machine or
+/// another program: for rasters to be read, which may be of any format, and for cells in a format
+/// that is not promised.
+void register_local_drivers();
+
 }  // namespace thiessen

@@ -72,5 +72,19 @@ TEST_F(DriversDeathTest, drivers_that_read_other_files_by_name_are_not_started) 
   EXPECT_EXIT(start(), testing::ExitedWithCode(0), "");
 }
 
+TEST_F(DriversDeathTest, what_rasters_need_holds_none_that_asks_other_machines) {
+  const auto start = [] {
+    register_local_drivers();
+    start_and_exit([] {
+      GDALDriverManager& drivers = *GetGDALDriverManager();
+      for (const char* name : {"WMS", "WFS", "WCS", "HTTP", "PostGISRaster", "Elasticsearch"})
+        if (drivers.GetDriverByName(name) != nullptr) return false;
+      return drivers.GetDriverByName("GTiff") != nullptr &&
+             drivers.GetDriverByName("netCDF") != nullptr;
+    });
+  };
+  EXPECT_EXIT(start(), testing::ExitedWithCode(0), "");
+}
+
 }  // namespace
 }  // namespace thiessen

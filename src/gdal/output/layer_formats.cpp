@@ -2,6 +2,7 @@
 
 #include <cpl_string.h>
 #include <gdal_priv.h>
+#include <ogrsf_frmts.h>
 
 #include <algorithm>
 #include <array>
@@ -18,23 +19,24 @@ namespace {
 struct Format {
   std::string_view extension;
   const char* driver;
+  void (*register_driver)();
 };
 
-constexpr std::array formats = {Format{"gpkg", "GPKG"},
-                                Format{"shp", "ESRI Shapefile"},
-                                Format{"shz", "ESRI Shapefile"},
-                                Format{"fgb", "FlatGeobuf"},
-                                Format{"kml", "LIBKML"},
-                                Format{"kmz", "LIBKML"},
-                                Format{"gml", "GML"},
-                                Format{"tab", "MapInfo File"},
-                                Format{"mif", "MapInfo File"},
-                                Format{"sqlite", "SQLite"},
-                                Format{"csv", "CSV"},
-                                Format{"geojsonl", "GeoJSONSeq"},
-                                Format{"gmt", "OGR_GMT"},
-                                Format{"jml", "JML"},
-                                Format{"sql", "PGDUMP"}};
+constexpr std::array formats = {Format{"gpkg", "GPKG", RegisterOGRGeoPackage},
+                                Format{"shp", "ESRI Shapefile", RegisterOGRShape},
+                                Format{"shz", "ESRI Shapefile", RegisterOGRShape},
+                                Format{"fgb", "FlatGeobuf", RegisterOGRFlatGeobuf},
+                                Format{"kml", "LIBKML", RegisterOGRLIBKML},
+                                Format{"kmz", "LIBKML", RegisterOGRLIBKML},
+                                Format{"gml", "GML", RegisterOGRGML},
+                                Format{"tab", "MapInfo File", RegisterOGRTAB},
+                                Format{"mif", "MapInfo File", RegisterOGRTAB},
+                                Format{"sqlite", "SQLite", RegisterOGRSQLite},
+                                Format{"csv", "CSV", RegisterOGRCSV},
+                                Format{"geojsonl", "GeoJSONSeq", RegisterOGRGeoJSONSeq},
+                                Format{"gmt", "OGR_GMT", RegisterOGRGMT},
+                                Format{"jml", "JML", RegisterOGRJML},
+                                Format{"sql", "PGDUMP", RegisterOGRPGDump}};
 
 bool writes(GDALDriver& driver, const std::string& extension) {
   const auto is_set = [&](const char* key) { return driver.GetMetadataItem(key) != nullptr; };
@@ -51,11 +53,13 @@ bool writes(GDALDriver& driver, const std::string& extension) {
 GDALDriver* find_driver(const std::string& extension) {
   start_gdal();
   const GdalErrors errors;
-  GDALAllRegister();
   GDALDriverManager& drivers = *GetGDALDriverManager();
   for (const Format& format : formats) {
-    if (format.extension == extension) return drivers.GetDriverByName(format.driver);
+    if (format.extension != extension) continue;
+    format.register_driver();
+    return drivers.GetDriverByName(format.driver);
   }
+  register_local_drivers();
   for (int i = 0; i < drivers.GetDriverCount(); ++i) {
     if (!extension.empty() && writes(*drivers.GetDriver(i), extension)) return drivers.GetDriver(i);
   }

@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 5> keep_doubles = {"GPKG", "ESRI Shapefil
 std::unique_ptr<GDALDataset> open(const std::string& file, const std::string& driver) {
   start_gdal();
   const GdalErrors errors;
-  GDALAllRegister();  // what is written may be of any driver
+  // What was just written has its driver; of any other file any may be wanted.
+  if (GetGDALDriverManager()->GetDriverByName(driver.c_str()) == nullptr) register_local_drivers();
   CPLStringList drivers;
   drivers.AddString(driver.c_str());
   CPLStringList options;

@@ -25,32 +25,13 @@
 namespace thiessen {
 namespace {
 
-/// Drivers that ask other machines.
-constexpr std::array<std::string_view, 12> of_networks = {
-    "WMS",   "WCS",    "WMTS", "HTTP", "PLMOSAIC", "EEDA",
-    "EEDAI", "OGCAPI", "DAAS", "NGW",  "TileDB",   "PostGISRaster"};
-
 void register_rasters() {
   static std::once_flag once;
   std::call_once(once, [] {
-    start_gdal();
     // Nothing is fetched, whatever a file of virtual pixels names.
     CPLSetConfigOption("CPL_VSIL_CURL_ALLOWED_FILENAME", "/vsicurl/none");
-    GDALAllRegister();
+    register_local_drivers();
   });
-}
-
-std::vector<const char*> local_drivers() {
-  std::vector<const char*> drivers;
-  for (int i = 0; i < GDALGetDriverCount(); ++i) {
-    GDALDriverH driver = GDALGetDriver(i);
-    const char* const name = GDALGetDriverShortName(driver);
-    if (GDALGetMetadataItem(driver, GDAL_DCAP_RASTER, nullptr) == nullptr) continue;
-    if (std::find(of_networks.begin(), of_networks.end(), name) != of_networks.end()) continue;
-    drivers.push_back(name);
-  }
-  drivers.push_back(nullptr);
-  return drivers;
 }
 
 [[noreturn]] void refuse(const std::string& file, std::string text, Wording hint = {}) {
@@ -187,9 +168,7 @@ RasterSource::RasterSource(const std::string& file) : file_(file), held_(std::ma
   register_rasters();
   const std::string name = name_for_gdal(file);
   const GdalErrors errors;
-  const std::vector<const char*> drivers = local_drivers();
-  held_->dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
-                                         drivers.data(), nullptr, nullptr));
+  held_->dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
   if (!held_->dataset) {
     refuse(file, "is no raster that GDAL reads" + (errors.failed() ? ": " + errors.text() : ""));
   }

@@ -12,11 +12,11 @@ namespace thiessen {
 namespace {
 
 template <typename Plot>
-std::vector<unsigned char> picture_of(const PlotSize& size, Plot&& plot) {
+std::vector<unsigned char> picture_of(const PlotSize& size, ImageEncoder encoder, Plot&& plot) {
   try {
     PixelCanvas canvas = plot();
-    return encoded(canvas, PixelFormat::png, {{"software", std::string("thiessen ") + version()}},
-                   size.dots_to_the_inch);
+    return encoded(canvas, ImageFormat::png, encoder,
+                   {{"software", std::string("thiessen ") + version()}}, size.dots_to_the_inch);
   } catch (...) {
     throw_drawing_error();
   }
@@ -25,16 +25,17 @@ std::vector<unsigned char> picture_of(const PlotSize& size, Plot&& plot) {
 }  // namespace
 
 std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
-                                         const NumberOf& number_of,
+                                         const NumberOf& number_of, ImageEncoder encoder,
                                          const std::optional<PlaneWindow>& window,
                                          const PlotSize& size) {
-  return picture_of(size, [&] { return plot_plane(tessellation, number_of, window, size); });
+  return picture_of(size, encoder,
+                    [&] { return plot_plane(tessellation, number_of, window, size); });
 }
 
 std::vector<unsigned char> space_picture(const Tessellation<3>& tessellation,
-                                         const NumberOf& number_of, const std::optional<View>& view,
-                                         const PlotSize& size) {
-  return picture_of(size, [&] { return view_space(tessellation, number_of, view, size); });
+                                         const NumberOf& number_of, ImageEncoder encoder,
+                                         const std::optional<View>& view, const PlotSize& size) {
+  return picture_of(size, encoder, [&] { return view_space(tessellation, number_of, view, size); });
 }
 
 }  // namespace thiessen

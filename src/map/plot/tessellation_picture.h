@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/pixels.h"
 #include "geometry/point.h"
 #include "tessellation/number_of.h"
 #include "tessellation/tessellation.h"
@@ -43,7 +44,7 @@ struct PlotSize {
 /// order in which the points came. Throws Error where no font is installed, memory runs out or
 /// encoding fails. Cost: linear in the edges, and the pixels.
 std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
-                                         const NumberOf& number_of,
+                                         const NumberOf& number_of, ImageEncoder encoder,
                                          const std::optional<PlaneWindow>& window = {},
                                          const PlotSize& size = {});
 
@@ -60,7 +61,8 @@ std::vector<unsigned char> plane_picture(const Tessellation<2>& tessellation,
 /// off that it overflows in units of the points' range. Cost: linear in the edges, and sorting them
 /// by depth.
 std::vector<unsigned char> space_picture(const Tessellation<3>& tessellation,
-                                         const NumberOf& number_of, const std::optional<View>& view,
+                                         const NumberOf& number_of, ImageEncoder encoder,
+                                         const std::optional<View>& view,
                                          const PlotSize& size = {});
 
 }  // namespace thiessen

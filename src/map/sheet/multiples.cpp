@@ -145,13 +145,13 @@ LeftOut draw(Canvas& canvas, Sheet& sheet) {
 }  // namespace
 
 std::string encode_multiples(std::span<const Picture> maps, PictureFormat format,
-                             Warnings& warnings) {
-  if (maps.size() == 1) return encode_picture(maps.front(), format, warnings);
+                             ImageEncoder encoder, Warnings& warnings) {
+  if (maps.size() == 1) return encode_picture(maps.front(), format, encoder, warnings);
   check_picture_size(maps.front().width, maps.front().height);
   if (format != PictureFormat::svg) check_picture_memory(maps.front().width, maps.front().height);
   try {
     Sheet sheet(maps);
-    std::string bytes = page_file(sheet.layout.page, maps.front(), format,
+    std::string bytes = page_file(sheet.layout.page, maps.front(), format, encoder,
                                   [&](Canvas& canvas) { draw(canvas, sheet).tell(warnings); });
     warn_of_fonts(sheet.type, warnings);
     warn_of_outside(sheet.classes, maps.front().surface.empty(), warnings);

@@ -17,6 +17,6 @@ namespace thiessen {
 /// would be too small to be read. Cost: that of a picture of all pixels, and of the vertices of
 /// each map. Memory beside the maps: the page, and the shapes of one map.
 std::string encode_multiples(std::span<const Picture> maps, PictureFormat format,
-                             Warnings& warnings);
+                             ImageEncoder encoder, Warnings& warnings);
 
 }  // namespace thiessen

@@ -31,7 +31,7 @@ PaperSize paper_of(const Page& page, const Picture& picture) {
 }  // namespace
 
 std::string page_file(const Page& page, const Picture& picture, PictureFormat format,
-                      const std::function<void(Canvas&)>& draw) {
+                      ImageEncoder encoder, const std::function<void(Canvas&)>& draw) {
   if (format == PictureFormat::svg) {
     SvgCanvas canvas(page.width, page.height);
     draw(canvas);
@@ -40,8 +40,8 @@ std::string page_file(const Page& page, const Picture& picture, PictureFormat fo
   PixelCanvas canvas(page.width, page.height);
   draw(canvas);
   const bool png = format == PictureFormat::png;
-  const auto file = encoded(canvas, png ? PixelFormat::png : PixelFormat::jpeg, picture.tags,
-                            picture.dots_to_the_inch);
+  const auto file = encoded(canvas, png ? ImageFormat::png : ImageFormat::jpeg, encoder,
+                            picture.tags, picture.dots_to_the_inch);
   return {file.begin(), file.end()};
 }
 

@@ -71,9 +71,10 @@ LeftOut draw(Canvas& canvas, const Picture& picture, Sheet& sheet) {
   return left_out;
 }
 
-std::string drawn(const Picture& picture, PictureFormat format, Warnings& warnings) {
+std::string drawn(const Picture& picture, PictureFormat format, ImageEncoder encoder,
+                  Warnings& warnings) {
   Sheet sheet(picture);
-  std::string bytes = page_file(sheet.page, picture, format, [&](Canvas& canvas) {
+  std::string bytes = page_file(sheet.page, picture, format, encoder, [&](Canvas& canvas) {
     draw(canvas, picture, sheet).tell(warnings);
   });
   if (sheet.page.style.bare) {
@@ -148,11 +149,12 @@ void check_picture_memory(int width, int height) {
                       "choose a smaller " + setting("size")});
 }
 
-std::string encode_picture(const Picture& picture, PictureFormat format, Warnings& warnings) {
+std::string encode_picture(const Picture& picture, PictureFormat format, ImageEncoder encoder,
+                           Warnings& warnings) {
   check_picture_size(picture.width, picture.height);
   if (format != PictureFormat::svg) check_picture_memory(picture.width, picture.height);
   try {
-    return drawn(picture, format, warnings);
+    return drawn(picture, format, encoder, warnings);
   } catch (...) {
     throw_drawing_error("choose a smaller " + setting("size"));
   }

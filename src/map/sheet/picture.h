@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "geometry/pixels.h"
 #include "geometry/polygon.h"
 #include "map/opencv/picture_tags.h"
 #include "map/sheet/rainfall_classes.h"
@@ -114,9 +115,9 @@ void check_picture_memory(int width, int height);
 
 enum class PictureFormat { png, jpeg, svg };
 
-/// Draws `picture` and encodes it as the bytes of a PNG, JPEG or SVG file: cells filled by rainfall
-/// or station, outlines of cells and basins, gauges with their labels, title, colour bar, scale
-/// bar, north arrow.
+/// Draws `picture` and has it encoded as the bytes of a PNG, JPEG or SVG file (which needs no
+/// encoder): cells filled by rainfall or station, outlines of cells and basins, gauges with their
+/// labels, title, colour bar, scale bar, north arrow.
 ///
 /// Areas of longitude and latitude smaller than
 /// about a hemisphere are drawn in the ellipsoid's oblique stereographic projection about their
@@ -129,6 +130,7 @@ enum class PictureFormat { png, jpeg, svg };
 /// threads. Throws Error where the size is outside the limits, a coordinate is not finite, no font
 /// is installed, memory runs out or encoding fails. Cost: proportional to the pixels, the vertices
 /// and the pixels along edges.
-std::string encode_picture(const Picture& picture, PictureFormat format, Warnings& warnings);
+std::string encode_picture(const Picture& picture, PictureFormat format, ImageEncoder encoder,
+                           Warnings& warnings);
 
 }  // namespace thiessen

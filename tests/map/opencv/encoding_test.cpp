@@ -4,11 +4,13 @@
 
 #include <string>
 
+#include "gdal/output/image_file.h"
+
 namespace thiessen {
 namespace {
 
-std::string bytes_of(PixelCanvas& canvas, PixelFormat format) {
-  const std::vector<unsigned char> bytes = encoded(canvas, format, {});
+std::string bytes_of(PixelCanvas& canvas, ImageFormat format) {
+  const std::vector<unsigned char> bytes = encoded(canvas, format, image_file, {});
   return {bytes.begin(), bytes.end()};
 }
 
@@ -23,7 +25,7 @@ std::size_t number_at(const std::string& bytes, std::size_t offset, std::size_t 
 // ISO 15948: the signature, and the chunk IHDR with width, height, depth and colour type.
 TEST(Encoding, a_png_has_the_canvas_s_size_in_full_colour) {
   PixelCanvas canvas(300, 40);
-  const std::string bytes = bytes_of(canvas, PixelFormat::png);
+  const std::string bytes = bytes_of(canvas, ImageFormat::png);
   EXPECT_EQ(bytes.substr(0, 8), "\x89PNG\r\n\x1a\n");
   EXPECT_EQ(bytes.substr(12, 4), "IHDR");
   EXPECT_EQ(number_at(bytes, 16, 4), 300U);
@@ -36,7 +38,7 @@ TEST(Encoding, a_png_has_the_canvas_s_size_in_full_colour) {
 // ISO 10918-1: the frame header begins with FF C0 or FF C2, its length and depth.
 TEST(Encoding, a_jpeg_has_the_canvas_s_size) {
   PixelCanvas canvas(300, 40);
-  const std::string bytes = bytes_of(canvas, PixelFormat::jpeg);
+  const std::string bytes = bytes_of(canvas, ImageFormat::jpeg);
   EXPECT_EQ(bytes.substr(0, 3), "\xFF\xD8\xFF");
   EXPECT_EQ(bytes.substr(bytes.size() - 2), "\xFF\xD9");
   std::size_t at = 2;
@@ -48,7 +50,7 @@ TEST(Encoding, a_jpeg_has_the_canvas_s_size) {
 }
 
 TEST(Encoding, law_1_equal_canvases_make_equal_bytes_and_one_pixel_makes_others) {
-  for (const PixelFormat format : {PixelFormat::png, PixelFormat::jpeg}) {
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg}) {
     PixelCanvas one(64, 64);
     PixelCanvas other(64, 64);
     EXPECT_EQ(bytes_of(one, format), bytes_of(other, format));
@@ -59,7 +61,7 @@ TEST(Encoding, law_1_equal_canvases_make_equal_bytes_and_one_pixel_makes_others)
   PixelCanvas blue(64, 64);
   red.fill({5, 5, 1, 1}, {255, 0, 0});
   blue.fill({5, 5, 1, 1}, {0, 0, 255});
-  EXPECT_NE(bytes_of(red, PixelFormat::png), bytes_of(blue, PixelFormat::png));
+  EXPECT_NE(bytes_of(red, ImageFormat::png), bytes_of(blue, ImageFormat::png));
 }
 
 }  // namespace

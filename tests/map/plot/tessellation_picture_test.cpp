@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "gdal/output/image_file.h"
 #include "map/plot/plane_plot.h"
 #include "map/plot/plot_sheet.h"
 #include "map/plot/space_view.h"
@@ -127,8 +128,8 @@ TEST(PlanePicture, does_not_depend_on_the_order_of_the_points_or_the_locale) {
   std::vector<Point> points = random_points(30, 4);
   for (int i = 0; i < 9; ++i) points.push_back({i % 3 * 1.0, i / 3 * 1.0});
   const auto picture = [](const Tessellation<2>& t) {
-    return plane_picture(t,
-                         [&t](PointId p) { return number_at(t.position(p).x, t.position(p).y); });
+    return plane_picture(
+        t, [&t](PointId p) { return number_at(t.position(p).x, t.position(p).y); }, image_file);
   };
   const auto first = picture(tessellation_of<2>(points));
   EXPECT_EQ(picture(tessellation_of<2>(points)), first);
@@ -237,8 +238,8 @@ TEST(TessellationPicture, hears_ctrl_c) {
   const auto plane = tessellation_of<2>(random_points(5, 1));
   const auto space = tessellation_of<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   std::raise(SIGINT);
-  EXPECT_THROW(plane_picture(plane, own_number), Interrupted);
-  EXPECT_THROW(space_picture(space, own_number, std::nullopt), Interrupted);
+  EXPECT_THROW(plane_picture(plane, own_number, image_file), Interrupted);
+  EXPECT_THROW(space_picture(space, own_number, image_file, std::nullopt), Interrupted);
   forget_interrupt();
 }
 
@@ -249,7 +250,7 @@ TEST(SpacePicture, does_not_depend_on_the_order_of_the_points) {
     return space_picture(
         t,
         [&t](PointId p) { return number_at(t.position(p).x, t.position(p).y + t.position(p).z); },
-        std::nullopt);
+        image_file, std::nullopt);
   };
   const auto first = picture(tessellation_of<3>(points));
   std::shuffle(points.begin(), points.end(), std::mt19937_64(3));
@@ -275,7 +276,7 @@ TEST(SpacePicture, of_any_span_and_any_size_is_drawn) {
   for (const auto& points : sets) {
     const auto tessellation = tessellation_of<3>(points);
     for (const auto& view : views) {
-      const auto bytes = space_picture(tessellation, own_number, view);
+      const auto bytes = space_picture(tessellation, own_number, image_file, view);
       EXPECT_GT(bytes.size(), 1000u);
       EXPECT_EQ(std::string(bytes.begin() + 1, bytes.begin() + 4), "PNG");
     }
@@ -306,14 +307,16 @@ TEST(SpacePicture, has_red_and_blue_inside_its_border_alone) {
 TEST(SpacePicture, needs_a_direction_to_look_in) {
   const auto tessellation = tessellation_of<3>(random_space_points(5, 1));
   try {
-    space_picture(tessellation, own_number, View{{1, 2, 3}, {1, 2, 3}});
+    space_picture(tessellation, own_number, image_file, View{{1, 2, 3}, {1, 2, 3}});
     FAIL();
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("the same point"), std::string::npos);
   }
   const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(space_picture(tessellation, own_number, View{{1, 2, infinity}, {1, 2, 3}}), Error);
-  EXPECT_THROW(space_picture({}, own_number, View{{1, 2, 3}, {1, 2, 3}}), Error);
+  EXPECT_THROW(
+      space_picture(tessellation, own_number, image_file, View{{1, 2, infinity}, {1, 2, 3}}),
+      Error);
+  EXPECT_THROW(space_picture({}, own_number, image_file, View{{1, 2, 3}, {1, 2, 3}}), Error);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 
+#include "gdal/output/image_file.h"
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
@@ -24,7 +25,7 @@ std::vector<Picture> three_maps() {
 
 std::string drawn(const std::vector<Picture>& maps, PictureFormat format) {
   Warnings warnings;
-  return encode_multiples(maps, format, warnings);
+  return encode_multiples(maps, format, image_file, warnings);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -60,7 +61,7 @@ TEST(Multiples, of_one_map_are_its_picture) {
   const Picture picture = row_of_cells({1, 5});
   Warnings warnings;
   EXPECT_EQ(drawn({picture}, PictureFormat::png),
-            encode_picture(picture, PictureFormat::png, warnings));
+            encode_picture(picture, PictureFormat::png, image_file, warnings));
 }
 
 TEST(Multiples, are_the_same_bytes_again) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gdal/output/image_file.h"
 #include "map/sheet/row_of_cells.h"
 
 namespace thiessen {
@@ -17,7 +18,7 @@ namespace {
 
 std::string png(const Picture& picture) {
   Warnings warnings;
-  return encode_picture(picture, PictureFormat::png, warnings);
+  return encode_picture(picture, PictureFormat::png, image_file, warnings);
 }
 
 /// Width or height from a PNG file's header chunk (ISO 15948, 11.2.2).
@@ -110,13 +111,14 @@ TEST(Picture, nothing_to_draw_is_still_a_picture) {
 
 TEST(Picture, jpeg_begins_as_one) {
   Warnings warnings;
-  const std::string bytes = encode_picture(row_of_cells({1, 2}), PictureFormat::jpeg, warnings);
+  const std::string bytes =
+      encode_picture(row_of_cells({1, 2}), PictureFormat::jpeg, image_file, warnings);
   EXPECT_EQ(bytes.substr(0, 3), "\xFF\xD8\xFF");
 }
 
 std::string svg(const Picture& picture) {
   Warnings warnings;
-  return encode_picture(picture, PictureFormat::svg, warnings);
+  return encode_picture(picture, PictureFormat::svg, image_file, warnings);
 }
 
 std::size_t count_of(const std::string& text, const std::string& part) {
@@ -255,7 +257,7 @@ TEST(Picture, tells_in_one_line_what_has_no_room) {
   for (int i = 0; i < 3; ++i)
     picture.basins.push_back({"a name that is far too long", square(i, 0, 1)});
   Warnings warnings;
-  encode_picture(picture, PictureFormat::png, warnings);
+  encode_picture(picture, PictureFormat::png, image_file, warnings);
   ASSERT_EQ(warnings.notices().size(), 1u);
   const std::string told = warnings.notices()[0].text.plain();
   EXPECT_NE(told.find("the names of 4 of 4 basins"), std::string::npos) << told;
@@ -308,7 +310,7 @@ TEST(Picture, characters_that_no_font_has_are_warned_of) {
   Picture picture = row_of_cells({1, 2});
   picture.title = "a\U0010F123";
   Warnings warnings;
-  encode_picture(picture, PictureFormat::png, warnings);
+  encode_picture(picture, PictureFormat::png, image_file, warnings);
   ASSERT_EQ(warnings.messages().size(), 1u);
   EXPECT_NE(warnings.messages()[0].text.plain().find("no installed font"), std::string::npos);
 }
