@@ -1,6 +1,9 @@
 #include "cli/program.h"
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <execinfo.h>
+#endif
 
 #include <cstdlib>
 #include <exception>
@@ -61,6 +64,15 @@ int run_command(Command& command, Warnings& warnings) {
   std::abort();
 }
 
+/// The C library loads what it needs to end a thread when it is first needed, and gives up where
+/// there is no memory for it then.
+void load_unwinder() noexcept {
+#ifdef __GLIBC__
+  void* frame = nullptr;
+  ::backtrace(&frame, 1);
+#endif
+}
+
 int run_and_report(int argc, char** argv) {
   const char* when_interrupted = "interrupted";
   try {
@@ -101,6 +113,7 @@ void watch_for_uncaught() noexcept {
 
 int run_program(int argc, char** argv) {
   watch_for_uncaught();
+  load_unwinder();
   when_gdal_lacks_memory(end_without_memory);
   try {
     return run_and_report(argc, argv);
