@@ -17,6 +17,7 @@
 #include "cli/terminal/messages.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
+#include "map/opencv/fonts.h"
 
 namespace thiessen::cli {
 namespace {
@@ -115,6 +116,7 @@ int run_program(int argc, char** argv) {
   watch_for_uncaught();
   load_unwinder();
   when_gdal_lacks_memory(end_without_memory);
+  when_fonts_break_off(end_without_memory);
   try {
     return run_and_report(argc, argv);
   } catch (const std::bad_alloc&) {  // there was no memory for the message of what went wrong
