@@ -1,6 +1,9 @@
 #include "cli/program.h"
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <execinfo.h>
+#endif
 
 #include <cstdlib>
 #include <exception>
@@ -14,6 +17,7 @@
 #include "cli/terminal/messages.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
+#include "map/opencv/fonts.h"
 
 namespace thiessen::cli {
 namespace {
@@ -61,6 +65,15 @@ int run_command(Command& command, Warnings& warnings) {
   std::abort();
 }
 
+/// The C library loads what it needs to end a thread when it is first needed, and gives up where
+/// there is no memory for it then.
+void load_unwinder() noexcept {
+#ifdef __GLIBC__
+  void* frame = nullptr;
+  ::backtrace(&frame, 1);
+#endif
+}
+
 int run_and_report(int argc, char** argv) {
   const char* when_interrupted = "interrupted";
   try {
@@ -101,7 +114,9 @@ void watch_for_uncaught() noexcept {
 
 int run_program(int argc, char** argv) {
   watch_for_uncaught();
+  load_unwinder();
   when_gdal_lacks_memory(end_without_memory);
+  when_fonts_break_off(end_without_memory);
   try {
     return run_and_report(argc, argv);
   } catch (const std::bad_alloc&) {  // there was no memory for the message of what went wrong

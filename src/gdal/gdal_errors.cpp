@@ -34,8 +34,9 @@ void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
 std::string on_one_line(std::string text) {
   std::replace(text.begin(), text.end(), '\n', ' ');
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
-  // What a library of GDAL's caught tells its C++ name.
-  if (text.find("std::bad_alloc") != std::string::npos) return "not enough memory";
+  // What a library of GDAL's caught tells its C++ name, and GDAL itself a line of its source.
+  for (const char* words : {"std::bad_alloc", "annot allocate", "ut of memory"})
+    if (text.find(words) != std::string::npos) return "not enough memory";
   return text;
 }
 

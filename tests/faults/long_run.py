@@ -17,7 +17,7 @@ import time
 STATIONS = "id,x,y\nA,2,2\nB,8,3\nC,5,8\n"
 BASIN = 'id,WKT\nB1,"POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0))"\n'
 PLAIN = ["stations.csv", "basin.csv"]
-MOST_GROWTH_MB = 8
+MOST_GROWTH_MB = 40  # blocks of steps grow to 16 MB each; ten million steps would be 400 MB
 
 
 def study(folder):

@@ -1,8 +1,10 @@
 #include "map/opencv/fonts.h"
 
 #include <fontconfig/fontconfig.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <atomic>
 #include <new>
 #include <vector>
 
@@ -41,6 +43,35 @@ Held<FcPattern> wanted(FcConfig* config, bool bold) {
   return pattern;
 }
 
+std::atomic<void (*)() noexcept> end_of_program = nullptr;
+
+extern "C" {
+static void end_at_once(int) {
+  end_of_program.load()();
+}
+}
+
+/// As long as it lives, a wrong address is fontconfig's.
+class Watch {
+ public:
+  Watch() : is_watching_(end_of_program.load() != nullptr) {
+    if (!is_watching_) return;
+    struct sigaction action = {};
+    action.sa_handler = end_at_once;
+    sigemptyset(&action.sa_mask);
+    is_watching_ = ::sigaction(SIGSEGV, &action, &before_) == 0;
+  }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+  ~Watch() {
+    if (is_watching_) ::sigaction(SIGSEGV, &before_, nullptr);
+  }
+
+ private:
+  bool is_watching_;
+  struct sigaction before_ = {};
+};
+
 bool is_true(const FcPattern* font, const char* property) {
   FcBool value = FcFalse;
   return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value == FcTrue;
@@ -58,6 +89,10 @@ bool can_draw(const FcPattern* font) {
 
 }  // namespace
 
+void when_fonts_break_off(void (*end)() noexcept) {
+  end_of_program = end;
+}
+
 struct FontList::Set {
   struct Font {
     FontFace face;
@@ -70,6 +105,7 @@ struct FontList::Set {
 };
 
 FontList::FontList(bool bold) : set_(std::make_unique<Set>()) {
+  const Watch watch;
   set_->config.reset(FcInitLoadConfigAndFonts());
   if (!set_->config) throw std::bad_alloc();
   FcResult result = FcResultNoMatch;

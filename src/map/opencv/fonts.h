@@ -8,6 +8,10 @@
 
 namespace thiessen {
 
+/// What is called where fontconfig breaks off for want of memory: it then goes to an address that
+/// is none, and without this the process ends by that signal.
+void when_fonts_break_off(void (*end)() noexcept);
+
 /// One face of a font file, which may hold several.
 struct FontFace {
   std::string file;
