@@ -3,6 +3,7 @@
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <array>
@@ -55,6 +56,18 @@ OGRwkbGeometryType type_of_shapes(VectorLayer::Shapes shapes) {
   return wkbNone;
 }
 
+/// Has SQLite hear Ctrl-C between two of its steps: a GeoPackage's index is made when the file is
+/// closed, at once, and takes as long as all before.
+void hear_interrupts(GDALDataset& dataset) {
+  constexpr int steps = 10'000;
+  constexpr std::string_view driver = "GPKG";
+  if (dataset.GetDriverName() != driver) return;
+  auto* const database = static_cast<sqlite3*>(dataset.GetInternalHandle("SQLITE_HANDLE"));
+  if (database == nullptr) return;
+  sqlite3_progress_handler(
+      database, steps, [](void*) { return interrupt_signal() != 0 ? 1 : 0; }, nullptr);
+}
+
 /// Writes one layer of GDAL's.
 class LayerWriter {
  public:
@@ -65,12 +78,14 @@ class LayerWriter {
                                  const std::string& older) {
     const FixedDate date;
     dataset_ = older.empty() ? create(driver) : open(driver, older);
+    hear_interrupts(*dataset_);
     OGRLayer& written = create_layer(crs);
     for (std::size_t row = 0; row < layer_.values.rows; ++row) {
       throw_if_interrupted();
       add(written, row);
     }
     dataset_.reset();
+    throw_if_interrupted();
     check(true);
     const std::string name = driver.GetDescription();
     if (!holds_any_text(name) && layer_.values.rows > 0)
