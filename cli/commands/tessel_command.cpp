@@ -15,6 +15,7 @@
 #include "cli/terminal/messages.h"
 #include "gdal/output/image_file.h"
 #include "map/plot/tessellation_picture.h"
+#include "text/last_line.h"
 
 namespace thiessen::cli {
 namespace {
@@ -103,6 +104,7 @@ class TesselCommand : public Command {
     if (is_standard_input && isatty(STDIN_FILENO) == 1) {
       run_keyboard(output);
     } else {
+      tell_of_last_line(script_, warnings);
       ScriptLines lines(script_);
       const auto interpreter = make_interpreter(
           dimension_, {output, warnings, false, is_standard_input, {script_}, pictures});

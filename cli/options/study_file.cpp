@@ -15,6 +15,7 @@
 #include "cli/options/toml_file.h"
 #include "cli/options/usage_error.h"
 #include "files/database/postgres.h"
+#include "text/last_line.h"
 #include "text/similar_texts.h"
 
 namespace thiessen::cli {
@@ -215,6 +216,7 @@ class StudyFileText {
 }  // namespace
 
 void take_study_file(OptionList& options, const std::string& path, Warnings& warnings) {
+  tell_of_last_line(path, warnings);
   const std::set<std::string> given = given_keys(options);
   std::set<std::string> taken;
   std::vector<std::string> passed_over;

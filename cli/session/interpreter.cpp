@@ -19,6 +19,7 @@
 #include "tessellation/session.h"
 #include "tessellation/topology_table.h"
 #include "tessellation/topology_table_reader.h"
+#include "text/last_line.h"
 #include "text/points_file.h"
 #include "text/similar_texts.h"
 
@@ -146,10 +147,12 @@ class SessionInterpreter : public Interpreter {
     Warnings warnings;
     const Added added = session_.add_all(read_points<Dimension>(std::move(file), warnings));
     for (const Message& message : warnings.messages()) surroundings_.warnings.add(message);
+    for (const Message& notice : warnings.notices()) surroundings_.warnings.add_notice(notice);
     return added;
   }
   /// Takes in what a session has printed.
   Added restored(InputFile file) {
+    tell_of_last_line(file.name(), surroundings_.warnings);
     ScriptLines lines(std::move(file));
     TopologyTableReader<Dimension> reader(lines.file());
     while (const auto line = lines.next([] {})) {

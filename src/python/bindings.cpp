@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/default_arithmetic.h"
 #include "base/interrupt.h"
 #include "base/secrets.h"
 #include "base/version.h"
@@ -23,6 +24,9 @@ namespace py = pybind11;
 
 namespace thiessen::python {
 namespace {
+
+/// Of a function that computes, or reads numbers: see DefaultArithmetic.
+using computing = py::call_guard<DefaultArithmetic>;
 
 // What the library calls settings and files, in a call of Python's: they are its keywords.
 std::string keyword(std::string_view name, std::string_view value) {
@@ -292,20 +296,20 @@ static void declare(py::module_& module) {
   static py::exception<Error> error(module, "Error", PyExc_ValueError);
   py::register_exception_translator(
       [](std::exception_ptr thrown) { translate(std::move(thrown), error.ptr()); });
-  module.def("geometry_in", geometry_in);
-  module.def("known_columns", known_columns);
-  module.def("station_ids", station_ids);
-  module.def("keywords_of_calls", keywords_of_calls);
-  module.def("check_series", check_series);
-  module.def("changed_weights", changed_weights);
-  py::class_<StationsFile>(module, "Stations").def(py::init(&stations_of));
-  py::class_<BasinsFile>(module, "Basins").def(py::init(&basins_of));
+  module.def("geometry_in", geometry_in, computing());
+  module.def("known_columns", known_columns, computing());
+  module.def("station_ids", station_ids, computing());
+  module.def("keywords_of_calls", keywords_of_calls, computing());
+  module.def("check_series", check_series, computing());
+  module.def("changed_weights", changed_weights, computing());
+  py::class_<StationsFile>(module, "Stations").def(py::init(&stations_of), computing());
+  py::class_<BasinsFile>(module, "Basins").def(py::init(&basins_of), computing());
   py::class_<PythonStudy>(module, "Study")
-      .def(py::init(&make_study))
-      .def("weights", weights)
-      .def("cells", cells)
-      .def("rain", rain)
-      .def("influence", influence)
+      .def(py::init(&make_study), computing())
+      .def("weights", weights, computing())
+      .def("cells", cells, computing())
+      .def("rain", rain, computing())
+      .def("influence", influence, computing())
       .def_property_readonly("has_readings", &PythonStudy::has_readings)
       .def_property_readonly("stamp_acts", &PythonStudy::stamp_acts)
       .def_property_readonly("tells_months", &PythonStudy::tells_months)

@@ -8,6 +8,7 @@
 #include "geometry/predicates.h"
 #include "geometry/shape_points.h"
 #include "rainfall/network/extent.h"
+#include "study/lost_digits.h"
 #include "study/nearness.h"
 
 namespace thiessen {
@@ -71,6 +72,7 @@ Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, W
       network_(in_exact_range(*parts_), parts_->metric),
       weighing_(network_, basins_or_extent(*parts_, network_, settings.margin),
                 drawn_basins(*parts_), yardstick_of(*parts_, settings.tolerance)) {
+  judge_digits(*parts_, warnings);
   warn_of_shared_places(warnings);
   warn_of_line(warnings);
   if (parts_->has_basins)

@@ -39,8 +39,9 @@ class Study {
   /// Moves the stations of `parts` into the network. Without basins the extent of the stations
   /// becomes the only study area. Warns of stations that share a place, of a network on one
   /// line, and of basins far from every gauge. Throws Error with every coordinate outside the exact
-  /// range of predicates.h, where stations without extent make no study area, and where gauges and
-  /// basins are nowhere near each other. Cost: n log n.
+  /// range of predicates.h, where stations without extent make no study area, where gauges and
+  /// basins are nowhere near each other, and where coordinates are so large that their digits do
+  /// not tell places in a basin apart (judge_digits). Cost: n log n.
   Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, Warnings& warnings);
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;

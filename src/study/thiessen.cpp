@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/default_arithmetic.h"
 #include "base/utf8.h"
 #include "rainfall/areal_rainfall.h"
 #include "rainfall/normals/uniform_normals.h"
@@ -119,8 +120,10 @@ struct Thiessen::Held {
   unsigned threads;
 };
 
-Thiessen::Thiessen(ThiessenInput input, unsigned threads)
-    : held_(std::make_unique<Held>(std::move(input), threads)) {}
+Thiessen::Thiessen(ThiessenInput input, unsigned threads) {
+  const DefaultArithmetic arithmetic;
+  held_ = std::make_unique<Held>(std::move(input), threads);
+}
 
 Thiessen::~Thiessen() = default;
 Thiessen::Thiessen(Thiessen&&) noexcept = default;
@@ -143,15 +146,18 @@ const std::vector<BasinWeights>& Thiessen::weights() const {
 }
 
 std::vector<BasinWeights> Thiessen::weights(const std::vector<bool>& reports) const {
+  const DefaultArithmetic arithmetic;
   held_->require_one_each(reports.size(), "entries of which report");
   return held_->study.weighing().weights(ReportingStations(reports), held_->threads);
 }
 
 std::vector<std::vector<StationCell>> Thiessen::cells() const {
+  const DefaultArithmetic arithmetic;
   return held_->study.weighing().cells(held_->study.all_report(), held_->threads);
 }
 
 std::vector<BasinRainfall> Thiessen::rainfall(std::span<const double> readings) const {
+  const DefaultArithmetic arithmetic;
   held_->require_one_each(readings.size(), "readings");
   for (std::size_t i = 0; i < readings.size(); ++i) {
     if (std::isinf(readings[i]))

@@ -59,6 +59,8 @@ struct ThiessenInput {
 };
 
 /// A network of gauges, and the weight of each in every basin. Safe for several threads at once.
+/// Numbers are rounded to the nearest, whatever mode the caller has set (std::fesetround), which is
+/// set again afterwards.
 class Thiessen {
  public:
   /// Checks the input, mends what can be mended (repeated points, spikes, parts that share an edge,

@@ -28,6 +28,15 @@ char likely_separator(std::string_view name, char used) {
   return '\0';
 }
 
+/// Whether a text is JSON, of which a pipe does not tell by its name: an object with a first key.
+bool is_json(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  if (!text.starts_with('{')) return false;
+  text.remove_prefix(std::min(text.find_first_not_of(blanks, 1), text.size()));
+  return text.starts_with('"');
+}
+
 }  // namespace
 
 void CsvReader::skip_byte_order_mark() {
@@ -44,6 +53,9 @@ void CsvReader::skip_byte_order_mark() {
 void CsvReader::find_form() {
   const std::size_t begin = next_row_;
   look_at_beginning(begin);
+  if (options_.finds_form && is_json(text_.between(begin, text_.end())))
+    fail(0, "is JSON, and no table",
+         "GeoJSON is read from a file on the disk: save it as .geojson");
   options_.separator = form_.separator;
   text_.set_separator(form_.separator);
   trims_ = options_.finds_form && form_.has_blanks;

@@ -20,6 +20,9 @@ using Kind = JsonScanner::Kind;
 
 constexpr std::size_t deepest = 30;       // GDAL's own reader stops at 32
 constexpr std::size_t most_brackets = 4;  // those of a MultiPolygon's coordinates
+// GDAL compares each further name of a property with all before it, and gives each feature room for
+// all.
+constexpr std::size_t most_names = 10'000;
 
 /// How many brackets deep the numbers of a geometry are nested: 1 for [x, y]; 0 for an unknown
 /// type.
@@ -48,6 +51,7 @@ class Audit {
     root,
     features,
     feature,
+    properties,
     geometry,
     geometries,
     coordinates,
@@ -81,6 +85,7 @@ class Audit {
       if (key == "geometries") return Part::geometries;
     }
     if (outer != Part::geometry && key == "geometry") return Part::geometry;
+    if (outer != Part::geometry && key == "properties") return Part::properties;
     if (outer != Part::root) return Part::other;
     if (key == "features") return Part::features;
     return key == "crs" ? Part::crs : Part::other;
@@ -142,12 +147,19 @@ class Audit {
     while (going) {
       steps_.push_back({scanner_.string(), 0, false});
       if (!keys.insert(scanner_.hash()).second) scanner_.fail("'" + path() + "' is given twice");
+      if (part == Part::properties) see_property(scanner_.hash());
       scanner_.colon();
       member(part, geometric ? &shape : nullptr);
       steps_.pop_back();
       going = scanner_.more('}');
     }
     if (geometric) judge(part, shape);
+  }
+
+  void see_property(std::uint64_t name) {
+    if (!names_.insert(name).second || names_.size() <= most_names) return;
+    throw Error(
+        Message{scanner_.file(), 0, "features have more than 10,000 different properties", {}});
   }
 
   void member(Part outer, Shape* shape) {
@@ -289,6 +301,7 @@ class Audit {
   Complaints complaints_;
   GeoJsonFindings findings_;
   std::vector<Step> steps_;
+  std::unordered_set<std::uint64_t> names_;  ///< of properties, by their hash
   bool has_features_ = false;
 };
 

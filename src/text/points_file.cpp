@@ -15,6 +15,7 @@
 #include "geometry/predicates.h"
 #include "text/csv_reader.h"
 #include "text/field_names.h"
+#include "text/last_line.h"
 
 namespace thiessen {
 namespace {
@@ -158,6 +159,7 @@ std::vector<PositionIn<Dimension>> read_points(const std::string& file, Warnings
 
 template <int Dimension>
 std::vector<PositionIn<Dimension>> read_points(InputFile file, Warnings& warnings) {
+  tell_of_last_line(file.name(), warnings);
   std::vector<PositionIn<Dimension>> points;
   PointsReader<std::size_t{Dimension}>(std::move(file), warnings).read([&](const auto& at) {
     if constexpr (Dimension == 2) {

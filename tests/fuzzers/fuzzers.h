@@ -33,4 +33,10 @@ void fuzz_published(std::span<const std::uint8_t> bytes);
 /// Bytes as the script of a session and a CSV of points that it loads. Nothing is written anywhere.
 void fuzz_script(std::span<const std::uint8_t> bytes);
 
+/// Bytes as a study in memory: gauges that may be silent and basins, measured beside brute force.
+void fuzz_study(std::span<const std::uint8_t> bytes);
+/// Bytes as any file that a command reads, as damages of a sound one, as the text of an option, or
+/// as the names that a command writes and draws; the whole program runs on them, in this process.
+void fuzz_program(std::span<const std::uint8_t> bytes);
+
 }  // namespace thiessen::fuzzers

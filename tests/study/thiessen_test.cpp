@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -228,6 +229,32 @@ TEST(Thiessen, a_basin_over_the_antimeridian_goes_the_short_way) {
   const auto& weights = study.weights();
   EXPECT_NEAR(weights[0].stations[0].weight, 0.5, 1e-12);
   EXPECT_NEAR(weights[0].area, 1.2309e10, 1e7);
+}
+
+/// All weights of a study of awkward numbers, and its rainfall.
+std::vector<double> figures_of_thirds() {
+  ThiessenInput input;
+  input.stations = {{"a", {0.1, 0.7}}, {"b", {1.0 / 3, 0.2}}, {"c", {2.0 / 3, 0.9}}};
+  input.basins = {{"B", {{{{0, 0}, {1.1, 0.1}, {0.9, 1.2}, {0.1, 0.9}}, {}}}, {}}};
+  const Thiessen study(input);
+  std::vector<double> figures;
+  for (const StationWeight& gauge : study.weights()[0].stations) figures.push_back(gauge.weight);
+  for (const auto& without : study.weights({true, false, true})[0].stations)
+    figures.push_back(without.weight);
+  for (const StationCell& cell : study.cells()[0]) figures.push_back(cell.area);
+  figures.push_back(study.rainfall(std::vector<double>{0.1, 0.2, nan})[0].rainfall);
+  return figures;
+}
+
+TEST(Thiessen, is_the_same_whatever_way_of_rounding_the_caller_has_set) {
+  const std::vector<double> figures = figures_of_thirds();
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const std::vector<double> again = figures_of_thirds();
+    EXPECT_EQ(std::fegetround(), mode) << "the caller's own";
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(again, figures) << mode;
+  }
 }
 
 }  // namespace

@@ -146,5 +146,22 @@ TEST(GeoJsonAudit, says_the_same_wherever_its_bytes_are_parted) {
   }
 }
 
+// GDAL's time grows with the square of the number of names.
+TEST(GeoJsonAudit, bounds_how_many_names_properties_have_in_one_feature_or_in_all) {
+  const auto with = [](std::size_t first, std::size_t count) {
+    std::string properties;
+    for (std::size_t i = first; i < first + count; ++i)
+      properties += (properties.empty() ? "\"p" : ",\"p") + std::to_string(i) + "\":1";
+    return R"({"type":"Feature","properties":{)" + properties +
+           R"(},"geometry":{"type":"Point","coordinates":[1,2]}})";
+  };
+  const std::string most = with(0, 10'000);
+  EXPECT_EQ(audit(collection(most + "," + most)).features, 2U);
+  const std::string fault = "features have more than 10,000 different properties";
+  EXPECT_NE(complaint(collection(with(0, 10'001))).find(fault), std::string::npos);
+  EXPECT_NE(complaint(with(0, 10'001)).find(fault), std::string::npos);
+  EXPECT_NE(complaint(collection(most + "," + with(10'000, 1))).find(fault), std::string::npos);
+}
+
 }  // namespace
 }  // namespace thiessen

@@ -2,11 +2,16 @@
 
 #include <libpq-fe.h>
 
+#include <poll.h>
+
+#include <array>
 #include <cctype>
+#include <memory>
 #include <new>
 #include <utility>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/secrets.h"
 #include "base/utf8.h"
 
@@ -89,6 +94,24 @@ struct Postgres::Answer {
   std::unique_ptr<PGresult, void (*)(PGresult*)> result;
 };
 
+// A server may take minutes over an index, and Ctrl-C is heard all the while: the server is then
+// asked to stop, and what it has begun is gone with the connection.
+void Postgres::wait_for_answer() {
+  constexpr int pause = 100;  // milliseconds
+  while (PQisBusy(connection_->handle) != 0) {
+    if (interrupt_signal() != 0) {
+      const std::unique_ptr<PGcancel, void (*)(PGcancel*)> cancel(PQgetCancel(connection_->handle),
+                                                                  PQfreeCancel);
+      std::array<char, 256> reason;
+      if (cancel) PQcancel(cancel.get(), reason.data(), static_cast<int>(reason.size()));
+      throw_if_interrupted();
+    }
+    pollfd waiting{PQsocket(connection_->handle), POLLIN, 0};
+    ::poll(&waiting, 1, pause);
+    if (PQconsumeInput(connection_->handle) != 1) return;  // the answer then says why
+  }
+}
+
 Postgres::Postgres(const std::string& path) : path_(path) {
   const LibpqConnection wanted = libpq_connection(path);
   connection_ = std::make_unique<Connection>(PQconnectdb(wanted.words.c_str()));
@@ -122,12 +145,21 @@ void Postgres::fail(const char* reason, const char* state) const {
 }
 
 Postgres::Answer Postgres::ask(const std::string& sql) {
-  Answer answer{{PQexec(connection_->handle, sql.c_str()), PQclear}};
+  Answer answer{{nullptr, PQclear}};
+  if (PQsendQuery(connection_->handle, sql.c_str()) != 1)
+    fail(PQerrorMessage(connection_->handle), nullptr);
+  do {  // the last answer tells: there is one a command, and COPY waits for its rows
+    wait_for_answer();
+    PGresult* const next = PQgetResult(connection_->handle);
+    if (next == nullptr) break;
+    answer.result.reset(next);
+  } while (PQresultStatus(answer.result.get()) != PGRES_COPY_IN);
   const ExecStatusType status = PQresultStatus(answer.result.get());
   const bool done =
       status == PGRES_COMMAND_OK || status == PGRES_TUPLES_OK || status == PGRES_COPY_IN;
   if (!done) {
-    fail(PQerrorMessage(connection_->handle),
+    fail(answer.result ? PQresultErrorMessage(answer.result.get())
+                       : PQerrorMessage(connection_->handle),
          PQresultErrorField(answer.result.get(), PG_DIAG_SQLSTATE));
   }
   return answer;
@@ -145,8 +177,9 @@ std::optional<std::string> Postgres::value(const std::string& sql) {
 }
 
 void Postgres::copy(std::string_view rows) {
-  constexpr std::size_t at_once = std::size_t{1} << 20U;
+  constexpr std::size_t at_once = std::size_t{1} << 18U;
   while (!rows.empty()) {
+    throw_if_interrupted();
     const std::string_view part = rows.substr(0, at_once);
     if (PQputCopyData(connection_->handle, part.data(), static_cast<int>(part.size())) != 1)
       fail(PQerrorMessage(connection_->handle), nullptr);
@@ -158,6 +191,7 @@ void Postgres::end_copy() {
   if (PQputCopyEnd(connection_->handle, nullptr) != 1)
     fail(PQerrorMessage(connection_->handle), nullptr);
   for (;;) {
+    wait_for_answer();
     const Answer answer{{PQgetResult(connection_->handle), PQclear}};
     if (answer.result == nullptr) return;
     if (PQresultStatus(answer.result.get()) != PGRES_COMMAND_OK) {

@@ -29,7 +29,8 @@ class Postgres {
   Postgres(const Postgres&) = delete;
   Postgres& operator=(const Postgres&) = delete;
 
-  /// Has the database carry out a command. Throws Error with its words where it does not. After a
+  /// Has the database carry out a command. Throws Error with its words where it does not, and
+  /// Interrupted, whereupon what it has begun is given up with the connection. After a
   /// `COPY ... FROM STDIN` it waits for rows.
   void run(const std::string& sql);
   /// The first value of the first row of an answer; nothing where there is none, or it is null.
@@ -47,6 +48,7 @@ class Postgres {
   struct Answer;
 
   Answer ask(const std::string& sql);
+  void wait_for_answer();
   [[noreturn]] void fail(const char* reason, const char* state) const;
 
   struct Connection;

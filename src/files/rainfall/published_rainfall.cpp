@@ -29,8 +29,10 @@
 #include "readings/units/converted_readings.h"
 #include "readings/units/rain_unit.h"
 #include "text/csv_form.h"
+#include "text/csv_reader.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
+#include "text/last_line.h"
 
 namespace thiessen {
 namespace {
@@ -151,6 +153,19 @@ void require_rain(const Table& table, const std::string& beginning) {
                 setting("value_field") + " names one that is rain all the same"});
 }
 
+/// Tells which texts end within a line: the table's own, or those that it lists. Of a CSV it is
+/// told already.
+void tell_of_last_lines(const Table& table, const std::string& beginning, Warnings& warnings) {
+  if (dynamic_cast<const CsvReader*>(&table) != nullptr) return;
+  const std::string& file = table.file();
+  tell_of_last_line(file, warnings);
+  std::vector<std::string> listed_files;
+  if (swat_file(beginning) == SwatFile::list) listed_files = files_of_swat_list(file, open_text);
+  if (arcswat_file(beginning) == ArcSwatFile::list)
+    listed_files = files_of_arcswat_list(file, open_text);
+  for (const std::string& one : listed_files) tell_of_last_line(one, warnings);
+}
+
 Recognised open_by_content(const Source& rainfall, const ReadingsOptions& options,
                            Warnings& warnings) {
   const std::string beginning = beginning_of_text(rainfall.file, csv_beginning_bytes);
@@ -158,6 +173,7 @@ Recognised open_by_content(const Source& rainfall, const ReadingsOptions& option
   Recognised found = value.empty() ? open_text_format(rainfall, beginning, warnings)
                                    : open_text_format_of(value, rainfall, beginning, warnings);
   if (found.table) {
+    tell_of_last_lines(*found.table, beginning, warnings);
     if (!rainfall.where.empty()) {
       found.table =
           keep_rows(std::move(found.table), {rainfall.where, rainfall.where_setting}, {}, warnings);

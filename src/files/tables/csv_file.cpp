@@ -6,6 +6,7 @@
 #include "files/tables/packed_file.h"
 #include "gdal/layers/formats.h"
 #include "gdal/layers/opening.h"
+#include "text/last_line.h"
 
 namespace thiessen {
 namespace {
@@ -56,6 +57,7 @@ void tell_form(const CsvReader& csv, const CsvDialect& said, Warnings& warnings)
                     (form.units.empty() ? "formats" : "units (" + form.units + ")") + " " +
                     (form.rows_passed == 1 ? "is" : "are") + " passed over");
   }
+  if (ends_within_line(csv.file())) found.emplace_back(last_line_has_no_end);
   if (found.empty()) return;
   std::string text;
   for (std::size_t i = 0; i < found.size(); ++i)

@@ -16,6 +16,7 @@
 #include "gdal/layers/opening.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
+#include "text/last_line.h"
 
 namespace thiessen {
 namespace {
@@ -52,12 +53,15 @@ Features::Features(const Source& source, std::size_t longest_field, Warnings& wa
     table_ = std::move(layer);
   } else if (is_ghcn_station_list(source.file)) {
     table_ = std::make_unique<GhcnStationList>(source.file);
+    tell_of_last_line(source.file, warnings);
     warnings.add_notice({source.file, 0, "read as GHCN-Daily's list of stations", {}});
   } else if (is_dwd_station_list(source.file)) {
     table_ = std::make_unique<DwdStationList>(source.file);
+    tell_of_last_line(source.file, warnings);
     warnings.add_notice({source.file, 0, "read as DWD's list of stations", {}});
   } else if (const SwatFile kind = swat_file_called(source.file); kind != SwatFile::none) {
     table_ = std::make_unique<SwatStationList>(source.file, kind);
+    tell_of_last_line(source.file, warnings);
     warnings.add_notice({source.file, 0, "read as gauges of SWAT or SWAT+", {}});
   } else {
     if (!source.layer.empty()) throw no_layers(source);

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
+#include "files/tables/netcdf_length.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 
@@ -39,6 +40,7 @@ bool is_netcdf_of_stations(const std::string& file) {
 }
 
 NetcdfStations::NetcdfStations(const std::string& file) : name_(file) {
+  require_whole_netcdf(file);
   check(nc_open(file.c_str(), NC_NOWRITE, &file_));
   int count = 0;
   check(nc_inq_nvars(file_, &count));

@@ -90,6 +90,22 @@ struct Transformation::Proj {
     degrees->forth(points);
     return points;
   }
+  /// Whether a point of degrees lies where the projection, as those on cylinders do, draws a pole
+  /// out to a line, infinitely far away: next to the pole, and where a small step away from it is
+  /// much longer than on the Earth.
+  bool torn_apart(Point here, Point there) const {
+    constexpr double next_to_pole = 89.9;
+    constexpr double step = 1e-6;
+    constexpr double stretched_at_most = 1000;
+    if (!from.geographic() || to.geographic()) return false;
+    const double latitude = here.y * from.degrees_per_unit();
+    if (std::abs(latitude) < next_to_pole) return false;
+    std::vector<Point> beside = {
+        {here.x, (latitude - std::copysign(step, latitude)) / from.degrees_per_unit()}};
+    go(beside);
+    return !(metres_apart(to, there, beside.front()) <=
+             stretched_at_most * step * metres_per_degree);
+  }
   bool in_use(Point at) const { return from_area.reaches(at) && to_area.reaches(at); }
 };
 
@@ -142,7 +158,8 @@ std::vector<bool> Transformation::apply(std::vector<Point>& points) const {
   const std::vector<Point> degrees = proj_->degrees_of(points, there);
   for (std::size_t i = 0; i < points.size(); ++i) {
     inside[i] = metres_apart(proj_->from, points[i], returned[i]) <= metres_missed_at_most &&
-                (degrees.empty() || proj_->in_use(degrees[i]));
+                (degrees.empty() || proj_->in_use(degrees[i])) &&
+                !proj_->torn_apart(points[i], there[i]);
     if (inside[i]) points[i] = there[i];
   }
   return inside;

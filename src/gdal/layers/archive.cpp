@@ -59,6 +59,20 @@ std::vector<std::string> files_in_archive(const std::string& file, const std::st
   return names;
 }
 
+std::uint64_t unpacked_size(const std::string& file, const std::string& name) {
+  const GdalErrors errors;
+  constexpr int all_folders = -1;
+  VSIDIR* const folder = VSIOpenDir(("/vsizip/{" + name + "}").c_str(), all_folders, nullptr);
+  std::uint64_t size = 0;
+  if (folder != nullptr) {
+    while (const VSIDIREntry* const entry = VSIGetNextDirEntry(folder)) size += entry->nSize;
+    VSICloseDir(folder);
+  }
+  if (folder == nullptr || errors.failed())
+    throw Error(Message{file, 0, "no whole zip archive, or an empty one", {}});
+  return size;
+}
+
 std::vector<std::string> tables_in_archive(const std::vector<std::string>& names) {
   std::vector<std::string> found;
   std::copy_if(names.begin(), names.end(), std::back_inserter(found), [](const std::string& name) {

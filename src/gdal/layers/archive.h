@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,10 @@ namespace thiessen {
 /// The names of the files in a .zip, in its order. `name` is the archive as GDAL is given it,
 /// `file` as messages name it. Throws Error where it is no whole archive.
 std::vector<std::string> files_in_archive(const std::string& file, const std::string& name);
+
+/// How many bytes all files of a .zip have together, as it states them. Throws Error where it is no
+/// whole archive.
+std::uint64_t unpacked_size(const std::string& file, const std::string& name);
 
 /// The files of an archive that may be data sets: those of a format that is read, texts among them,
 /// without the files beside a .shp and without what the archive's maker left in it.

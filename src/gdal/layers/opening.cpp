@@ -9,6 +9,7 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -123,13 +124,33 @@ const char* spreadsheet_of(const std::vector<std::string>& names) {
   return has(names, "content.xml") && has(names, "mimetype") ? "ODS" : nullptr;
 }
 
+/// Refuses a spreadsheet that would unpack to far more than anybody writes. The sizes are those
+/// that the archive states: GDAL unpacks no more of a file than that.
+void require_no_bomb(const std::string& file, const std::string& name) {
+  constexpr std::uint64_t megabyte = 1'000'000;
+  constexpr std::uint64_t large = 256 * megabyte;
+  constexpr std::uint64_t packed_at_most = 200;
+  const std::uint64_t packed = VsiBytes(file, name).size();
+  const std::uint64_t unpacked = unpacked_size(file, name);
+  if (unpacked <= large || unpacked / packed_at_most <= packed) return;
+  refuse(file,
+         "is a spreadsheet of " + std::to_string(packed) + " bytes that unpacks to " +
+             std::to_string(unpacked / megabyte) + " MB, which no table does",
+         "save its table as CSV if it is sound");
+}
+
+Opening sheet_opening(const std::string& file, const std::string& name, const char* driver) {
+  require_no_bomb(file, name);
+  return {{driver}, name};
+}
+
 /// Opens a zip that no format's extension explains: a spreadsheet under another name, or an archive
 /// of one data set.
 Opening zip_opening(const std::string& file, const std::string& name) {
   const std::vector<std::string> names = files_in_archive(file, name);
   const auto has_file = [&](std::string_view wanted) { return has(names, wanted); };
   if (const auto kind = unread_archive(has_file)) refuse_kind(file, *kind);
-  if (const char* driver = spreadsheet_of(names)) return {{driver}, name};
+  if (const char* driver = spreadsheet_of(names)) return sheet_opening(file, name, driver);
   const std::string member = data_set_in_archive(file, names);
   const InputFormat& format = *format_by_extension(member);
   return {format.drivers, "/vsizip/{" + name + "}/" + member, Opening::Packing::archived};
@@ -165,7 +186,8 @@ void require_no_page(const std::string& file, std::string_view bytes) {
 Opening spreadsheet_opening(const std::string& file, const std::string& name,
                             std::string_view bytes, const InputFormat& format) {
   if (is_zip(bytes) && format.extension == ".xls") return zip_opening(file, name);
-  if (is_zip(bytes) || !is_text(bytes)) return {format.drivers, name};
+  if (is_zip(bytes)) return sheet_opening(file, name, format.drivers.front());
+  if (!is_text(bytes)) return {format.drivers, name};
   return {{}, name};
 }
 

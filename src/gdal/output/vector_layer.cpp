@@ -3,6 +3,7 @@
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <array>
@@ -57,6 +58,18 @@ OGRwkbGeometryType type_of_shapes(VectorLayer::Shapes shapes) {
   return wkbNone;
 }
 
+/// Has SQLite hear Ctrl-C between two of its steps: a GeoPackage's index is made when the file is
+/// closed, at once, and takes as long as all before.
+void hear_interrupts(GDALDataset& dataset) {
+  constexpr int steps = 10'000;
+  constexpr std::string_view driver = "GPKG";
+  if (dataset.GetDriverName() != driver) return;
+  auto* const database = static_cast<sqlite3*>(dataset.GetInternalHandle("SQLITE_HANDLE"));
+  if (database == nullptr) return;
+  sqlite3_progress_handler(
+      database, steps, [](void*) { return interrupt_signal() != 0 ? 1 : 0; }, nullptr);
+}
+
 /// Writes one layer of GDAL's.
 class LayerWriter {
  public:
@@ -68,6 +81,7 @@ class LayerWriter {
     const FixedDate date;
     dataset_ = older.empty() ? create(driver) : open(driver, older);
     const bool in_one = dataset_->TestCapability(ODsCTransactions) != FALSE;
+    hear_interrupts(*dataset_);
     OGRLayer& written = create_layer(crs);
     // Else each row is a transaction of its own, and a file that is not whole is never seen.
     if (in_one) check(dataset_->StartTransaction() == OGRERR_NONE);
@@ -79,6 +93,7 @@ class LayerWriter {
     if (in_one) check(dataset_->CommitTransaction() == OGRERR_NONE);
     index_.reset();
     dataset_.reset();
+    throw_if_interrupted();
     check(true);
     const std::string name = driver.GetDescription();
     if (!holds_any_text(name) && layer_.values.rows > 0)
@@ -92,8 +107,9 @@ class LayerWriter {
 
  private:
   void check(bool done) const {
-    if (!done || errors_.failed())
-      throw Error(Message{path_, 0, "GDAL cannot write it: " + errors_.text(), {}});
+    if (done && !errors_.failed()) return;
+    throw_if_interrupted();  // which makes SQLite fail
+    throw Error(Message{path_, 0, "GDAL cannot write it: " + errors_.text(), {}});
   }
 
   /// Requires that GDAL warned of no loss. It is asked last, for reading back tells more of it.

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/interrupt.h"
 #include "map/ink/ink.h"
 #include "map/ink/line_places.h"
 #include "map/ink/signs.h"
@@ -136,6 +137,7 @@ void Annotation::draw_gauges() {
   const int reach = static_cast<int>(std::ceil(gauge_reach(radius_)));
   for (const bool reporting : {false, true}) {
     for (std::size_t i = 0; i < view_.gauges.size(); ++i) {
+      throw_if_interrupted();
       const Point p = view_.gauges[i];
       if (picture_.gauges[i].reports != reporting || !in_sight(p)) continue;
       const Point on_page{p.x + page_.panel.x, p.y + page_.panel.y};

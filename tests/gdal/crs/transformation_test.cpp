@@ -40,6 +40,18 @@ TEST(Transformation, knows_where_a_projection_ends) {
   EXPECT_EQ(points[1], (Point{-120, 40}));
 }
 
+// On Mercator's cylinder a pole is infinitely far away; a polar plane has it at its middle.
+TEST(Transformation, knows_poles_that_a_projection_tears_apart) {
+  const Transformation cylinder(crs("EPSG:4326"), crs("EPSG:3857"));
+  EXPECT_FALSE(cylinder({10.2, 90}));
+  EXPECT_FALSE(cylinder({10.2, -90}));
+  EXPECT_FALSE(cylinder({10.2, 89.9999}));
+  EXPECT_TRUE(cylinder({10.2, 89}));
+  EXPECT_TRUE(Transformation(crs("EPSG:4326"), crs("EPSG:3413"))({10.2, 90}));
+  EXPECT_TRUE(Transformation(crs("EPSG:4326"), crs("EPSG:3031"))({10.2, -90}));
+  EXPECT_FALSE(Transformation(crs("EPSG:4326"), crs("+proj=merc +ellps=WGS84"))({0, 90}));
+}
+
 TEST(Transformation, of_a_crs_to_itself_changes_no_bit) {
   const Transformation same(crs("EPSG:4326"), crs("OGC:CRS84"));
   EXPECT_TRUE(same.identity());
