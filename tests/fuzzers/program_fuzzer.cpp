@@ -33,7 +33,7 @@ void require_end(const WholeRun& ran, int worst, const std::set<std::string>& le
 
 void run_on(const Sample& sample, const std::map<std::string, std::string>& files, int worst) {
   std::set<std::string> left;
-  const WholeRun ran = Workplace::the_one().run(sample, files, &left);
+  const WholeRun ran = RunFolder::the_one().run(sample, files, &left);
   require_end(ran, worst, left);
 }
 
@@ -93,7 +93,7 @@ void name_output(Sample& sample, std::string name) {
   sample.words.insert(sample.words.end(), {"-o", "o." + name});
   if (sample.words[0] == "weights") sample.words[0] = "cells";
   std::set<std::string> left;
-  const WholeRun ran = Workplace::the_one().run(sample, sample.files, &left);
+  const WholeRun ran = RunFolder::the_one().run(sample, sample.files, &left);
   std::erase_if(left, [&](const std::string& file) {
     return ran.status == 0 && (file.starts_with("o.") || file == "o");
   });
@@ -175,7 +175,7 @@ void write_names(Bytes& bytes) {
       {"b.csv", "id,WKT\n" + basin + ",\"POLYGON ((10 50, 10.5 50, 10.5 51, 10 51, 10 50))\"\n"},
       {"r.csv", "time,station,rain\n2020-01-01," + first + ",1.5\n2020-01-01," + second + ",2\n"}};
   std::set<std::string> left;
-  const WholeRun ran = Workplace::the_one().run(sample, sample.files, &left);
+  const WholeRun ran = RunFolder::the_one().run(sample, sample.files, &left);
   std::string expected;
   for (const std::string& word : sample.words) {
     if (word == "o" || word.starts_with("o.")) expected = word;

@@ -35,7 +35,7 @@ std::string fault_of_cut(const Sample& sample, const std::string& name, std::siz
   const auto answer_to = [&](std::size_t bytes) {
     auto files = sample.files;
     files[name].resize(bytes);
-    return Workplace::the_one().run(sample, files);
+    return RunFolder::the_one().run(sample, files);
   };
   const WholeRun ran = answer_to(length);
   const bool is_fault = ran.told.find("a fault of the program itself") != std::string::npos;
@@ -66,7 +66,7 @@ TEST(ProgramFuzzer, a_file_that_is_cut_off_is_an_error_or_gives_what_was_whole) 
   const bool all = rounds != nullptr && std::string_view(rounds) == "0";
   Seeded seeded;
   for (const Sample& sample : samples()) {
-    const WholeRun whole = Workplace::the_one().run(sample, sample.files);
+    const WholeRun whole = RunFolder::the_one().run(sample, sample.files);
     ASSERT_EQ(whole.status, 0) << sample.name << whole.told;
     for (const std::string& name : sample.read) {
       const std::size_t size = sample.files.at(name).size();

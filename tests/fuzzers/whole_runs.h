@@ -91,10 +91,10 @@ inline int worst_status(const Sample& sample) {
 }
 
 /// The folder in which all samples run; the process stands in it from the first one on.
-class Workplace {
+class RunFolder {
  public:
-  static Workplace& the_one() {
-    static Workplace workplace;
+  static RunFolder& the_one() {
+    static RunFolder workplace;
     return workplace;
   }
 
@@ -120,7 +120,7 @@ class Workplace {
   const TemporaryFolder& folder() const { return folder_; }
 
  private:
-  Workplace() { std::filesystem::current_path(folder_.path()); }
+  RunFolder() { std::filesystem::current_path(folder_.path()); }
 
   /// GDAL remembers what is in an archive by its name, its size and the second of its making.
   std::string fresh_name(const std::string& name) {
@@ -257,7 +257,7 @@ inline std::vector<Sample> make_samples() {
                                 "cell 10 10\n"},
                                {"p.csv", "0,0\n10,0\n0,10\n10,10\n4.5,3.25\n"}},
                               {"t.txt", "p.csv"}));
-  const TemporaryFolder& folder = Workplace::the_one().folder();
+  const TemporaryFolder& folder = RunFolder::the_one().folder();
   const auto made = [&](const std::string& command, const std::vector<std::string>& outputs) {
     for (const auto& [name, bytes] : study) folder.write(name, bytes);
     const WholeRun ran = run_whole(split_words(command));

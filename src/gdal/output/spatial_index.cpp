@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/hexadecimal.h"
+#include "base/interrupt.h"
 #include "geometry/hilbert.h"
 
 namespace thiessen {
@@ -175,8 +176,9 @@ void SpatialIndex::run(const std::string& statement) const {
   CPLErrorReset();
   if (OGRLayer* const answer = dataset_.ExecuteSQL(statement.c_str(), nullptr, nullptr))
     dataset_.ReleaseResultSet(answer);
-  if (CPLGetLastErrorType() >= CE_Failure)
-    throw Error(Message{path_, 0, "GDAL cannot write the spatial index", {}});
+  if (CPLGetLastErrorType() < CE_Failure) return;
+  throw_if_interrupted();  // which makes SQLite fail
+  throw Error(Message{path_, 0, "GDAL cannot write the spatial index", {}});
 }
 
 std::vector<std::string> SpatialIndex::texts(const std::string& query) const {
