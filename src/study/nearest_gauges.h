@@ -21,10 +21,14 @@ struct NearestGauge {
 /// b, nothing nearer can come within d - b, so so much of the outline is passed over. Hence few
 /// points of a basin are looked at, however many vertices it has.
 ///
+/// `enough`, where it is given, has a distance for each basin: its walk ends at a place that is no
+/// farther, which need not be the nearest then.
+///
 /// Requires at least one place. Accuracy: a hundredth of the distance, which may be too long by so
 /// much. Cost: linear in the vertices, 10 nanoseconds each, n log n in the places, and a search in
 /// a tree for each stretch of the outline as long as its distance from the gauges.
 std::vector<NearestGauge> nearest_gauges(std::span<const Point> places,
-                                         std::span<const Basin> basins, const Ruler& ruler);
+                                         std::span<const Basin> basins, const Ruler& ruler,
+                                         std::span<const double> enough = {});
 
 }  // namespace thiessen

@@ -33,21 +33,18 @@ void add_corners(const Box& box, std::vector<Point>& corners) {
 class NearnessJudge {
  public:
   NearnessJudge(const StudyParts& parts, const Network& network)
-      : parts_(parts),
-        network_(network),
-        ruler_(parts),
-        nearest_(thiessen::nearest_gauges(network.places(), parts.basins, ruler_)) {
+      : parts_(parts), network_(network), ruler_(parts) {
     for (const Basin& basin : parts.basins) {
       const Box box = bounds_of(basin);
       diagonals_.push_back(ruler_.diagonal(box));
       add_corners(box, basin_corners_);
     }
+    // Which gauge it is matters only to basins that have none within their diagonal.
+    nearest_ = nearest_gauges(network.places(), parts.basins, ruler_, diagonals_);
     gauges_ = ruler_.extent(network.places());
     add_corners(gauges_, gauge_corners_);
     for (const Point p : basin_corners_) basins_.take_in(p);
   }
-
-  std::vector<NearestGauge> take_nearest() { return std::move(nearest_); }
 
   /// What is to be said where gauges and basins are nowhere near each other.
   std::optional<Message> far_apart() const {
@@ -166,8 +163,8 @@ class NearnessJudge {
 
 }  // namespace
 
-std::vector<NearestGauge> judge_nearness(const StudyParts& parts, const Network& network,
-                                         bool allow_far, Warnings& warnings) {
+void judge_nearness(const StudyParts& parts, const Network& network, bool allow_far,
+                    Warnings& warnings) {
   NearnessJudge judge(parts, network);
   if (auto far = judge.far_apart()) {
     if (!allow_far) throw Error(*std::move(far));
@@ -175,7 +172,6 @@ std::vector<NearestGauge> judge_nearness(const StudyParts& parts, const Network&
     warnings.add(*std::move(far));
   }
   judge.warn_of_far_basins(warnings);
-  return judge.take_nearest();
 }
 
 }  // namespace thiessen

@@ -19,14 +19,15 @@ inline constexpr double diagonals_apart_at_most = 5;
 inline constexpr double metres_apart_at_least = 300e3;
 inline constexpr double spacings_apart_at_most = 5;
 
-/// Finds the nearest gauge of every basin, and judges how far it is.
+/// Judges how far the nearest gauge of every basin is.
 /// Throws Error where gauges and basins are nowhere near each other and that is not allowed, with
 /// both extents and the likely cause, if the parts' far_causes have one without which they would
 /// meet. Warns of it where it is allowed, and of basins far from their gauges, with the distances
 /// and, where that is all of them, the likely cause.
-/// Cost: that of nearest_gauges; where a basin is farther from its gauges than its own diagonal
+/// Cost: that of a tree of the gauges, and of nearest_gauges for basins that have no gauge within
+/// their own diagonal; where a basin is farther from its gauges than its own diagonal
 /// also that of spacing_of.
-std::vector<NearestGauge> judge_nearness(const StudyParts& parts, const Network& network,
-                                         bool allow_far, Warnings& warnings);
+void judge_nearness(const StudyParts& parts, const Network& network, bool allow_far,
+                    Warnings& warnings);
 
 }  // namespace thiessen

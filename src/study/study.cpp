@@ -75,8 +75,12 @@ Study::Study(std::shared_ptr<StudyParts> parts, const StudySettings& settings, W
   judge_digits(*parts_, warnings);
   warn_of_shared_places(warnings);
   warn_of_line(warnings);
-  if (parts_->has_basins)
-    nearest_gauges_ = judge_nearness(*parts_, network_, settings.allow_far, warnings);
+  if (parts_->has_basins) judge_nearness(*parts_, network_, settings.allow_far, warnings);
+}
+
+std::vector<NearestGauge> Study::nearest_gauges() const {
+  if (!parts_->has_basins) return {};
+  return thiessen::nearest_gauges(network_.places(), parts_->basins, Ruler(*parts_));
 }
 
 void Study::warn_of_shared_places(Warnings& warnings) const {

@@ -54,8 +54,9 @@ class Study {
     weighing_.take_normals(std::move(normals));
   }
   const std::vector<Basin>& basins() const { return parts_->basins; }
-  /// The nearest gauge of each basin; none where there are no basins.
-  const std::vector<NearestGauge>& nearest_gauges() const { return nearest_gauges_; }
+  /// The nearest gauge of each basin; none where there are no basins. Cost: that of
+  /// nearest_gauges.
+  std::vector<NearestGauge> nearest_gauges() const;
   /// How many square kilometres one unit of the weighing's areas is; 1 where the length of the
   /// plane's unit is unknown, so that areas are shown as they are.
   double km2_per_area() const {
@@ -73,7 +74,6 @@ class Study {
   std::shared_ptr<StudyParts> parts_;
   Network network_;
   Weighing weighing_;
-  std::vector<NearestGauge> nearest_gauges_;
 };
 
 }  // namespace thiessen

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rainfall/areal_rainfall.h"
+#include "study/nearest_gauges.h"
 
 namespace thiessen {
 namespace {
@@ -198,6 +199,22 @@ void rainfall_step(benchmark::State& state, std::size_t remembered_bytes) {
   for (auto _ : state) benchmark::DoNotOptimize(rainfall.at(readings));
 }
 
+// What a study does to say which basins are far from all gauges, and the nearest gauge of each.
+void gauges_of_tiles(benchmark::State& state, bool all_nearest) {
+  const Study study = study_of_tiles(100000, true);
+  std::vector<Point> places;
+  for (const Station& station : study.stations) places.push_back(station.position);
+  StudyParts parts;
+  parts.metric = Metric::geodesic;
+  const Ruler ruler(parts);
+  const double diagonal = ruler.distance({-110, 45}, {-110 + 10 / 32., 45 - 10 / 32.});
+  const std::vector<double> enough(all_nearest ? 0 : study.basins.size(), diagonal);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(nearest_gauges(places, study.basins, ruler, enough));
+}
+
+BENCHMARK_CAPTURE(gauges_of_tiles, near_enough, false)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(gauges_of_tiles, nearest, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(weights_ours, planar, Metric::planar)
     ->Arg(1)
     ->Arg(2)

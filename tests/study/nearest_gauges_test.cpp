@@ -84,5 +84,29 @@ TEST(NearestGauges, law_it_is_the_least_distance_to_a_hundredth) {
   }
 }
 
+TEST(NearestGauges, law_a_place_that_is_near_enough_ends_the_walk_and_is_near_enough) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> any(0, 1);
+  for (const Ruler& ruler : {on_earth(), in_metres()}) {
+    for (int round = 0; round < 100; ++round) {
+      std::vector<Point> places;
+      for (int i = 0; i < 30; ++i) places.push_back({20 + 40 * any(random), 40 * any(random)});
+      const Point corner{20 + 80 * any(random), 60 * any(random)};
+      const std::vector basins{box(corner.x, corner.y, corner.x + 9, corner.y + 5)};
+      const NearestGauge exact = nearest_gauges(places, basins, ruler)[0];
+      for (const double share : {0.5, 0.99, 1.5, 3.0}) {
+        const std::vector<double> enough{share * exact.distance};
+        const NearestGauge found = nearest_gauges(places, basins, ruler, enough)[0];
+        if (share < 1) {
+          EXPECT_EQ(found.distance, exact.distance);
+          EXPECT_EQ(found.place, exact.place);
+        } else {
+          EXPECT_LE(found.distance, std::max(enough[0], exact.distance));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thiessen

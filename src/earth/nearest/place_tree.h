@@ -24,7 +24,10 @@ class PlaceTree {
 
   Direction operator[](PlaceIndex p) const { return places_[index(p)]; }
   /// The place nearest to a point of space. Cost: log n where places lie scattered; at worst n.
-  PlaceIndex nearest(Direction to) const;
+  PlaceIndex nearest(Direction to) const { return nearest(to, order_.front()); }
+  /// The same, which takes less the nearer `guess` is. Where several are equally near, and not at
+  /// the point itself, it is the same one for every guess.
+  PlaceIndex nearest(Direction to, PlaceIndex guess) const;
   /// Calls `found(place)` for every place except those of parts whose ball makes `excludes(ball)`
   /// true.
   template <typename Excludes, typename Found>
@@ -42,8 +45,26 @@ class PlaceTree {
     std::uint32_t second;
   };
 
-  std::uint32_t add_part(std::uint32_t begin, std::uint32_t end);
-  void find_nearest(std::uint32_t part, Direction to, PlaceIndex& best, double& square) const;
+  struct Entry {
+    Direction at;
+    PlaceIndex place;
+  };
+
+  std::uint32_t add_part(std::vector<Entry>& entries, std::uint32_t begin, std::uint32_t end);
+  /// A search for the nearest place: the best so far, and its distance.
+  struct Nearest {
+    Direction to;
+    PlaceIndex best;
+    double square;
+    double distance;
+
+    bool excludes(const Ball& ball) const {
+      const Direction way = ball.centre - to;
+      const double reach = ball.radius + distance;
+      return dot(way, way) >= reach * reach;
+    }
+  };
+  void find_nearest(std::uint32_t part, Nearest& search) const;
 
   template <typename Excludes, typename Found>
   void search_part(std::uint32_t i, Excludes& excludes, Found& found) const {

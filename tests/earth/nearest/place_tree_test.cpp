@@ -37,6 +37,8 @@ TEST(PlaceTree, finds_the_nearest) {
       double least = HUGE_VAL;
       for (const Direction q : places) least = std::min(least, square_between(p, q));
       ASSERT_EQ(square_between(p, tree[tree.nearest(p)]), least);
+      const PlaceIndex guess{static_cast<std::uint32_t>(seeded.below(places.size()))};
+      ASSERT_EQ(tree.nearest(p, guess), tree.nearest(p));
     }
   }
 }
