@@ -145,8 +145,42 @@ std::string shortest_text(double value) {
   return out;
 }
 
+namespace {
+
+// Scaled by its decimals a number of the size of rainfall is a whole number and a rest. The product
+// is right to a unit in its last place, so the rest tells which way to round, unless it is as near
+// to a half as that.
+bool append_fixed_quickly(std::string& out, double value, int decimals) {
+  constexpr std::array<std::uint64_t, 7> powers{1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
+  constexpr double largest = 1e12;
+  if (decimals >= static_cast<int>(powers.size())) return false;
+  const std::uint64_t power = powers[static_cast<std::size_t>(decimals)];
+  const double scaled = std::abs(value) * static_cast<double>(power);
+  if (!(scaled < largest)) return false;
+  const double whole = std::floor(scaled);
+  const double rest = scaled - whole;
+  if (std::abs(rest - 0.5) <= scaled * 0x1p-52) return false;
+  const std::uint64_t units = static_cast<std::uint64_t>(whole) + (rest > 0.5 ? 1 : 0);
+  std::array<char, 32> text;
+  char* at = text.data();
+  if (value < 0 && units > 0) *at++ = '-';
+  at = std::to_chars(at, text.data() + text.size(), units / power).ptr;
+  if (decimals > 0) {
+    *at++ = '.';
+    std::uint64_t rest_units = units % power;
+    for (char* digit = at + decimals; digit > at; rest_units /= 10)
+      *--digit = static_cast<char>('0' + rest_units % 10);
+    at += decimals;
+  }
+  out.append(text.data(), at);
+  return true;
+}
+
+}  // namespace
+
 void append_fixed(std::string& out, double value, int decimals) {
   assert(std::isfinite(value) && decimals >= 0 && decimals <= 100);
+  if (append_fixed_quickly(out, value, decimals)) return;
   std::array<char, 512> text;  // 309 digits, a point, 100 decimals and a sign
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
                                     std::chars_format::fixed, decimals);

@@ -1,5 +1,6 @@
 #include "rainfall/weighed_rainfall.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -13,16 +14,16 @@ namespace {
 /// The share of a basin that the full network gives to gauges that report. It is exactly 1 where
 /// all report, whatever the weights add up to.
 double coverage(const BasinWeights& full, std::span<const double> readings) {
+  const auto reports = [&](const StationWeight& s) {
+    return !std::isnan(readings[index(s.station)]);
+  };
+  if (full.stations.empty()) return 0;
+  if (std::all_of(full.stations.begin(), full.stations.end(), reports)) return 1;
   LongSum sum;
-  bool whole = true;
   for (const StationWeight& s : full.stations) {
-    if (std::isnan(readings[index(s.station)])) {
-      whole = false;
-    } else {
-      sum.add(s.weight);
-    }
+    if (reports(s)) sum.add(s.weight);
   }
-  return whole && !full.stations.empty() ? 1 : sum.value();
+  return sum.value();
 }
 
 }  // namespace

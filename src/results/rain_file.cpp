@@ -12,6 +12,7 @@ namespace thiessen {
 namespace {
 
 constexpr const char* error_suffix = "_se";
+constexpr std::size_t bytes_of_a_row = 48;  // about
 
 }  // namespace
 
@@ -62,6 +63,12 @@ RainFile::RainFile(OutputFile& file, const std::vector<Basin>& basins, RainForma
     check_time_column(basins_);
     if (format_.errors) check_column_names(basins_, error_suffix);
   }
+  const std::size_t methods = std::max<std::size_t>(1, format_.methods.size());
+  for (std::size_t series = 0; format_.rows_for_basins && series < basins_.size() * methods;
+       ++series) {
+    append_rain_key(keys_.emplace_back(), {}, series, basins_, format_);
+    keys_.back() += ',';
+  }
   if (!format_.continues) file_.append(rain_header(basins_, format_));
 }
 
@@ -86,14 +93,23 @@ void RainFile::append_value(std::string& row, double value) const {
 }
 
 std::string RainFile::row_for_each_basin(const RainStep& step, std::size_t pattern) const {
+  std::string time;
+  append_csv_field(time, step.time);
   std::string rows;
+  rows.reserve(step.basins.size() * (time.size() + bytes_of_a_row));
   for (std::size_t b = 0; b < step.basins.size(); ++b) {
     const BasinRainfall& basin = step.basins[b];
-    append_rain_key(rows, step.time, b, basins_, format_);
-    rows += ',';
+    rows += time;
+    rows += keys_[b];
     append_value(rows, basin.rainfall);
-    rows += ',' + std::to_string(basin.gauges) + ',';
-    append_shortest(rows, basin.coverage);
+    rows += ',';
+    rows += std::to_string(basin.gauges);
+    rows += ',';
+    if (basin.coverage == 1) {
+      rows += '1';
+    } else {
+      append_shortest(rows, basin.coverage);
+    }
     if (format_.errors) {
       rows += ',';
       append_value(rows, basin.standard_error);

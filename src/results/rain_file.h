@@ -46,6 +46,7 @@ class RainFile {
   OutputFile& file_;
   const std::vector<Basin>& basins_;
   RainFormat format_;
+  std::vector<std::string> keys_;  // by series, where basins have rows: what follows the time
 };
 
 /// The header of the series, with its line end.

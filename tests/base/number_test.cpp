@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfloat>
 #include <clocale>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -146,9 +148,29 @@ TEST(FixedText, rounds_the_exact_value_and_ties_to_even) {
   EXPECT_EQ(fixed_text(0.125, 2), "0.12");
   EXPECT_EQ(fixed_text(0.375, 2), "0.38");
   EXPECT_EQ(fixed_text(2.5, 0), "2");
+  EXPECT_EQ(fixed_text(0.9996, 3), "1.000");
+  EXPECT_EQ(fixed_text(12.0625, 3), "12.062");
   EXPECT_EQ(fixed_text(1e22, 1), "10000000000000000000000.0");
   EXPECT_EQ(fixed_text(DBL_MAX, 100).size(), 309u + 1 + 100);
   EXPECT_EQ(fixed_text(0.1, 20), "0.10000000000000000555");
+}
+
+// As printf has them, which rounds the exact value, too.
+TEST(FixedText, rounds_numbers_of_any_size_as_printf_does) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int i = 0; i < 100'000; ++i) {
+    const int decimals = i % 9;
+    const double size = std::pow(10, i % 17);
+    // Every third number is a tie for few decimals.
+    const double value = i % 3 == 0 ? std::round(any(random) * 4096) / 64 : any(random) * size;
+    std::array<char, 64> text;
+    std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+    std::string expected = text.data();
+    if (expected.find_first_not_of("-0.") == std::string::npos && expected.front() == '-')
+      expected.erase(0, 1);
+    ASSERT_EQ(fixed_text(value, decimals), expected);
+  }
 }
 
 TEST(FixedText, never_shows_a_negative_zero) {

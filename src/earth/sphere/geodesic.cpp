@@ -33,8 +33,8 @@ double by_simpson(Direction from, Direction to, double half) {
 }  // namespace
 
 // What is left out is of the third order in the scale's growth and in how that grows itself: as
-// measured from 200,000 places in all directions, at most 3e-7 metres at 100 km, and it grows with
-// the fourth power.
+// measured on 20,000 random paths of each of ten lengths, at most 3e-7 metres at 100 km, and it
+// grows with the fourth power.
 bool is_short_path(double half, double accuracy) {
   constexpr double hundred_km = 0.0157;
   const double hundreds = 2 * half / hundred_km;

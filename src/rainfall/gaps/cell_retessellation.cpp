@@ -54,15 +54,31 @@ CellRetessellation::CellRetessellation(const Handovers& handovers, HandoverCache
       counts_gauges_(counts_gauges),
       full_(handovers.full_weights(month)),
       full_in_turn_(in_turn(bearing(handovers, figure_))) {
-  first_in_basin_.assign(full_.size() + 1, 0);
-  for (const CellWeight& full : handovers.full()) ++first_in_basin_[full.basin + 1];
-  std::partial_sum(first_in_basin_.begin(), first_in_basin_.end(), first_in_basin_.begin());
+  keep_parts();
   if (handovers.normals() == nullptr) return;
   std::size_t stations = 0;
   for (std::uint32_t p = 0; p < handovers.adjacency().cells(); ++p)
     stations += handovers.cells().stations_of(PlaceIndex{p}).size();
   for (std::uint32_t s = 0; s < stations; ++s)
     at_gauges_.push_back(relative_at_gauge(*handovers.normals(), StationIndex{s}, month));
+}
+
+void CellRetessellation::keep_parts() {
+  const std::vector<CellWeight>& parts = handovers_.full();
+  full_gauges_.assign(full_.size(), 0);
+  first_basin_.assign(handovers_.adjacency().cells() + 1, 0);
+  for (const CellWeight& part : parts) {
+    full_gauges_[part.basin] += handovers_.cells().stations_of(part.cell).size();
+    ++first_basin_[index(part.cell) + 1];
+  }
+  std::partial_sum(first_basin_.begin(), first_basin_.end(), first_basin_.begin());
+  std::vector<std::size_t> next(first_basin_.begin(), first_basin_.end() - 1);
+  basins_.resize(parts.size());
+  for (const CellWeight& part : parts) basins_[next[index(part.cell)]++] = part.basin;
+  for (std::uint32_t c = 0; c < next.size(); ++c) {
+    if (handovers_.cells().stations_of(PlaceIndex{c}).size() > 1)
+      shared_cells_.push_back(PlaceIndex{c});
+  }
 }
 
 std::vector<double> CellRetessellation::cell_readings(std::span<const double> readings) const {
@@ -124,29 +140,31 @@ std::vector<BasinRainfall> CellRetessellation::rainfall(const State& state,
 // A cell counts once in a basin, be it for its own ground, for what it takes over, or for both.
 void CellRetessellation::count_gauges(const State& state, std::span<const double> readings,
                                       std::vector<BasinRainfall>& result) const {
-  const auto count = [&](std::uint32_t basin, PlaceIndex cell) {
-    result[basin].gauges += count_reporting(handovers_.cells().stations_of(cell), readings);
+  for (std::size_t b = 0; b < result.size(); ++b) result[b].gauges = full_gauges_[b];
+  const auto take_out = [&](PlaceIndex cell, std::size_t silent) {
+    for (const std::uint32_t basin : basins_of(cell)) result[basin].gauges -= silent;
   };
-  for (const CellWeight& full : handovers_.full()) {
-    if (!std::isnan(state.of_cell[index(full.cell)])) count(full.basin, full.cell);
+  for (std::uint32_t c = 0; c < state.of_cell.size(); ++c) {
+    if (std::isnan(state.of_cell[c]))
+      take_out(PlaceIndex{c}, handovers_.cells().stations_of(PlaceIndex{c}).size());
+  }
+  for (const PlaceIndex cell : shared_cells_) {
+    const auto stations = handovers_.cells().stations_of(cell);
+    if (!std::isnan(state.of_cell[index(cell)]))
+      take_out(cell, stations.size() - count_reporting(stations, readings));
   }
   std::vector<std::pair<std::uint32_t, PlaceIndex>> taken_over;
   for (const auto& handover : state.handovers) {
     for (const CellWeight& share : *handover) {
-      if (!has_part(share.cell, share.basin)) taken_over.emplace_back(share.basin, share.cell);
+      const auto basins = basins_of(share.cell);
+      if (std::find(basins.begin(), basins.end(), share.basin) == basins.end())
+        taken_over.emplace_back(share.basin, share.cell);
     }
   }
   std::sort(taken_over.begin(), taken_over.end());
   taken_over.erase(std::unique(taken_over.begin(), taken_over.end()), taken_over.end());
-  for (const auto& [basin, cell] : taken_over) count(basin, cell);
-}
-
-bool CellRetessellation::has_part(PlaceIndex cell, std::uint32_t basin) const {
-  const auto first = handovers_.full().begin();
-  return std::binary_search(
-      first + static_cast<std::ptrdiff_t>(first_in_basin_[basin]),
-      first + static_cast<std::ptrdiff_t>(first_in_basin_[basin + 1]), CellWeight{basin, cell, 0},
-      [](const CellWeight& a, const CellWeight& b) { return a.cell < b.cell; });
+  for (const auto& [basin, cell] : taken_over)
+    result[basin].gauges += count_reporting(handovers_.cells().stations_of(cell), readings);
 }
 
 void CellRetessellation::add_linearly(const State& state, std::vector<LongSum>& sums) const {

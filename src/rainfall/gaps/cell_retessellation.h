@@ -54,8 +54,12 @@ class CellRetessellation : public Retessellation {
   std::vector<BasinRainfall> rainfall(const State& state, std::span<const double> readings) const;
   void count_gauges(const State& state, std::span<const double> readings,
                     std::vector<BasinRainfall>& result) const;
-  /// Whether a cell weighs in a basin when all gauges report.
-  bool has_part(PlaceIndex cell, std::uint32_t basin) const;
+  void keep_parts();
+  /// The basins in which a cell weighs when all gauges report.
+  std::span<const std::uint32_t> basins_of(PlaceIndex cell) const {
+    const std::size_t first = first_basin_[index(cell)];
+    return std::span(basins_).subspan(first, first_basin_[index(cell) + 1] - first);
+  }
   void add_linearly(const State& state, std::vector<LongSum>& sums) const;
   void add_in_parts(const State& state, const std::vector<CellPart>& parts,
                     std::vector<LongSum>& sums) const;
@@ -76,8 +80,12 @@ class CellRetessellation : public Retessellation {
   /// so on. In this order an addition need not wait for the one before it, for they are to
   /// different sums. With normals these are weight x normal.
   std::vector<CellWeight> full_in_turn_;
-  std::vector<std::size_t>
-      first_in_basin_;  ///< by basin: its first weight in the handovers' full()
+  /// The basins in which each cell weighs when all gauges report: those of a cell begin at its
+  /// entry in first_basin_.
+  std::vector<std::uint32_t> basins_;
+  std::vector<std::size_t> first_basin_;
+  std::vector<PlaceIndex> shared_cells_;  ///< those of several stations
+  std::vector<std::size_t> full_gauges_;  ///< by basin: how many weigh when all report
 };
 
 }  // namespace thiessen

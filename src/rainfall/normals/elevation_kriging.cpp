@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.h"
 #include "earth/nearest/in_space.h"
 #include "rainfall/errors/distance_classes.h"
-#include "rainfall/errors/sites.h"
 #include "rainfall/errors/variogram_fit.h"
 
 namespace thiessen {
@@ -68,16 +68,31 @@ ElevationKriging::ElevationKriging(std::span<const Point> places,
   for (const Point p : places) at_.push_back(in_space(p, metric));
   const Sites sites(places, metric);
   variogram_ = fitted(values, elevations, sites);
+  keep_covariances(threads);
   leave_out(threads);
+}
+
+void ElevationKriging::keep_covariances(unsigned threads) {
+  constexpr std::size_t most_places = 1000;
+  const std::size_t count = at_.size();
+  if (count > most_places) return;
+  covariances_.resize(count * (count - 1) / 2);
+  in_parallel(count, threads, [&](std::size_t, std::size_t a) {
+    for (std::size_t b = 0; b < a; ++b)
+      covariances_[a * (a - 1) / 2 + b] = covariance(at_[a], at_[b]);
+  });
+}
+
+double ElevationKriging::covariance_of(std::size_t a, std::size_t b) const {
+  if (covariances_.empty()) return covariance(at_[a], at_[b]);
+  if (a < b) std::swap(a, b);
+  return covariances_[a * (a - 1) / 2 + b];
 }
 
 ElevationKriging::Told ElevationKriging::told(Direction x,
                                               std::span<const NearestGauges::Near> near) const {
   const auto n = static_cast<Eigen::Index>(near.size());
   const auto place = [&](Eigen::Index i) { return index(near[static_cast<std::size_t>(i)].place); };
-  const auto covariance = [&](Direction a, Direction b) {
-    return variogram_.sill * (1 - variogram_.rise(std::sqrt(square_distance(a, b))));
-  };
   double middle = 0;
   for (const auto& at : near) middle += elevations_[index(at.place)] / static_cast<double>(n);
   Eigen::MatrixXd between(n, n);
@@ -86,7 +101,7 @@ ElevationKriging::Told ElevationKriging::told(Direction x,
   Eigen::VectorXd values(n);
   bool is_level = true;
   for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < i; ++j) between(i, j) = covariance(at_[place(i)], at_[place(j)]);
+    for (Eigen::Index j = 0; j < i; ++j) between(i, j) = covariance_of(place(i), place(j));
     between(i, i) = variogram_.sill + variogram_.nugget;
     drift(i, 0) = 1;
     drift(i, 1) = elevations_[place(i)] - middle;
