@@ -70,8 +70,12 @@ class ConflictZone {
     searching_ = true;
     fate_.resize(topology.size(), unknown);
     fate_[index(vertices_.front())] = deleted;
+    fetch_round(topology, vertices_.front());
     for (std::size_t next = 0; next < vertices_.size(); ++next) {
       const VertexId v = vertices_[next];
+      for (const VertexId w : topology.row(v).neighbours) {
+        for (const PointId p : topology.forming(w)) structure.fetch_position(p);
+      }
       for (std::size_t side = 0; side <= Dimension; ++side) {
         const VertexId w = topology.neighbour(v, side);
         std::uint8_t& fate = fate_[index(w)];
@@ -80,7 +84,10 @@ class ConflictZone {
               structure.template in_conflict<Dimension>(structure.template simplex<Dimension>(w), q)
                   ? deleted
                   : kept;
-          if (fate == deleted) vertices_.push_back(w);
+          if (fate == deleted) {
+            vertices_.push_back(w);
+            fetch_round(topology, w);
+          }
         }
         if (fate == kept) {
           rim_.push_back({v, w, static_cast<std::uint8_t>(side),
@@ -91,6 +98,15 @@ class ConflictZone {
     for (const VertexId v : vertices_) fate_[index(v)] = unknown;
     for (const Facet& f : rim_) fate_[index(f.outside)] = unknown;
     searching_ = false;
+  }
+
+  /// Prefetches what is to be looked at when the vertex's turn comes: places that are near each
+  /// other in space may be far apart in memory.
+  void fetch_round(const Topology<Dimension>& topology, VertexId v) const {
+    for (const VertexId w : topology.row(v).neighbours) {
+      topology.fetch(w);
+      __builtin_prefetch(fate_.data() + index(w));
+    }
   }
 
   /// A side of a vertex in the zone that is still to be looked at. It is packed into one number,

@@ -67,6 +67,7 @@ class Structure {
     __builtin_prefetch(positions_.data() + index(p));
     topology_.fetch(p);
   }
+  void fetch_position(PointId p) const { __builtin_prefetch(positions_.data() + index(p)); }
   void reserve(std::size_t points) {
     topology_.reserve(points);
     reserve_more(positions_, points);

@@ -1,5 +1,7 @@
 #include "tessellation/tessellation.h"
 
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -26,12 +28,20 @@ std::vector<PointId> Tessellation<Dimension>::add_all(std::span<const Position> 
   structure_.reserve(points.size());
   const std::vector<std::uint32_t> order = insertion_order(points);
   std::vector<PointId> numbers(points.size());
-  constexpr std::size_t ahead = 16;  // points are fetched early: the order jumps in the input
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    throw_if_interrupted();
-    if (k + ahead < order.size()) __builtin_prefetch(&points[order[k + ahead]]);
-    const Position& position = points[order[k]];
-    numbers[order[k]] = insert(position, few ? start(position, {}) : last_);
+  // The order jumps about in the input, and a jump in many megabytes costs as much as a half of
+  // what is done with a point, unless nothing else is done until many have been asked for.
+  constexpr std::size_t batch = 512;
+  std::array<Position, batch> positions;
+  std::array<PointId, batch> given;
+  for (std::size_t k = 0; k < order.size(); k += batch) {
+    const std::span<const std::uint32_t> places =
+        std::span(order).subspan(k, std::min(batch, order.size() - k));
+    for (std::size_t i = 0; i < places.size(); ++i) positions[i] = points[places[i]];
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      throw_if_interrupted();
+      given[i] = insert(positions[i], few ? start(positions[i], {}) : last_);
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) numbers[places[i]] = given[i];
   }
   note_changes(points.size());
   if (few) {

@@ -94,6 +94,25 @@ void change_space_ours(benchmark::State& state, Family family, Step step) {
   }
 }
 
+// Insertion without a record by which it could be undone; CGAL keeps none either.
+void insert_space_ours(benchmark::State& state, Family family) {
+  const std::vector<SpacePoint> points = family(static_cast<std::size_t>(state.range(0)));
+  const std::vector<std::size_t> hints = hints_of(points);
+  for (auto _ : state) {
+    Tessellation<3> tessellation;
+    const std::vector<PointId> numbers = tessellation.add_all(points);
+    std::size_t operations = 0;
+    for (std::size_t k = stride; k < points.size(); k += stride, ++operations)
+      tessellation.remove(numbers[k]);
+    Timer timer;
+    timer.start();
+    for (std::size_t k = stride; k < points.size(); k += stride)
+      tessellation.add(points[k], numbers[hints[k]]);
+    timer.stop();
+    count_operations(state, operations, timer);
+  }
+}
+
 void change_space_cgal(benchmark::State& state, Family family, Step step) {
   const std::vector<SpacePoint> ours = family(static_cast<std::size_t>(state.range(0)));
   const auto points = theirs(ours);
@@ -151,6 +170,14 @@ THIESSEN_SPACE_CHANGE(ours, deletion);
 THIESSEN_SPACE_CHANGE(cgal, deletion);
 THIESSEN_SPACE_CHANGE(ours, insertion);
 THIESSEN_SPACE_CHANGE(cgal, insertion);
+BENCHMARK_CAPTURE(insert_space_ours, uniform_in_space, uniform_in_space)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
+BENCHMARK_CAPTURE(insert_space_ours, lattice, whole_cubic_lattice)
+    ->Arg(100000)
+    ->Unit(benchmark::kMillisecond)
+    ->UseManualTime();
 BENCHMARK_CAPTURE(change_space_ours, undo, uniform_in_space, Step::undo)
     ->Arg(100000)
     ->Unit(benchmark::kMillisecond)

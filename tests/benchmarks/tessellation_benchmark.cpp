@@ -77,6 +77,8 @@ void nearest(benchmark::State& state) {
       ->Unit(benchmark::kMillisecond)
 
 THIESSEN_FAMILY(uniform);
+BENCHMARK_CAPTURE(build_ours, uniform, uniform)->Arg(10000000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(build_cgal, uniform, uniform)->Arg(10000000)->Unit(benchmark::kMillisecond);
 THIESSEN_FAMILY(whole_lattice);
 THIESSEN_FAMILY(utm_lattice);
 THIESSEN_FAMILY(clusters);
