@@ -42,7 +42,8 @@ class FittedNormals(ProgramTest):
         self.write("basin.csv", BASIN)
         _, said = self.notices(COLORADO / "stations.csv", "basin.csv", COLORADO / "rainfall.csv",
                                "--elevation-field", "elev")
-        by_elevation, by_nearest = map(float, re.findall(r"([\d.]+) %", said[0]))
+        by_elevation, by_gauges_around, by_nearest = map(float, re.findall(r"([\d.]+) %", said[0]))
+        self.assertLess(by_elevation, 0.8 * by_gauges_around)
         self.assertLess(by_elevation, 0.9 * by_nearest)
         errors = [tuple(map(float, found)) for found in PAIR.findall(said[1])]
         fitted, plain, bias, plain_bias = errors[0]

@@ -239,9 +239,10 @@ std::vector<double> figures_of_thirds() {
   const Thiessen study(input);
   std::vector<double> figures;
   for (const StationWeight& gauge : study.weights()[0].stations) figures.push_back(gauge.weight);
-  for (const auto& without : study.weights({true, false, true})[0].stations)
-    figures.push_back(without.weight);
-  for (const StationCell& cell : study.cells()[0]) figures.push_back(cell.area);
+  const std::vector<BasinWeights> without = study.weights({true, false, true});
+  for (const StationWeight& gauge : without[0].stations) figures.push_back(gauge.weight);
+  const std::vector<std::vector<StationCell>> cells = study.cells();
+  for (const StationCell& cell : cells[0]) figures.push_back(cell.area);
   figures.push_back(study.rainfall(std::vector<double>{0.1, 0.2, nan})[0].rainfall);
   return figures;
 }
