@@ -249,7 +249,7 @@ TEST(CellClipper, law_2_finds_the_cell_round_a_small_basin_where_near_is_seldom)
   const Diagram needed = plane_diagram(places, box_of_all(basins), needs);
   EXPECT_LT(needed.chords.size(), whole.chords.size() / 2);
   CellClipper of_whole(whole, plane);
-  CellClipper of_needed(needed, plane);
+  CellClipper of_needed(needed, plane, Searches::few);
   for (const Basin& basin : basins) {
     const std::vector<CellShare> expected = of_whole.shares(basin);
     const std::vector<CellShare> found = of_needed.shares(basin);

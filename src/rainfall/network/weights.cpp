@@ -37,6 +37,18 @@ PlaneNeeds needs_of(const std::vector<Basin>& basins) {
   return needs;
 }
 
+Searches searches_in(const std::vector<Basin>& basins) {
+  constexpr std::size_t few_edges = 6;
+  std::size_t edges = 0;
+  for (const Basin& basin : basins) {
+    for (const Polygon& part : basin.shape) {
+      edges += part.outer.size();
+      for (const Ring& hole : part.holes) edges += hole.size();
+    }
+  }
+  return edges <= few_edges ? Searches::few : Searches::many;
+}
+
 /// Gives the cells their measured areas; false where there are cells without area, or the reverse.
 bool take_areas(std::vector<ClippedCell>& cells, const std::vector<CellShare>& shares) {
   const auto is_same = [](const ClippedCell& cell, const CellShare& share) {
@@ -123,7 +135,8 @@ class Weighing::Clipping {
  private:
   CellClipper& clipper(std::size_t worker) {
     auto& clipper = clippers_[worker];
-    if (!clipper) clipper = std::make_unique<CellClipper>(cells_.diagram(), surface_);
+    if (!clipper)
+      clipper = std::make_unique<CellClipper>(cells_.diagram(), surface_, searches_in(basins_));
     return *clipper;
   }
 
