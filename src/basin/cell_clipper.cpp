@@ -98,10 +98,10 @@ std::vector<ClippedCell> all_of(CellsInBasin in_basin) {
 
 }  // namespace
 
-CellClipper::CellClipper(const Diagram& diagram, const Surface& surface)
+CellClipper::CellClipper(const Diagram& diagram, const Surface& surface, Searches searches)
     : diagram_(diagram),
       surface_(surface),
-      overlay_(diagram),
+      overlay_(diagram, searches),
       area_(diagram.places.size()),
       is_touched_(diagram.places.size(), false),
       order_(diagram.places.size(), 0) {}

@@ -66,7 +66,8 @@ double area_of(const Basin& basin, const Surface& surface);
 /// needs one of its own.
 class CellClipper {
  public:
-  CellClipper(const Diagram& diagram, const Surface& surface);
+  /// `searches` are few where all basins together have but a few edges.
+  CellClipper(const Diagram& diagram, const Surface& surface, Searches searches = Searches::many);
 
   /// The cells that have a share in the basin, in the order of their places. The areas add up to
   /// the basin's within 1e-13 of it plus 2^-52 of its largest coordinate times its perimeter, which

@@ -37,12 +37,14 @@ std::vector<Box> boxes_of(const Diagram& diagram, const std::vector<std::uint32_
 
 }  // namespace
 
-ChordIndex::ChordIndex(const Diagram& diagram)
+ChordIndex::ChordIndex(const Diagram& diagram, Searches searches)
     : diagram_(diagram),
-      first_of_run_(diagram.chords.size() <= few_chords ? std::vector<std::uint32_t>{0}
-                                                        : runs_of(diagram)),
+      searches_(searches),
+      first_of_run_(searches == Searches::few || diagram.chords.size() <= few_chords
+                        ? std::vector<std::uint32_t>{0}
+                        : runs_of(diagram)),
       tree_(boxes_of(diagram, first_of_run_)) {
-  if (diagram.chords.size() > few_chords) return;
+  if (searches == Searches::few || diagram.chords.size() > few_chords) return;
   for (const Chord& chord : diagram.chords) boxes_.push_back(box_of(diagram, chord));
 }
 

@@ -56,8 +56,8 @@ bool is_within(const Basin& basin, Point p) {
 
 }  // namespace
 
-Overlay::Overlay(const Diagram& diagram)
-    : diagram_(diagram), chord_index_(diagram), stamp_(diagram.chords.size(), 0) {
+Overlay::Overlay(const Diagram& diagram, Searches searches)
+    : diagram_(diagram), chord_index_(diagram, searches), stamp_(diagram.chords.size(), 0) {
   first_chord_at_.assign(diagram.nodes.size() + 1, 0);
   for (const Chord& chord : diagram.chords) {
     ++first_chord_at_[chord.from + 1];

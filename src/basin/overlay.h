@@ -50,10 +50,11 @@ inline std::pair<BoundaryPiece, BoundaryPiece> pieces_of(const Diagram& diagram,
 /// All decisions are exact (see Crossing), so there is no tolerance and no special case. Cost: n
 /// log n in the chords to build; for a basin log n for each of its edges, and in proportion to the
 /// crossings and to the chords within; nothing for what the basin does not touch. Memory: 60 bytes
-/// a chord.
+/// a chord, and 20 less where few edges are laid over them.
 class Overlay {
  public:
-  explicit Overlay(const Diagram& diagram);
+  /// `searches` are few where all basins together have but a few edges.
+  explicit Overlay(const Diagram& diagram, Searches searches = Searches::many);
 
   /// Cuts a basin along the edges of the cells. Requires a valid basin inside the diagram's frame.
   /// The result stands until the next call, and whoever asks may change it until then: a copy of

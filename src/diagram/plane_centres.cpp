@@ -8,54 +8,110 @@
 
 namespace thiessen {
 
-PlaneCentres::PlaneCentres(const Tessellation<2>& tessellation)
-    : tessellation_(tessellation), topology_(tessellation.topology()), groups_(topology_.size()) {
-  constexpr double indistinct = 4;
-  unite([this](VertexId v, VertexId w) { return are_cocircular(v, w); });
-  compute();
-  const bool any_indistinct = unite([this](VertexId v, VertexId w) {
-    const Point p = centre_[index(v)];
-    const Point q = centre_[index(w)];
-    const double allowed = indistinct * (rounding(v) + rounding(w));
-    return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
-  });
-  if (any_indistinct) compute();
-}
-
-// Returns whether any were united.
-template <typename AreOne>
-bool PlaneCentres::unite(AreOne&& are_one) {
-  bool any = false;
+PlaneCentres::PlaneCentres(const Tessellation<2>& tessellation, const std::vector<bool>& is_needed)
+    : tessellation_(tessellation),
+      topology_(tessellation.topology()),
+      groups_(topology_.size()),
+      centre_(topology_.size()),
+      known_(topology_.size(), Known::nothing) {
+  const auto is_asked = [&](VertexId v) {
+    if (topology_.is_infinite(v)) return false;
+    if (is_needed.empty()) return true;
+    int needed = 0;
+    for (const PointId p : topology_.forming(v)) needed += is_needed[index(p)] ? 1 : 0;
+    return needed >= 2;
+  };
   topology_.for_each_vertex([&](VertexId v) {
-    if (topology_.is_infinite(v)) return;
-    for (std::size_t side = 0; side < 3; ++side) {
-      const VertexId w = topology_.neighbour(v, side);
-      if (w < v || topology_.is_infinite(w) || !are_one(v, w)) continue;
-      groups_.unite(groups_.find(index(v)), groups_.find(index(w)));
-      any = true;
-    }
+    if (known_[index(v)] == Known::nothing && is_asked(v)) find_cocircular(v, Known::asked);
   });
-  return any;
+  topology_.for_each_vertex([&](VertexId v) {
+    if (known_[index(v)] == Known::asked) unite_indistinct(v);
+  });
+  while (!newly_asked_.empty()) {
+    const VertexId v = newly_asked_.back();
+    newly_asked_.pop_back();
+    unite_indistinct(v);
+  }
+  if (any_indistinct_) compute_united();
 }
 
-// Computes the centre of each group from its lexicographically first simplex, so that it does not
-// depend on the order in which the places came.
-void PlaneCentres::compute() {
+// Unites a simplex with all that are cocircular with it, and computes their centre. It is that of
+// the lexicographically first of them, so that it does not depend on the order in which the places
+// came.
+void PlaneCentres::find_cocircular(VertexId v, Known known) {
+  group_.assign(1, v);
+  known_[index(v)] = known;
+  for (std::size_t i = 0; i < group_.size(); ++i) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      const VertexId w = topology_.neighbour(group_[i], side);
+      if (known_[index(w)] != Known::nothing || topology_.is_infinite(w)) continue;
+      if (!are_cocircular(group_[i], w)) continue;
+      known_[index(w)] = known;
+      group_.push_back(w);
+    }
+  }
+  const Point centre = centre_of(first_of(group_));
+  for (const VertexId w : group_) {
+    groups_.unite(group_of(v), group_of(w));
+    centre_[index(w)] = centre;
+  }
+}
+
+// Asks for the centre of a simplex that was known alone, and so for all that are cocircular with
+// it.
+void PlaneCentres::ask_cocircular(VertexId v) {
+  group_.assign(1, v);
+  known_[index(v)] = Known::asked;
+  for (std::size_t i = 0; i < group_.size(); ++i) {
+    for (std::size_t side = 0; side < 3; ++side) {
+      const VertexId w = topology_.neighbour(group_[i], side);
+      if (known_[index(w)] != Known::alone || !are_cocircular(group_[i], w)) continue;
+      known_[index(w)] = Known::asked;
+      group_.push_back(w);
+    }
+  }
+  newly_asked_.insert(newly_asked_.end(), group_.begin(), group_.end());
+}
+
+// What is united with a simplex that is asked for is asked for itself, because its own neighbours
+// may belong to the group, too.
+void PlaneCentres::unite_indistinct(VertexId v) {
+  for (std::size_t side = 0; side < 3; ++side) {
+    const VertexId w = topology_.neighbour(v, side);
+    if (topology_.is_infinite(w)) continue;
+    if (known_[index(w)] == Known::nothing) find_cocircular(w, Known::alone);
+    // The pair is compared once where both are asked for.
+    if (known_[index(w)] == Known::asked && w < v) continue;
+    if (group_of(v) == group_of(w) || !are_indistinct(v, w)) continue;
+    groups_.unite(group_of(v), group_of(w));
+    any_indistinct_ = true;
+    if (known_[index(w)] == Known::alone) ask_cocircular(w);
+  }
+}
+
+void PlaneCentres::compute_united() {
   std::vector<VertexId> first(topology_.size(), no_vertex);
-  const auto for_each_simplex = [&](auto&& visit) {
+  const auto for_each_asked = [&](auto&& visit) {
     topology_.for_each_vertex([&](VertexId v) {
-      if (!topology_.is_infinite(v)) visit(v);
+      if (known_[index(v)] == Known::asked) visit(v);
     });
   };
-  for_each_simplex([&](VertexId v) {
+  for_each_asked([&](VertexId v) {
     VertexId& best = first[group_of(v)];
     if (best == no_vertex || corners_of(v) < corners_of(best)) best = v;
   });
-  centre_.resize(topology_.size());
-  for_each_simplex([&](VertexId v) {
+  for_each_asked([&](VertexId v) {
     if (first[group_of(v)] == v) centre_[index(v)] = centre_of(v);
   });
-  for_each_simplex([&](VertexId v) { centre_[index(v)] = centre_[index(first[group_of(v)])]; });
+  for_each_asked([&](VertexId v) { centre_[index(v)] = centre_[index(first[group_of(v)])]; });
+}
+
+VertexId PlaneCentres::first_of(const std::vector<VertexId>& simplices) const {
+  VertexId first = simplices.front();
+  for (std::size_t i = 1; i < simplices.size(); ++i) {
+    if (corners_of(simplices[i]) < corners_of(first)) first = simplices[i];
+  }
+  return first;
 }
 
 Point PlaneCentres::centre_of(VertexId v) const {
@@ -67,6 +123,14 @@ bool PlaneCentres::are_cocircular(VertexId v, VertexId w) const {
   const auto& f = topology_.forming(v);
   const PointId across = topology_.forming(w)[topology_.side_towards(w, v)];
   return in_circle(position(f[0]), position(f[1]), position(f[2]), position(across)) == 0;
+}
+
+bool PlaneCentres::are_indistinct(VertexId v, VertexId w) const {
+  constexpr double indistinct = 4;
+  const Point p = centre_[index(v)];
+  const Point q = centre_[index(w)];
+  const double allowed = indistinct * (rounding(v) + rounding(w));
+  return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
 }
 
 // How far a computed centre may be from the true one: see circumcentre.

@@ -16,17 +16,26 @@ namespace thiessen {
 class PlaneCentres {
  public:
   /// Requires points that span the plane. The tessellation must outlive this object, and not
-  /// change. Cost: linear.
-  explicit PlaneCentres(const Tessellation<2>& tessellation);
+  /// change. Where `is_needed` has an entry for each number of a point, there are centres only for
+  /// simplices with two corners that are needed, the same as if all were. Cost: linear in those.
+  explicit PlaneCentres(const Tessellation<2>& tessellation,
+                        const std::vector<bool>& is_needed = {});
 
   std::uint32_t group_of(VertexId v) { return groups_.find(index(v)); }
   Point of(VertexId v) const { return centre_[index(v)]; }
 
  private:
-  template <typename AreOne>
-  bool unite(AreOne&& are_one);
-  void compute();
+  /// What is known of a simplex: nothing, its centre and with whom it is cocircular, or that its
+  /// centre is asked for, and so that of each that might be one with it.
+  enum class Known : std::uint8_t { nothing, alone, asked };
+
+  void find_cocircular(VertexId v, Known known);
+  void ask_cocircular(VertexId v);
+  void unite_indistinct(VertexId v);
+  void compute_united();
+  VertexId first_of(const std::vector<VertexId>& simplices) const;
   bool are_cocircular(VertexId v, VertexId w) const;
+  bool are_indistinct(VertexId v, VertexId w) const;
   double rounding(VertexId v) const;
   Point centre_of(VertexId v) const;
   std::array<Point, 3> corners_of(VertexId v) const;
@@ -36,6 +45,10 @@ class PlaneCentres {
   const Topology<2>& topology_;
   DisjointSets groups_;
   std::vector<Point> centre_;
+  std::vector<Known> known_;
+  std::vector<VertexId> group_;        // at hand
+  std::vector<VertexId> newly_asked_;  // those whose neighbours are still to be compared
+  bool any_indistinct_ = false;
 };
 
 }  // namespace thiessen

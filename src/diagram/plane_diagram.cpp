@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "diagram/needed_places.h"
 #include "diagram/plane_centres.h"
 #include "diagram/plane_sides.h"
 #include "tessellation/tessellation.h"
@@ -54,10 +55,24 @@ std::optional<Stretch> within(const Box& box, const Bisector& line) {
   return meets ? std::optional(stretch) : std::nullopt;
 }
 
+/// The nearest of the places; of equally near ones the lexicographically first.
+PlaceIndex nearest_one_by_one(const std::vector<Point>& places, Point to) {
+  std::size_t nearest = 0;
+  double least = infinity;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Point way{places[i].x - to.x, places[i].y - to.y};
+    const double square = way.x * way.x + way.y * way.y;
+    if (square > least || (square == least && places[nearest] < places[i])) continue;
+    least = square;
+    nearest = i;
+  }
+  return PlaceIndex{static_cast<std::uint32_t>(nearest)};
+}
+
 class PlaneDiagramBuilder {
  public:
-  PlaneDiagramBuilder(std::span<const Point> places, const Box& frame)
-      : tessellation_(std::make_shared<Tessellation<2>>()) {
+  PlaneDiagramBuilder(std::span<const Point> places, const Box& frame, const PlaneNeeds& needs)
+      : needs_(needs), tessellation_(std::make_shared<Tessellation<2>>()) {
     const std::vector<PointId> points = tessellation_->add_all(places);
     place_of_->resize(tessellation_->topology().point_limit());
     for (std::uint32_t i = 0; i < places.size(); ++i) {
@@ -68,14 +83,19 @@ class PlaneDiagramBuilder {
     cutting_box_ = frame.grown(margin > 0 ? margin : largest_magnitude(frame) / 16 + 1);
     diagram_.frame = frame;
     diagram_.places.assign(places.begin(), places.end());
+    find_needed_points(points);
   }
 
   Diagram build() && {
     if (tessellation_->span() == Span::line) add_parallel_edges();
     if (tessellation_->span() == Span::plane) {
-      centres_.emplace(*tessellation_);
+      centres_.emplace(*tessellation_, is_needed_);
       node_of_.assign(topology().size(), no_node);
       add_edges();
+    }
+    if (needs_.near_is_seldom) {
+      diagram_.near = [places = diagram_.places](Point p) { return nearest_one_by_one(places, p); };
+      return std::move(diagram_);
     }
     diagram_.near = [tessellation = tessellation_, place_of = place_of_](Point p) {
       return (*place_of)[index(*tessellation->nearest(p))];
@@ -92,6 +112,17 @@ class PlaneDiagramBuilder {
   Point position(PointId p) const { return tessellation_->position(p); }
   const Topology<2>& topology() const { return tessellation_->topology(); }
 
+  void find_needed_points(const std::vector<PointId>& points) {
+    const std::vector<bool> is_needed = needed_places(diagram_.places, needs_.ground);
+    if (is_needed.empty()) return;
+    is_needed_.assign(topology().point_limit(), false);
+    for (std::size_t i = 0; i < points.size(); ++i) is_needed_[index(points[i])] = is_needed[i];
+  }
+  // An edge that meets ground is between two cells that do.
+  bool is_needed(PointId a, PointId b) const {
+    return is_needed_.empty() || (is_needed_[index(a)] && is_needed_[index(b)]);
+  }
+
   void add_parallel_edges() {
     const std::vector<PointId> line = tessellation_->along_line();
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
@@ -103,17 +134,18 @@ class PlaneDiagramBuilder {
   // What is reserved and not used is never touched, and takes no memory.
   void add_edges() {
     const std::size_t edges = topology().size() / 2 * 3;
-    diagram_.neighbours.reserve(edges);
+    if (needs_.neighbours) diagram_.neighbours.reserve(edges);
     diagram_.chords.reserve(edges);
     diagram_.nodes.reserve(topology().size());
     // The edge runs from the centre on the right of a→b to that on the left.
     for_each_joined_pair(topology(), [&](PointId a, PointId b, VertexId v, std::size_t side) {
       add_neighbours(a, b);
-      add_edge(a, b, topology().neighbour(v, side), v);
+      if (is_needed(a, b)) add_edge(a, b, topology().neighbour(v, side), v);
     });
   }
 
   void add_neighbours(PointId a, PointId b) {
+    if (!needs_.neighbours) return;
     diagram_.neighbours.emplace_back((*place_of_)[index(a)], (*place_of_)[index(b)]);
   }
 
@@ -154,6 +186,8 @@ class PlaneDiagramBuilder {
     return static_cast<std::uint32_t>(diagram_.nodes.size() - 1);
   }
 
+  const PlaneNeeds& needs_;
+  std::vector<bool> is_needed_;  // by point; empty where all are
   std::shared_ptr<Tessellation<2>> tessellation_;
   std::shared_ptr<std::vector<PlaceIndex>> place_of_ = std::make_shared<std::vector<PlaceIndex>>();
   Box cutting_box_;
@@ -164,8 +198,8 @@ class PlaneDiagramBuilder {
 
 }  // namespace
 
-Diagram plane_diagram(std::span<const Point> places, const Box& frame) {
-  return PlaneDiagramBuilder(places, frame).build();
+Diagram plane_diagram(std::span<const Point> places, const Box& frame, const PlaneNeeds& needs) {
+  return PlaneDiagramBuilder(places, frame, needs).build();
 }
 
 }  // namespace thiessen

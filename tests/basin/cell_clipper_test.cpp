@@ -10,6 +10,7 @@
 
 #include "basin/shapes.h"
 #include "diagram/plane_diagram.h"
+#include "tessellation/families.h"
 
 namespace thiessen {
 namespace {
@@ -172,6 +173,92 @@ TEST(CellClipper, gives_the_same_for_a_basin_again_and_after_another) {
   const std::vector<CellShare> again = clipper.shares(star);
   ASSERT_EQ(again.size(), first.size());
   for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(again[i].area, first[i].area);
+}
+
+/// Stars about some of the places.
+std::vector<Basin> basins_among(Seeded& seeded, const std::vector<Point>& places, const Box& box) {
+  std::vector<Basin> basins;
+  const double size = std::max(box.width(), box.height());
+  for (int i = 0; i < 4; ++i) {
+    const Point about = places[seeded.below(places.size())];
+    basins.push_back(shapes::basin(
+        {{shapes::star(seeded, about, size * std::pow(10, seeded.uniform(-2.5, -0.8)), 30), {}}}));
+  }
+  return basins;
+}
+
+Box box_of_all(const std::vector<Basin>& basins) {
+  Box box;
+  for (const Basin& basin : basins) box.take_in(shapes::box_of(basin.shape));
+  return box;
+}
+
+// Bit for bit.
+TEST(CellClipper, law_1_gives_the_same_of_a_diagram_that_has_only_what_the_basins_need) {
+  Seeded seeded;
+  const PlaneSurface plane;
+  for (const Family& family : families::all(seeded, 700)) {
+    SCOPED_TRACE(family.name);
+    std::vector<Point> places = family.points;
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    Box box;
+    for (const Point p : places) box.take_in(p);
+    const double magnitude = std::max(
+        {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    if (std::max(box.width(), box.height()) < 1e-6 * magnitude) continue;  // no valid stars
+    const std::vector<Basin> basins = basins_among(seeded, places, box);
+    PlaneNeeds needs{.ground = {}, .neighbours = false, .near_is_seldom = true};
+    for (const Basin& basin : basins) needs.ground.push_back(&basin.shape);
+    const Diagram whole = plane_diagram(places, box_of_all(basins));
+    const Diagram needed = plane_diagram(places, box_of_all(basins), needs);
+    EXPECT_LE(needed.chords.size(), whole.chords.size());
+    EXPECT_TRUE(needed.neighbours.empty());
+    CellClipper of_whole(whole, plane);
+    CellClipper of_needed(needed, plane);
+    for (const Basin& basin : basins) {
+      const std::vector<ClippedCell> expected = of_whole.cells(basin);
+      const std::vector<ClippedCell> found = of_needed.cells(basin);
+      ASSERT_EQ(found.size(), expected.size());
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        ASSERT_EQ(found[i].place, expected[i].place);
+        ASSERT_EQ(found[i].area, expected[i].area);
+        ASSERT_EQ(found[i].shape.size(), expected[i].shape.size());
+        for (std::size_t part = 0; part < found[i].shape.size(); ++part) {
+          ASSERT_EQ(found[i].shape[part].outer, expected[i].shape[part].outer);
+          ASSERT_EQ(found[i].shape[part].holes, expected[i].shape[part].holes);
+        }
+      }
+    }
+  }
+}
+
+// The nearest place is found without the tessellation, by the same rule.
+TEST(CellClipper, law_2_finds_the_cell_round_a_small_basin_where_near_is_seldom) {
+  Seeded seeded;
+  const PlaneSurface plane;
+  const std::vector<Point> places = families::uniform(seeded, 2000);
+  std::vector<Basin> basins;
+  for (int i = 0; i < 8; ++i) {
+    const Point about{seeded.uniform(0, 1), seeded.uniform(0, 1)};
+    basins.push_back(shapes::basin({{shapes::star(seeded, about, 1e-4, 12), {}}}));
+  }
+  const Diagram whole = plane_diagram(places, box_of_all(basins));
+  PlaneNeeds needs{.ground = {}, .neighbours = false, .near_is_seldom = true};
+  for (const Basin& basin : basins) needs.ground.push_back(&basin.shape);
+  const Diagram needed = plane_diagram(places, box_of_all(basins), needs);
+  EXPECT_LT(needed.chords.size(), whole.chords.size() / 2);
+  CellClipper of_whole(whole, plane);
+  CellClipper of_needed(needed, plane, Searches::few);
+  for (const Basin& basin : basins) {
+    const std::vector<CellShare> expected = of_whole.shares(basin);
+    const std::vector<CellShare> found = of_needed.shares(basin);
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].place, expected[i].place);
+      EXPECT_EQ(found[i].area, expected[i].area);
+    }
+  }
 }
 
 TEST(CellShapes, of_a_border_that_ends_within_the_basin_are_refused) {

@@ -55,6 +55,7 @@ TEST(ChordIndex, law_1_finds_each_chord_whose_box_meets_the_box_once) {
   for (std::uint64_t round = 0; round < Seeded::rounds(150); ++round) {
     const Diagram diagram = random_chords(seeded, round);
     const ChordIndex chords(diagram);
+    const ChordIndex seldom(diagram, Searches::few);
     for (int i = 0; i < 20; ++i) {
       const auto corner = [&] {
         return Point{static_cast<double>(seeded.whole(-5, 65)),
@@ -62,6 +63,7 @@ TEST(ChordIndex, law_1_finds_each_chord_whose_box_meets_the_box_once) {
       };
       const Box box = box_of(corner(), corner());
       ASSERT_EQ(found_near(chords, box), near_one_by_one(diagram, box)) << round;
+      ASSERT_EQ(found_near(seldom, box), near_one_by_one(diagram, box)) << round;
     }
   }
 }

@@ -7,7 +7,7 @@ namespace thiessen {
 
 NetworkCells::NetworkCells(const Network& network, const ReportingStations& reports,
                            const Yardstick& yardstick, const Box& frame, unsigned threads,
-                           Edges edges) {
+                           Edges edges, const PlaneNeeds& needs) {
   std::vector<Point> positions;
   std::vector<StationIndex> stations;  // that report, by place
   std::vector<PlaceIndex> place_of_station;
@@ -22,8 +22,12 @@ NetworkCells::NetworkCells(const Network& network, const ReportingStations& repo
     positions.push_back(network.places()[p]);
   }
   if (positions.empty()) return;
-  diagram_ = edges == Edges::drawn ? yardstick.drawn_diagram(positions, frame, threads)
-                                   : yardstick.diagram(positions, frame, threads);
+  if (yardstick.metric == Metric::planar) {
+    diagram_ = plane_diagram(positions, frame, needs);
+  } else {
+    diagram_ = edges == Edges::drawn ? yardstick.drawn_diagram(positions, frame, threads)
+                                     : yardstick.diagram(positions, frame, threads);
+  }
   share_cells(place_of_station, stations);
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "diagram/plane_diagram.h"
 #include "earth/yardstick.h"
 #include "rainfall/network/network.h"
 #include "rainfall/network/reporting.h"
@@ -18,9 +19,10 @@ enum class Edges { measured, drawn };
 class NetworkCells {
  public:
   /// `reports` has one entry for each station. The network must outlive this object. Cost: that of
-  /// Yardstick::diagram.
+  /// Yardstick::diagram. Of a diagram in the plane there is no more than `needs` says.
   NetworkCells(const Network& network, const ReportingStations& reports, const Yardstick& yardstick,
-               const Box& frame, unsigned threads, Edges edges = Edges::measured);
+               const Box& frame, unsigned threads, Edges edges = Edges::measured,
+               const PlaneNeeds& needs = {});
 
   bool any() const { return !first_.empty(); }
   /// The diagram of the cells. Its places are those of the network at which a gauge reports, in the

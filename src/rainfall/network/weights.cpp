@@ -23,6 +23,32 @@ Box box_of_all(const std::vector<Basin>& basins) {
   return box;
 }
 
+/// What basins need of a plane's diagram to be laid over it. The cell in which a ring begins is
+/// sought only where the ring lies in one cell, or nearly.
+PlaneNeeds needs_of(const std::vector<Basin>& basins) {
+  constexpr std::size_t few_rings = 8;
+  PlaneNeeds needs{.ground = {}, .neighbours = false};
+  std::size_t rings = 0;
+  for (const Basin& basin : basins) {
+    needs.ground.push_back(&basin.shape);
+    for (const Polygon& part : basin.shape) rings += 1 + part.holes.size();
+  }
+  needs.near_is_seldom = rings <= few_rings;
+  return needs;
+}
+
+Searches searches_in(const std::vector<Basin>& basins) {
+  constexpr std::size_t few_edges = 6;
+  std::size_t edges = 0;
+  for (const Basin& basin : basins) {
+    for (const Polygon& part : basin.shape) {
+      edges += part.outer.size();
+      for (const Ring& hole : part.holes) edges += hole.size();
+    }
+  }
+  return edges <= few_edges ? Searches::few : Searches::many;
+}
+
 /// Gives the cells their measured areas; false where there are cells without area, or the reverse.
 bool take_areas(std::vector<ClippedCell>& cells, const std::vector<CellShare>& shares) {
   const auto is_same = [](const ClippedCell& cell, const CellShare& share) {
@@ -87,7 +113,7 @@ class Weighing::Clipping {
         basins_(edges == Edges::drawn ? weighing.drawn_ : weighing.basins_),
         cells_(weighing.network_, reports, yardstick,
                edges == Edges::drawn ? box_of_all(weighing.drawn_) : weighing.frame_, threads,
-               edges),
+               edges, needs_of(basins_)),
         clippers_(std::max(1u, threads)) {}
 
   bool any() const { return cells_.any(); }
@@ -109,7 +135,8 @@ class Weighing::Clipping {
  private:
   CellClipper& clipper(std::size_t worker) {
     auto& clipper = clippers_[worker];
-    if (!clipper) clipper = std::make_unique<CellClipper>(cells_.diagram(), surface_);
+    if (!clipper)
+      clipper = std::make_unique<CellClipper>(cells_.diagram(), surface_, searches_in(basins_));
     return *clipper;
   }
 
