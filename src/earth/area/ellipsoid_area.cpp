@@ -76,7 +76,7 @@ class Strip {
   }
 
   /// The inverse of the hyperbolic tangent. The first term that the series leaves out is below
-  /// 2e-18 of the result.
+  /// 2e-17 of the result.
   static double area_tangent(double t) {
     if (std::abs(t) > 0.01) return std::atanh(t);
     const double s = t * t;
@@ -98,7 +98,7 @@ constexpr std::array<Abscissa, 4> four_points{{{-0.8611363115940526, 0.347854845
                                                {0.3399810435848563, 0.6521451548625461},
                                                {0.8611363115940526, 0.34785484513745386}}};
 constexpr double longest_for_one_point = 1e-3;  // radians
-// The Gauss-Legendre rules are right to 1e-17 of the Earth's radius squared for segments that rise
+// The Gauss-Legendre rules are right to 4e-15 of the Earth's radius squared for segments that rise
 // by no more than this, in radians.
 constexpr double longest_for_two_points = 2e-3;
 constexpr double longest_for_four_points = 2 * degree;

@@ -58,10 +58,12 @@ class PlaceTree {
     double square;
     double distance;
 
+    /// A place as near as the best may lie on the ball's rim, so rounding is granted to it.
     bool excludes(const Ball& ball) const {
+      constexpr double rounding = 1 + 1e-14;
       const Direction way = ball.centre - to;
       const double reach = ball.radius + distance;
-      return dot(way, way) >= reach * reach;
+      return dot(way, way) > reach * reach * rounding;
     }
   };
   void find_nearest(std::uint32_t part, Nearest& search) const;

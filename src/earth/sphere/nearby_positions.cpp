@@ -13,8 +13,8 @@ NearbyPositions::NearbyPositions(Point position, Direction base)
     : position_(position),
       radius_(std::sqrt(base.x * base.x + base.y * base.y)),
       sine_(base.z),
-      east_cosine_(radius_ > 0 ? base.x / radius_ : 1),
-      east_sine_(radius_ > 0 ? base.y / radius_ : 0),
+      east_cosine_(radius_ > 0 ? base.x / radius_ : std::cos(position.x * degree)),
+      east_sine_(radius_ > 0 ? base.y / radius_ : std::sin(position.x * degree)),
       latitude_gain_(latitude_series().at(sine_, radius_)) {}
 
 Point NearbyPositions::way_to(Direction p) const {

@@ -157,7 +157,7 @@ void CellRetessellation::count_gauges(const State& state, std::span<const double
   for (const auto& handover : state.handovers) {
     for (const CellWeight& share : *handover) {
       const auto basins = basins_of(share.cell);
-      if (std::find(basins.begin(), basins.end(), share.basin) == basins.end())
+      if (!std::binary_search(basins.begin(), basins.end(), share.basin))
         taken_over.emplace_back(share.basin, share.cell);
     }
   }

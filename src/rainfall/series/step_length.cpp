@@ -1,9 +1,10 @@
 #include "rainfall/series/step_length.h"
-#include "base/counted.h"
 
 #include <algorithm>
 #include <array>
 #include <tuple>
+
+#include "base/counted.h"
 
 namespace thiessen {
 namespace {

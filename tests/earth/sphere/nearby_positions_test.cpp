@@ -40,7 +40,8 @@ TEST(NearbyPositions, law_3_are_right_at_and_round_poles) {
   for (const double latitude : {90.0, 89.999, 89.0, -90.0, -89.5}) {
     const Point base{30, latitude};
     const NearbyPositions near(base, on_sphere(base));
-    for (const Point p : {Point{-150, latitude * 0.999}, Point{31, latitude * 0.99999}})
+    for (const Point p :
+         {Point{-150, latitude * 0.999}, Point{31, latitude * 0.99999}, Point{1, latitude * 0.999}})
       expect_same(near.of(on_sphere(p)), p);
   }
 }
