@@ -10,9 +10,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
+#include <memory>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -62,15 +61,20 @@ Left remove_leftover(const std::string& path) {
   return Left::nothing;
 }
 
-/// Removes all leftovers of a folder. Returns those that are kept.
+struct Close {
+  void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
+/// Removes all leftovers of a folder. Returns those that are kept. The system's own list is read,
+/// as the standard library's ends the program where there is no memory for it.
 std::vector<std::string> remove_leftovers(const std::string& folder) {
   std::vector<std::string> only_copies;
-  std::error_code error;
-  std::filesystem::directory_iterator entry(folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  const std::unique_ptr<DIR, Close> opened(::opendir(folder.c_str()));
+  while (const dirent* const entry = opened ? ::readdir(opened.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
     if (!is_hidden(name)) continue;
-    std::string path = folder + "/" + name;
+    std::string path = folder + "/";
+    path += name;
     if (remove_leftover(path) == Left::only_copy) only_copies.push_back(std::move(path));
   }
   return only_copies;

@@ -347,13 +347,14 @@ void Outputs::roll_back() noexcept {
     }
   }
   for (Removed& removed : removed_) {
-    if (removed.backup.empty()) continue;
+    if (removed.backup.empty() || removed.is_kept) continue;
     removed.is_kept = std::rename(removed.backup.c_str(), removed.path.c_str()) != 0;
     if (!removed.is_kept) removed.backup.clear();
   }
 }
 
 void Outputs::discard() noexcept {
+  roll_back();  // what was thrown between two renames may have come from a lack of memory
   files_.clear();
   for (const Staged& staged : staged_) {
     if (!staged.hidden.empty()) ::unlink(staged.hidden.c_str());
