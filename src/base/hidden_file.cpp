@@ -26,11 +26,12 @@ std::string name_of_open(const Descriptor& file) {
   return "/proc/self/fd/" + std::to_string(file.number());
 }
 
+constexpr std::size_t longest_told = 200;
+
 /// A file's name as a backup's tells it. A name may be no longer than 255 bytes.
 std::string_view told_part(const std::string& path) {
-  constexpr std::size_t longest = 200;
   const std::string_view whole = path;
-  return whole.substr(whole.rfind('/') + 1).substr(0, longest);  // npos + 1 is 0
+  return whole.substr(whole.rfind('/') + 1).substr(0, longest_told);  // npos + 1 is 0
 }
 
 /// Whether fresh_name or backup_name made up this name within a folder.
@@ -39,9 +40,11 @@ bool is_hidden(std::string_view name) {
   return is_fresh_name(name.substr(0, length)) && (name.size() == length || name[length] == '-');
 }
 
+/// Whether it is a backup of this file and no other: of a name that is cut nobody knows.
 bool is_backup_of(const std::string& backup, const std::string& path) {
   const std::string name = name_in_folder(backup);
-  return std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
+  return told_part(path).size() < longest_told &&
+         std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
 }
 
 enum class Left { nothing, only_copy };

@@ -26,7 +26,7 @@ class FolderInUse {
   explicit FolderInUse(const std::string& folder);
 
   /// Removes the copies of older files of this name that killed runs left: it was replaced once
-  /// more.
+  /// more. Those of a name too long for a copy to tell stay.
   void forget(const std::string& path) noexcept;
 
  private:

@@ -155,7 +155,7 @@ std::string Outputs::add_foreign(const std::string& path) {
 }
 
 void Outputs::remove(const std::string& path) {
-  if (examine_destination(path, rules_).kind != Kind::nothing) removed_.push_back({path, {}});
+  removed_.push_back({path, examine_destination(path, rules_).kind != Kind::nothing});
 }
 
 bool Outputs::is_new(const std::string& folder) const {
@@ -272,7 +272,12 @@ void Outputs::clear_up() noexcept {
   }
   for (const Foreign& foreign : foreign_) ::rmdir(foreign.folder.c_str());
   try {
-    for (const Staged& staged : staged_) folders_.at(folder_of(staged.path)).forget(staged.path);
+    const auto forget = [&](const std::string& path) {
+      const auto used = folders_.find(folder_of(path));
+      if (used != folders_.end()) used->second.forget(path);
+    };
+    for (const Staged& staged : staged_) forget(staged.path);
+    for (const Removed& removed : removed_) forget(removed.path);
     for (const auto& [path, folder] : folders_) sync_folder(path);
   } catch (...) {  // no memory: the files are safe already, and older copies are for a later run
     errno = 0;
@@ -281,6 +286,7 @@ void Outputs::clear_up() noexcept {
 }
 
 void Outputs::move_away(Removed& removed) {
+  if (!removed.is_there) return;
   std::string backup = backup_name(removed.path);
   if (std::rename(removed.path.c_str(), backup.c_str()) == 0) {
     removed.backup = std::move(backup);

@@ -80,7 +80,8 @@ class Outputs {
   };
   struct Removed {
     std::string path;
-    std::string backup;  ///< its name until all is done; empty while it has its own
+    bool is_there = false;
+    std::string backup = {};  ///< its name until all is done; empty while it has its own
     bool is_kept = false;
   };
   struct Foreign {

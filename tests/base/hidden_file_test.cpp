@@ -73,6 +73,17 @@ TEST(HiddenFile, law_4_the_only_copy_of_an_older_file_stays_until_it_is_replaced
   EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(HiddenFile, law_4_holds_for_names_that_agree_as_far_as_a_copy_tells_them) {
+  const TemporaryFolder folder;
+  const std::string long_name(200, 'a');
+  const std::string copy = name_in_folder(backup_name(folder.path(long_name + "1.csv")));
+  folder.write(copy, "old");
+  FolderInUse next(folder.path());
+  next.forget(folder.path(long_name + "2.csv"));
+  next.forget(folder.path(long_name));
+  EXPECT_EQ(folder.names(), (Names{copy}));
+}
+
 TEST(HiddenFile, law_5_a_run_that_is_killed_before_its_end_leaves_nothing) {
   const TemporaryFolder folder;
   if (!open_unnamed(folder.path(), 0644).is_open()) {

@@ -187,6 +187,17 @@ TEST(Outputs, refuse_to_write_one_file_twice) {
   EXPECT_EQ(sentence_of([&] { outputs.add_foreign(same); }), same + " would be written twice");
 }
 
+TEST(Outputs, forget_the_copies_of_side_files_that_a_killed_run_left) {
+  const TemporaryFolder folder;
+  folder.write(name_in_folder(backup_name(folder.path("a.qix"))), "old");
+  const std::string other = folder.write(name_in_folder(backup_name(folder.path("b.qix"))), "old");
+  Outputs outputs({});
+  outputs.add(folder.path("a.shp")).append("new");
+  outputs.remove(folder.path("a.qix"));
+  outputs.commit();
+  EXPECT_EQ(folder.names(), (Names{"a.shp", name_in_folder(other)}));
+}
+
 TEST(Outputs, do_not_replace_a_file_that_appears_meanwhile) {
   const TemporaryFolder folder;
   Outputs outputs({});
