@@ -83,13 +83,32 @@ std::vector<std::string> remove_leftovers(const std::string& folder) {
   return only_copies;
 }
 
+/// Sets the mark of a run that removes leftovers (F_RDLCK), or takes it away (F_UNLCK): a lock of
+/// another kind on the same folder, which hinders nobody.
+void mark(const Descriptor& folder, short type) {
+  struct flock lock = {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  if (::fcntl(folder.number(), F_OFD_SETLK, &lock) != 0) errno = 0;  // not all file systems have it
+}
+
+/// Whether another run has set the mark.
+bool is_marked(const Descriptor& folder) {
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return ::fcntl(folder.number(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
 /// Waits for the lock that all runs can share; another run has the folder for itself only while it
-/// removes leftovers. A program of another kind may hold it for ever, and is not waited for.
+/// removes leftovers, however long that takes. A program of another kind may hold it for ever, and
+/// is not waited for.
 void share_lock(const Descriptor& folder) {
   constexpr int looks = 50;
   constexpr std::chrono::milliseconds between_looks(20);
-  for (int look = 0; look < looks; ++look) {
+  for (int look = 0; look < looks;) {
     if (::flock(folder.number(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    if (!is_marked(folder)) ++look;
     throw_if_interrupted();
     std::this_thread::sleep_for(between_looks);
   }
@@ -117,8 +136,10 @@ std::string backup_name(const std::string& path) {
 FolderInUse::FolderInUse(const std::string& folder)
     : lock_(open_descriptor(folder, O_RDONLY | O_DIRECTORY)) {
   if (!lock_.is_open()) return;
+  mark(lock_, F_RDLCK);
   // Where the file system has no locks, nothing tells what is left over.
   if (::flock(lock_.number(), LOCK_EX | LOCK_NB) == 0) only_copies_ = remove_leftovers(folder);
+  mark(lock_, F_UNLCK);
   share_lock(lock_);
 }
 

@@ -203,6 +203,15 @@ void Outputs::use_folder(const std::string& folder) {
   if (!folders_.contains(folder)) folders_.emplace(folder, FolderInUse(folder));
 }
 
+/// What may wait for another run comes before any name is given. A folder that is not made yet has
+/// no other run in it.
+void Outputs::use_folders() {
+  for (const Staged& staged : staged_) {
+    const std::string folder = folder_of(staged.path);
+    if (!is_new(folder)) use_folder(folder);
+  }
+}
+
 void Outputs::refuse_twice(const std::string& path) const {
   const auto same = [&](const std::string& other) {
     std::error_code ignored;
@@ -250,9 +259,10 @@ void Outputs::commit() {
     take_over(file.number(), examine_destination(staged_[i].path, rules_), staged_[i].path);
     sync_to_disk(file.number(), staged_[i].path);
   }
+  use_folders();
   throw_if_interrupted();
-  // From here on it takes no longer than the names do: a run that is killed leaves none of them but
-  // within these few moments.
+  // From here on only names are given, unless the system cannot name a file and it is copied: a run
+  // that is killed leaves none of them but within these few moments.
   for (OutputFile& file : files_) file.finish();
   for (Staged& staged : staged_) prepare(staged);
   throw_if_interrupted();
