@@ -213,10 +213,13 @@ void Outputs::use_folders() {
 }
 
 void Outputs::refuse_twice(const std::string& path) const {
+  const std::string folder = folder_of(path);
   const auto same = [&](const std::string& other) {
+    if (name_in_folder(path) != name_in_folder(other)) return false;
+    const std::string others = folder_of(other);
+    if (is_new(folder)) return without_slashes_behind(folder) == without_slashes_behind(others);
     std::error_code ignored;
-    return name_in_folder(path) == name_in_folder(other) &&
-           std::filesystem::equivalent(folder_of(path), folder_of(other), ignored);
+    return std::filesystem::equivalent(folder, others, ignored);
   };
   bool twice = false;
   for (const Staged& staged : staged_) twice = twice || same(staged.path);
