@@ -117,7 +117,7 @@ void share_lock(const Descriptor& folder) {
 }  // namespace
 
 Descriptor open_unnamed(const std::string& folder, unsigned mode) {
-  Descriptor file = open_descriptor(folder, O_TMPFILE | O_WRONLY, mode);
+  Descriptor file = open_descriptor(folder, O_TMPFILE | O_RDWR, mode);
   if (file.is_open() && ::access(name_of_open(file).c_str(), F_OK) != 0) file = Descriptor();
   return file;
 }

@@ -1,6 +1,7 @@
 #include "base/outputs.h"
 
 #include <fcntl.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,6 +46,21 @@ void take_over(int file, const Destination& old, const std::string& name) {
   if (::fchmod(file, old.status.st_mode & permissions) != 0) {
     throw system_error(name, "cannot write", errno);
   }
+}
+
+/// Copies a file, its mode and, as far as the system allows, its owner, to one that is new.
+void copy_whole(const Descriptor& from, const Descriptor& to, const std::string& name) {
+  constexpr std::size_t most_bytes_a_call = std::size_t{64} << 20;
+  struct stat status = {};
+  if (::fstat(from.number(), &status) != 0) throw system_error(name, "cannot write", errno);
+  take_over(to.number(), {Kind::file, status}, name);
+  off_t at = 0;
+  for (ssize_t copied = 1; copied != 0;) {
+    copied = ::sendfile(to.number(), from.number(), &at, most_bytes_a_call);
+    if (copied < 0 && errno != EINTR) throw system_error(name, "cannot write", errno);
+    throw_if_interrupted();
+  }
+  sync_to_disk(to.number(), name);
 }
 
 std::string without_slashes_behind(std::string folder) {
@@ -101,14 +117,21 @@ Descriptor Outputs::open_staged(Staged& staged) {
   return file;
 }
 
-/// Gives a file that is whole a hidden name, if it has none yet.
+/// Gives a file that is whole a hidden name, if it has none yet; where the system cannot name it, a
+/// copy has the name.
 void Outputs::hide(std::size_t number, const Descriptor& file) {
   Staged& staged = staged_[number];
   if (!staged.hidden.empty()) return;
   make_folders();
   use_folder(folder_of(staged.path));
-  make_hidden(staged.path, staged.hidden,
-              [&](const std::string& name) { return give_name(file, name) == 0; });
+  Descriptor copy;
+  make_hidden(staged.path, staged.hidden, [&](const std::string& name) {
+    if (give_name(file, name) == 0) return true;
+    if (errno == EEXIST) return false;
+    copy = open_descriptor(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, new_file_mode);
+    return copy.is_open();
+  });
+  if (copy.is_open()) copy_whole(file, copy, staged.path);
 }
 
 OutputFile& Outputs::add(const std::string& path) {

@@ -2,6 +2,7 @@
 long form, with every call."""
 
 import os
+import tempfile
 import unittest
 
 import faults
@@ -23,6 +24,17 @@ class FaultsTest(unittest.TestCase):
 
     def test_memory(self):
         self.assert_none(["rain"], ["malloc"], 5)
+
+    def test_files_without_names_that_get_none(self):
+        """Where the system names no open file, a copy has the name, whole and with the same mode."""
+        trial = faults.Trial(MACHINE, "weights")
+        with tempfile.TemporaryDirectory(prefix="thiessen-faults-") as scratch:
+            folder = trial.prepared(scratch)
+            (folder / "out" / "weights.csv").chmod(0o640)
+            ran = MACHINE.run("weights", folder, FAULT="link+:1:2")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            self.assertEqual(faults.files_of(folder), trial.whole)
+            self.assertEqual((folder / "out" / "weights.csv").stat().st_mode & 0o777, 0o640)
 
     def test_a_library_that_writes(self):
         self.assert_none(["raster"], ["write", "mkdir", "rename"], 2)
