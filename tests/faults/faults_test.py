@@ -42,8 +42,19 @@ class FaultsTest(unittest.TestCase):
 
 class KilledTest(unittest.TestCase):
     def test_a_run_that_is_killed_leaves_the_old_files_and_nothing_else(self):
-        """Killed after so many reads, the run is gone; it has made neither files nor folders."""
+        """Killed at moments spread over its time, it has made neither files nor folders, but where it was at the names."""
         self.assertEqual(faults.killed(MACHINE, "run", 4) + faults.killed(MACHINE, "run_anew", 4), [])
+
+    def test_some_new_names_are_no_fault_but_beside_hidden_ones(self):
+        whole = {"out": None, "out/a.csv": b"a", "out/b.csv": b"b"}
+        half = {"out": None, "out/a.csv": b"a"}
+        self.assertEqual(faults.wrong_of_killed({}, {**half, "out/.thiessen-x": b"b"}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, {"out": None}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, {}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, whole, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, half, whole), ["there is out, out/a.csv"])
+        self.assertEqual(faults.wrong_of_killed({}, {**whole, "out/b.csv": b""}, whole), ["out/b.csv is cut"])
+        self.assertEqual(faults.wrong_of_killed({"out": None, "c.csv": b""}, {"out": None}, whole), ["there is c.csv"])
 
 
 if __name__ == "__main__":
