@@ -47,7 +47,8 @@ int run_command(Command& command, Warnings& warnings) {
   return done;
 }
 
-/// Where nothing else is left to do: what has no name vanishes with the process.
+/// Where nothing else is left to do: what has no name vanishes with the process, and what lies
+/// under a hidden one is removed by the next run that writes there.
 [[noreturn]] void end_without_memory() noexcept {
   print_lack_of_memory();
   ::_exit(failed);

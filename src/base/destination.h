@@ -50,8 +50,9 @@ std::string name_in_folder(const std::string& path);
 
 /// Makes up a hidden, random name in the folder that nobody else uses.
 std::string fresh_name(const std::string& folder);
-/// Whether fresh_name makes such names within a folder, and how long they are.
+/// Whether fresh_name may have made up this name within a folder.
 bool is_fresh_name(std::string_view name);
+/// How long the names are that fresh_name makes up, without their folder.
 std::size_t fresh_name_length();
 
 }  // namespace thiessen

@@ -10,9 +10,8 @@
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
+#include <memory>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -27,11 +26,12 @@ std::string name_of_open(const Descriptor& file) {
   return "/proc/self/fd/" + std::to_string(file.number());
 }
 
+constexpr std::size_t longest_told = 200;
+
 /// A file's name as a backup's tells it. A name may be no longer than 255 bytes.
 std::string_view told_part(const std::string& path) {
-  constexpr std::size_t longest = 200;
   const std::string_view whole = path;
-  return whole.substr(whole.rfind('/') + 1).substr(0, longest);  // npos + 1 is 0
+  return whole.substr(whole.rfind('/') + 1).substr(0, longest_told);  // npos + 1 is 0
 }
 
 /// Whether fresh_name or backup_name made up this name within a folder.
@@ -40,9 +40,11 @@ bool is_hidden(std::string_view name) {
   return is_fresh_name(name.substr(0, length)) && (name.size() == length || name[length] == '-');
 }
 
+/// Whether it is a backup of this file and no other: of a name that is cut nobody knows.
 bool is_backup_of(const std::string& backup, const std::string& path) {
   const std::string name = name_in_folder(backup);
-  return std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
+  return told_part(path).size() < longest_told &&
+         std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
 }
 
 enum class Left { nothing, only_copy };
@@ -62,27 +64,51 @@ Left remove_leftover(const std::string& path) {
   return Left::nothing;
 }
 
-/// Removes all leftovers of a folder. Returns those that are kept.
+struct Close {
+  void operator()(DIR* folder) const { ::closedir(folder); }
+};
+
+/// Removes all leftovers of a folder. Returns those that are kept. The system's own list is read,
+/// as the standard library's ends the program where there is no memory for it.
 std::vector<std::string> remove_leftovers(const std::string& folder) {
   std::vector<std::string> only_copies;
-  std::error_code error;
-  std::filesystem::directory_iterator entry(folder, error);
-  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    const std::string name = entry->path().filename().string();
+  const std::unique_ptr<DIR, Close> opened(::opendir(folder.c_str()));
+  while (const dirent* const entry = opened ? ::readdir(opened.get()) : nullptr) {
+    const std::string_view name = entry->d_name;
     if (!is_hidden(name)) continue;
-    std::string path = folder + "/" + name;
+    std::string path = folder + "/";
+    path += name;
     if (remove_leftover(path) == Left::only_copy) only_copies.push_back(std::move(path));
   }
   return only_copies;
 }
 
+/// Sets the mark of a run that removes leftovers (F_RDLCK), or takes it away (F_UNLCK): a lock of
+/// another kind on the same folder, which hinders nobody.
+void mark(const Descriptor& folder, short type) {
+  struct flock lock = {};
+  lock.l_type = type;
+  lock.l_whence = SEEK_SET;
+  if (::fcntl(folder.number(), F_OFD_SETLK, &lock) != 0) errno = 0;  // not all file systems have it
+}
+
+/// Whether another run has set the mark.
+bool is_marked(const Descriptor& folder) {
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return ::fcntl(folder.number(), F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+}
+
 /// Waits for the lock that all runs can share; another run has the folder for itself only while it
-/// removes leftovers. A program of another kind may hold it for ever, and is not waited for.
+/// removes leftovers, however long that takes. A program of another kind may hold it for ever, and
+/// is not waited for.
 void share_lock(const Descriptor& folder) {
   constexpr int looks = 50;
   constexpr std::chrono::milliseconds between_looks(20);
-  for (int look = 0; look < looks; ++look) {
+  for (int look = 0; look < looks;) {
     if (::flock(folder.number(), LOCK_SH | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    if (!is_marked(folder)) ++look;
     throw_if_interrupted();
     std::this_thread::sleep_for(between_looks);
   }
@@ -91,7 +117,7 @@ void share_lock(const Descriptor& folder) {
 }  // namespace
 
 Descriptor open_unnamed(const std::string& folder, unsigned mode) {
-  Descriptor file = open_descriptor(folder, O_TMPFILE | O_WRONLY, mode);
+  Descriptor file = open_descriptor(folder, O_TMPFILE | O_RDWR, mode);
   if (file.is_open() && ::access(name_of_open(file).c_str(), F_OK) != 0) file = Descriptor();
   return file;
 }
@@ -110,8 +136,10 @@ std::string backup_name(const std::string& path) {
 FolderInUse::FolderInUse(const std::string& folder)
     : lock_(open_descriptor(folder, O_RDONLY | O_DIRECTORY)) {
   if (!lock_.is_open()) return;
+  mark(lock_, F_RDLCK);
   // Where the file system has no locks, nothing tells what is left over.
   if (::flock(lock_.number(), LOCK_EX | LOCK_NB) == 0) only_copies_ = remove_leftovers(folder);
+  mark(lock_, F_UNLCK);
   share_lock(lock_);
 }
 

@@ -7,9 +7,9 @@
 
 namespace thiessen {
 
-/// Opens a new file to write in the folder, which has no name until give_name gives it one, and of
-/// which nothing is left if it never gets one. Not open where the file system has no such files,
-/// or where the system could not name one; `errno` tells why.
+/// Opens a new file to write and read in the folder, which has no name until give_name gives it
+/// one, and of which nothing is left if it never gets one. Not open where the file system has no
+/// such files, or where the system could not name one; `errno` tells why.
 Descriptor open_unnamed(const std::string& folder, unsigned mode);
 /// Gives a file of open_unnamed a name. Returns 0, or -1 with `errno`: EEXIST where it is taken.
 int give_name(const Descriptor& file, const std::string& name);
@@ -26,7 +26,7 @@ class FolderInUse {
   explicit FolderInUse(const std::string& folder);
 
   /// Removes the copies of older files of this name that killed runs left: it was replaced once
-  /// more.
+  /// more. Those of a name too long for a copy to tell stay.
   void forget(const std::string& path) noexcept;
 
  private:

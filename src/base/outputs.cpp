@@ -1,6 +1,7 @@
 #include "base/outputs.h"
 
 #include <fcntl.h>
+#include <sys/sendfile.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -45,6 +46,21 @@ void take_over(int file, const Destination& old, const std::string& name) {
   if (::fchmod(file, old.status.st_mode & permissions) != 0) {
     throw system_error(name, "cannot write", errno);
   }
+}
+
+/// Copies a file, its mode and, as far as the system allows, its owner, to one that is new.
+void copy_whole(const Descriptor& from, const Descriptor& to, const std::string& name) {
+  constexpr std::size_t most_bytes_a_call = std::size_t{64} << 20;
+  struct stat status = {};
+  if (::fstat(from.number(), &status) != 0) throw system_error(name, "cannot write", errno);
+  take_over(to.number(), {Kind::file, status}, name);
+  off_t at = 0;
+  for (ssize_t copied = 1; copied != 0;) {
+    copied = ::sendfile(to.number(), from.number(), &at, most_bytes_a_call);
+    if (copied < 0 && errno != EINTR) throw system_error(name, "cannot write", errno);
+    throw_if_interrupted();
+  }
+  sync_to_disk(to.number(), name);
 }
 
 std::string without_slashes_behind(std::string folder) {
@@ -101,14 +117,21 @@ Descriptor Outputs::open_staged(Staged& staged) {
   return file;
 }
 
-/// Gives a file that is whole a hidden name, if it has none yet.
+/// Gives a file that is whole a hidden name, if it has none yet; where the system cannot name it, a
+/// copy has the name.
 void Outputs::hide(std::size_t number, const Descriptor& file) {
   Staged& staged = staged_[number];
   if (!staged.hidden.empty()) return;
   make_folders();
   use_folder(folder_of(staged.path));
-  make_hidden(staged.path, staged.hidden,
-              [&](const std::string& name) { return give_name(file, name) == 0; });
+  Descriptor copy;
+  make_hidden(staged.path, staged.hidden, [&](const std::string& name) {
+    if (give_name(file, name) == 0) return true;
+    if (errno == EEXIST) return false;
+    copy = open_descriptor(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, new_file_mode);
+    return copy.is_open();
+  });
+  if (copy.is_open()) copy_whole(file, copy, staged.path);
 }
 
 OutputFile& Outputs::add(const std::string& path) {
@@ -155,7 +178,7 @@ std::string Outputs::add_foreign(const std::string& path) {
 }
 
 void Outputs::remove(const std::string& path) {
-  if (examine_destination(path, rules_).kind != Kind::nothing) removed_.push_back({path, {}});
+  removed_.push_back({path, examine_destination(path, rules_).kind != Kind::nothing});
 }
 
 bool Outputs::is_new(const std::string& folder) const {
@@ -203,11 +226,23 @@ void Outputs::use_folder(const std::string& folder) {
   if (!folders_.contains(folder)) folders_.emplace(folder, FolderInUse(folder));
 }
 
+/// What may wait for another run comes before any name is given. A folder that is not made yet has
+/// no other run in it.
+void Outputs::use_folders() {
+  for (const Staged& staged : staged_) {
+    const std::string folder = folder_of(staged.path);
+    if (!is_new(folder)) use_folder(folder);
+  }
+}
+
 void Outputs::refuse_twice(const std::string& path) const {
+  const std::string folder = folder_of(path);
   const auto same = [&](const std::string& other) {
+    if (name_in_folder(path) != name_in_folder(other)) return false;
+    const std::string others = folder_of(other);
+    if (is_new(folder)) return without_slashes_behind(folder) == without_slashes_behind(others);
     std::error_code ignored;
-    return name_in_folder(path) == name_in_folder(other) &&
-           std::filesystem::equivalent(folder_of(path), folder_of(other), ignored);
+    return std::filesystem::equivalent(folder, others, ignored);
   };
   bool twice = false;
   for (const Staged& staged : staged_) twice = twice || same(staged.path);
@@ -250,9 +285,10 @@ void Outputs::commit() {
     take_over(file.number(), examine_destination(staged_[i].path, rules_), staged_[i].path);
     sync_to_disk(file.number(), staged_[i].path);
   }
+  use_folders();
   throw_if_interrupted();
-  // From here on it takes no longer than the names do: a run that is killed leaves none of them but
-  // within these few moments.
+  // From here on only names are given, unless the system cannot name a file and it is copied: a run
+  // that is killed leaves none of them but within these few moments.
   for (OutputFile& file : files_) file.finish();
   for (Staged& staged : staged_) prepare(staged);
   throw_if_interrupted();
@@ -272,7 +308,12 @@ void Outputs::clear_up() noexcept {
   }
   for (const Foreign& foreign : foreign_) ::rmdir(foreign.folder.c_str());
   try {
-    for (const Staged& staged : staged_) folders_.at(folder_of(staged.path)).forget(staged.path);
+    const auto forget = [&](const std::string& path) {
+      const auto used = folders_.find(folder_of(path));
+      if (used != folders_.end()) used->second.forget(path);
+    };
+    for (const Staged& staged : staged_) forget(staged.path);
+    for (const Removed& removed : removed_) forget(removed.path);
     for (const auto& [path, folder] : folders_) sync_folder(path);
   } catch (...) {  // no memory: the files are safe already, and older copies are for a later run
     errno = 0;
@@ -281,6 +322,7 @@ void Outputs::clear_up() noexcept {
 }
 
 void Outputs::move_away(Removed& removed) {
+  if (!removed.is_there) return;
   std::string backup = backup_name(removed.path);
   if (std::rename(removed.path.c_str(), backup.c_str()) == 0) {
     removed.backup = std::move(backup);
@@ -347,13 +389,14 @@ void Outputs::roll_back() noexcept {
     }
   }
   for (Removed& removed : removed_) {
-    if (removed.backup.empty()) continue;
+    if (removed.backup.empty() || removed.is_kept) continue;
     removed.is_kept = std::rename(removed.backup.c_str(), removed.path.c_str()) != 0;
     if (!removed.is_kept) removed.backup.clear();
   }
 }
 
 void Outputs::discard() noexcept {
+  roll_back();  // what was thrown between two renames may have come from a lack of memory
   files_.clear();
   for (const Staged& staged : staged_) {
     if (!staged.hidden.empty()) ::unlink(staged.hidden.c_str());

@@ -80,7 +80,8 @@ class Outputs {
   };
   struct Removed {
     std::string path;
-    std::string backup;  ///< its name until all is done; empty while it has its own
+    bool is_there = false;
+    std::string backup = {};  ///< its name until all is done; empty while it has its own
     bool is_kept = false;
   };
   struct Foreign {
@@ -97,6 +98,7 @@ class Outputs {
   void use_folder(const std::string& folder);
   void make_folders();
   Descriptor open_staged(Staged& staged);
+  void use_folders();
   void hide(std::size_t number, const Descriptor& file);
   void collect_foreign_files();
   void prepare(Staged& staged);

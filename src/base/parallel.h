@@ -15,8 +15,8 @@ void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t worker, std::size_t i)>& work);
 
 /// Calls `other` on a thread of its own while this one calls `own`; where no thread can be had,
-/// calls them here, `other` first. What `own` throws comes out, else what `other` throws, when both
-/// have ended.
+/// calls them here, `other` first, and `own` only if that throws nothing. What `own` throws comes
+/// out, else what `other` throws, when both have ended.
 void side_by_side(const std::function<void()>& other, const std::function<void()>& own);
 
 }  // namespace thiessen

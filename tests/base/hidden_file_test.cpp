@@ -7,8 +7,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <optional>
+#include <thread>
 
 #include "base/destination.h"
 #include "base/outputs.h"
@@ -71,6 +73,47 @@ TEST(HiddenFile, law_4_the_only_copy_of_an_older_file_stays_until_it_is_replaced
   EXPECT_EQ(folder.names(), (Names{name_in_folder(copy)}));
   next.forget(folder.path("a.csv"));
   EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(HiddenFile, law_4_holds_for_names_that_agree_as_far_as_a_copy_tells_them) {
+  const TemporaryFolder folder;
+  const std::string long_name(200, 'a');
+  const std::string copy = name_in_folder(backup_name(folder.path(long_name + "1.csv")));
+  folder.write(copy, "old");
+  FolderInUse next(folder.path());
+  next.forget(folder.path(long_name + "2.csv"));
+  next.forget(folder.path(long_name));
+  EXPECT_EQ(folder.names(), (Names{copy}));
+}
+
+/// Whether another run could have the folder for itself.
+bool is_free(const TemporaryFolder& folder) {
+  const Descriptor other = open_descriptor(folder.path(), O_RDONLY | O_DIRECTORY);
+  return ::flock(other.number(), LOCK_EX | LOCK_NB) == 0;
+}
+
+TEST(HiddenFile, law_3_holds_beside_a_run_that_takes_long_to_remove_what_is_left) {
+  const TemporaryFolder folder;
+  Descriptor slow = open_descriptor(folder.path(), O_RDONLY | O_DIRECTORY);
+  struct flock mark = {};
+  mark.l_type = F_RDLCK;
+  ASSERT_EQ(::flock(slow.number(), LOCK_EX), 0);
+  if (::fcntl(slow.number(), F_OFD_SETLK, &mark) != 0) GTEST_SKIP() << "folders have no such locks";
+  std::optional<FolderInUse> used;
+  std::thread run([&] { used.emplace(folder.path()); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+  slow.close();
+  run.join();
+  EXPECT_FALSE(is_free(folder));
+  used.reset();
+  EXPECT_TRUE(is_free(folder));
+}
+
+TEST(HiddenFile, a_program_that_keeps_the_folder_for_itself_is_not_waited_for) {
+  const TemporaryFolder folder;
+  const Descriptor other = open_descriptor(folder.path(), O_RDONLY | O_DIRECTORY);
+  ASSERT_EQ(::flock(other.number(), LOCK_EX), 0);
+  { const FolderInUse used(folder.path()); }
 }
 
 TEST(HiddenFile, law_5_a_run_that_is_killed_before_its_end_leaves_nothing) {

@@ -187,6 +187,30 @@ TEST(Outputs, refuse_to_write_one_file_twice) {
   EXPECT_EQ(sentence_of([&] { outputs.add_foreign(same); }), same + " would be written twice");
 }
 
+TEST(Outputs, refuse_to_write_one_file_twice_in_a_folder_that_is_not_made_yet) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("new/a.csv");
+  const std::string same = folder.path("new//a.csv");
+  Outputs outputs({});
+  outputs.make_folder(folder.path("new"));
+  outputs.make_folder(folder.path("other"));
+  outputs.add(path);
+  EXPECT_EQ(sentence_of([&] { outputs.add(path); }), path + " would be written twice");
+  EXPECT_EQ(sentence_of([&] { outputs.add(same); }), same + " would be written twice");
+  EXPECT_EQ(sentence_of([&] { outputs.add(folder.path("other/a.csv")); }), "no error");
+}
+
+TEST(Outputs, forget_the_copies_of_side_files_that_a_killed_run_left) {
+  const TemporaryFolder folder;
+  folder.write(name_in_folder(backup_name(folder.path("a.qix"))), "old");
+  const std::string other = folder.write(name_in_folder(backup_name(folder.path("b.qix"))), "old");
+  Outputs outputs({});
+  outputs.add(folder.path("a.shp")).append("new");
+  outputs.remove(folder.path("a.qix"));
+  outputs.commit();
+  EXPECT_EQ(folder.names(), (Names{"a.shp", name_in_folder(other)}));
+}
+
 TEST(Outputs, do_not_replace_a_file_that_appears_meanwhile) {
   const TemporaryFolder folder;
   Outputs outputs({});

@@ -1,5 +1,5 @@
 #!/usr/bin/env -S python3 -B
-"""A failing machine, call by call: faults.py --program build/cli/thiessen --shim build/tests/libfaults.so
+"""A failing machine, call by call: faults.py --program build/cli/thiessen --shim build/tests/libthiessen_faults.so
 
 For every kind of call that shim.cpp knows, and every n, runs the program so that its n-th such call fails, and so that
 all fail from there on. After each run: the exit status is 0 or 1, and no signal ended it; with 1 there is a message, of
@@ -48,9 +48,9 @@ class Machine:
         return subprocess.Popen([self.program, *JOBS[job], *overwrite], cwd=folder, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
-    def run(self, job, folder, **faults):
+    def run(self, job, folder, replaces=False, **faults):
         environment = {**os.environ, "LC_ALL": "C.UTF-8", "LD_PRELOAD": self.shim, **faults}
-        overwrite = [] if job == "run_anew" else ["--overwrite"]
+        overwrite = [] if job == "run_anew" and not replaces else ["--overwrite"]
         return subprocess.run([self.program, *JOBS[job], *overwrite], cwd=folder, env=environment, capture_output=True,
                               timeout=TIME_LIMIT_S, stdin=subprocess.DEVNULL)
 
@@ -141,9 +141,26 @@ class Trial:
             return wrong(kind, lasts, ran, before, files_of(folder), self.whole)
 
 
+def is_hidden(name):
+    return "/.thiessen-" in name
+
+
+def wrong_of_killed(before, after, whole):
+    """What is wrong of what a killed run left: each file is old or new, whole; where any is new all are, but in the moment
+    of the names, which shows by folders that are still empty, and by hidden names from the first to the last rename."""
+    names = {name for name in after if not is_hidden(name)}
+    new = names ^ set(before)
+    is_at_names = len(names) < len(after) or all(name in whole and after.get(name, b"") is None for name in new)
+    faults = []
+    if names != set(whole) and not (is_at_names and set(before) <= names <= set(before) | set(whole)):
+        faults.append("there is " + ", ".join(sorted(new)))
+    return faults + [name + " is cut" for name in sorted(names) if name.endswith(EXACT) and name in whole
+                     and after[name] not in (before.get(name), whole[name])]
+
+
 def killed(machine, job, times, tell=lambda line: None):
-    """Kills the job at moments spread over its run. Returns what is wrong: each file is old or new, whole; where any is
-    new all are, but between two renames; nothing is left but there, and the next run clears that away."""
+    """Kills the job at moments spread over its run. Returns what is wrong of what it leaves, and what the next run does
+    not clear away."""
     trial, faults = Trial(machine, job), []
     begin = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="thiessen-faults-") as scratch:
@@ -161,16 +178,13 @@ def killed(machine, job, times, tell=lambda line: None):
                 process.wait()
             after = files_of(folder)
             moment = f"{job} killed, {number + 1} of {times}: "
-            names = {name for name in after if "/.thiessen-" not in name}
-            if names != set(before) and names != set(trial.whole):
-                faults.append(moment + "there is " + ", ".join(sorted(names ^ set(before))))
-            faults += [moment + name + " is cut" for name in names if name in before and name.endswith(EXACT)
-                       and after[name] not in (before[name], trial.whole[name])]
+            faults += [moment + fault for fault in wrong_of_killed(before, after, trial.whole)]
+            names = {name for name in after if not is_hidden(name)}
             is_renaming = any(after[name] != before.get(name) for name in names if name in before)
             if len(names) < len(after) and not is_renaming:
                 tell(moment + "it was at the names: " + ", ".join(sorted(set(after) - names)))
-            machine.run(job, folder)
-            left = [name for name in files_of(folder) if "/.thiessen-" in name]
+            machine.run(job, folder, replaces=True)
+            left = [name for name in files_of(folder) if is_hidden(name)]
             faults += [moment + name + " is left after the next run" for name in left]
     return faults
 

@@ -2,6 +2,7 @@
 long form, with every call."""
 
 import os
+import tempfile
 import unittest
 
 import faults
@@ -24,14 +25,36 @@ class FaultsTest(unittest.TestCase):
     def test_memory(self):
         self.assert_none(["rain"], ["malloc"], 5)
 
+    def test_files_without_names_that_get_none(self):
+        """Where the system names no open file, a copy has the name, whole and with the same mode."""
+        trial = faults.Trial(MACHINE, "weights")
+        with tempfile.TemporaryDirectory(prefix="thiessen-faults-") as scratch:
+            folder = trial.prepared(scratch)
+            (folder / "out" / "weights.csv").chmod(0o640)
+            ran = MACHINE.run("weights", folder, FAULT="link+:1:2")
+            self.assertEqual(ran.returncode, 0, ran.stderr)
+            self.assertEqual(faults.files_of(folder), trial.whole)
+            self.assertEqual((folder / "out" / "weights.csv").stat().st_mode & 0o777, 0o640)
+
     def test_a_library_that_writes(self):
         self.assert_none(["raster"], ["write", "mkdir", "rename"], 2)
 
 
 class KilledTest(unittest.TestCase):
     def test_a_run_that_is_killed_leaves_the_old_files_and_nothing_else(self):
-        """Killed after so many reads, the run is gone; it has made neither files nor folders."""
+        """Killed at moments spread over its time, it has made neither files nor folders, but where it was at the names."""
         self.assertEqual(faults.killed(MACHINE, "run", 4) + faults.killed(MACHINE, "run_anew", 4), [])
+
+    def test_some_new_names_are_no_fault_but_beside_hidden_ones(self):
+        whole = {"out": None, "out/a.csv": b"a", "out/b.csv": b"b"}
+        half = {"out": None, "out/a.csv": b"a"}
+        self.assertEqual(faults.wrong_of_killed({}, {**half, "out/.thiessen-x": b"b"}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, {"out": None}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, {}, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, whole, whole), [])
+        self.assertEqual(faults.wrong_of_killed({}, half, whole), ["there is out, out/a.csv"])
+        self.assertEqual(faults.wrong_of_killed({}, {**whole, "out/b.csv": b""}, whole), ["out/b.csv is cut"])
+        self.assertEqual(faults.wrong_of_killed({"out": None, "c.csv": b""}, {"out": None}, whole), ["there is c.csv"])
 
 
 if __name__ == "__main__":

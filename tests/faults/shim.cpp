@@ -2,10 +2,11 @@
 // n-th call of a kind fail, or all calls from the n-th on. It counts from the program's main
 // function on, for what the system does before is none of the program's. The environment says what
 // fails:
-//   FAULT=KIND:N[:ERRNO]   the n-th call fails, by this number of errno; KIND+:N... that call and
-//   all after it FAULT_COUNT=FILE       at the end the file tells how many calls of the kind there
-//   were FAULT_UNNAMED=1        the file system knows no files without a name FAULT_CLOCK=1 the
-//   clock on the wall jumps by hours and days, back and forth, at every look
+//   FAULT=KIND:N[:ERRNO]   the n-th call fails, by this number of errno
+//   FAULT=KIND+:N[:ERRNO]  that call and all after it
+//   FAULT_COUNT=FILE       at the end the file tells how many calls of the kind there were
+//   FAULT_UNNAMED=1        the file system knows no files without a name
+//   FAULT_CLOCK=1          the clock on the wall jumps by hours and days at every look
 // Kinds: malloc open read write fsync close rename link unlink mkdir mmap thread dup none.
 
 #include <dlfcn.h>
@@ -158,30 +159,35 @@ int posix_memalign(void** to, size_t alignment, size_t size) {
   return *to == nullptr ? ENOMEM : 0;
 }
 
-#define OPEN(name)                                                                       \
-  int name(const char* path, int flags, ...) {                                           \
-    NEXT(name);                                                                          \
-    va_list rest;                                                                        \
-    va_start(rest, flags);                                                               \
-    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0; \
-    va_end(rest);                                                                        \
-    if (is_unnamed_unknown && (flags & O_TMPFILE) == O_TMPFILE) {                        \
-      errno = EOPNOTSUPP;                                                                \
-      return -1;                                                                         \
-    }                                                                                    \
-    return fails(k_open) ? -1 : real(path, flags, mode);                                 \
+// O_TMPFILE has the bit of O_DIRECTORY in it.
+static bool makes_file(int flags) {
+  return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
+}
+
+#define OPEN(name)                                                    \
+  int name(const char* path, int flags, ...) {                        \
+    NEXT(name);                                                       \
+    va_list rest;                                                     \
+    va_start(rest, flags);                                            \
+    const mode_t mode = makes_file(flags) ? va_arg(rest, mode_t) : 0; \
+    va_end(rest);                                                     \
+    if (is_unnamed_unknown && (flags & O_TMPFILE) == O_TMPFILE) {     \
+      errno = EOPNOTSUPP;                                             \
+      return -1;                                                      \
+    }                                                                 \
+    return fails(k_open) ? -1 : real(path, flags, mode);              \
   }
 OPEN(open)
 OPEN(open64)
 
-#define OPENAT(name)                                                                     \
-  int name(int folder, const char* path, int flags, ...) {                               \
-    NEXT(name);                                                                          \
-    va_list rest;                                                                        \
-    va_start(rest, flags);                                                               \
-    const mode_t mode = (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0; \
-    va_end(rest);                                                                        \
-    return fails(k_open) ? -1 : real(folder, path, flags, mode);                         \
+#define OPENAT(name)                                                  \
+  int name(int folder, const char* path, int flags, ...) {            \
+    NEXT(name);                                                       \
+    va_list rest;                                                     \
+    va_start(rest, flags);                                            \
+    const mode_t mode = makes_file(flags) ? va_arg(rest, mode_t) : 0; \
+    va_end(rest);                                                     \
+    return fails(k_open) ? -1 : real(folder, path, flags, mode);      \
   }
 OPENAT(openat)
 OPENAT(openat64)

@@ -223,8 +223,10 @@ def _(t):
     t.hold(t.done("rain", *study, "rain.xlsx", *PLANAR).out == plain.out, "a workbook reads otherwise than its CSV")
     rows[2][2] = ('<c t="e"><v>#N/A</v></c>',)
     t.write("bad.xlsx", workbook({"rain": rows}))
-    ran = t.run("rain", *study, "bad.xlsx", *PLANAR)
-    t.hold(ran.status == 1 and "#N/A" in ran.err or ran.status == 0, f"exit {ran.status}: {ran.err[-150:]}")
+    t.hold(t.done("rain", *study, "bad.xlsx", *PLANAR).out == plain.out, "#N/A is not taken for an empty cell")
+    torn = [*rows[:2], [*rows[2][:2], ('<c t="e"><v>#REF!</v></c>',), rows[2][3]], rows[3]]
+    t.write("torn.xlsx", workbook({"rain": torn}))
+    t.fails("rain", *study, "torn.xlsx", *PLANAR, says="#REF!")
     t.write("two.xlsx", workbook({"one": rows, "two": rows}))
     ran = t.run("rain", *study, "two.xlsx", *PLANAR)
     t.hold(ran.status in (0, 1) and ("one" in ran.err or ran.status == 0), f"two sheets: {ran.err[-150:]}")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <mutex>
 #include <new>
 #include <vector>
 
@@ -51,10 +52,13 @@ static void end_at_once(int) {
 }
 }
 
-/// As long as it lives, a wrong address is fontconfig's.
+std::mutex only_watch;
+
+/// As long as it lives, a wrong address is fontconfig's. There is one at a time: each brings back
+/// what it found, and of two that overlap the later would bring back the earlier.
 class Watch {
  public:
-  Watch() : is_watching_(end_of_program.load() != nullptr) {
+  Watch() : is_only_(only_watch), is_watching_(end_of_program.load() != nullptr) {
     if (!is_watching_) return;
     struct sigaction action = {};
     action.sa_handler = end_at_once;
@@ -68,6 +72,7 @@ class Watch {
   }
 
  private:
+  const std::lock_guard<std::mutex> is_only_;
   bool is_watching_;
   struct sigaction before_ = {};
 };

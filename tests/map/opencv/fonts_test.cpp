@@ -1,9 +1,12 @@
 #include "map/opencv/fonts.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <thread>
 
 namespace thiessen {
 namespace {
@@ -48,6 +51,23 @@ TEST(Fonts, law_1_come_in_one_order_whenever_they_are_asked_for) {
     EXPECT_EQ(once.face(font).file, again.face(font).file);
     EXPECT_EQ(once.face(font).face, again.face(font).face);
   }
+}
+
+TEST(Fonts, law_2_lists_made_at_once_leave_the_signals_as_they_were) {
+  when_fonts_break_off([]() noexcept { std::_Exit(1); });
+  const auto make_some = [] {
+    for (int i = 0; i < 8; ++i) const FontList fonts(false);
+  };
+  struct sigaction before = {};
+  ::sigaction(SIGSEGV, nullptr, &before);
+  std::thread other(make_some);
+  make_some();
+  other.join();
+  when_fonts_break_off(nullptr);
+  struct sigaction after = {};
+  ::sigaction(SIGSEGV, nullptr, &after);
+  EXPECT_EQ(after.sa_handler, before.sa_handler);
+  ::sigaction(SIGSEGV, &before, nullptr);
 }
 
 TEST(Fonts, none_covers_a_character_for_private_use) {
