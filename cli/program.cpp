@@ -54,15 +54,18 @@ int run_command(Command& command, Warnings& warnings) {
   ::_exit(failed);
 }
 
+/// What the C++ library does about an exception that nothing caught: it says which, and aborts.
+std::terminate_handler end_of_library = nullptr;
+
 /// A library that throws for want of memory where nothing may be thrown calls this.
 [[noreturn]] void end_after_uncaught() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
     end_without_memory();
-  } catch (...) {
-    std::abort();
+  } catch (...) {  // the library's own end, below, tells of it
   }
+  if (end_of_library != nullptr) end_of_library();
   std::abort();
 }
 
@@ -110,7 +113,8 @@ int run_and_report(int argc, char** argv) {
 }  // namespace
 
 void watch_for_uncaught() noexcept {
-  std::set_terminate(end_after_uncaught);
+  const std::terminate_handler before = std::set_terminate(end_after_uncaught);
+  if (before != end_after_uncaught) end_of_library = before;
 }
 
 int run_program(int argc, char** argv) {

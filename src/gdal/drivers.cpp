@@ -7,6 +7,7 @@
 #include <ogrsf_frmts.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <memory>
@@ -111,13 +112,32 @@ void register_local_drivers() {
   start_gdal();
   static std::once_flag registered;
   std::call_once(registered, [] {
-    GDALAllRegister();
     GDALDriverManager& drivers = *GetGDALDriverManager();
+    std::vector<const char*> ours;  // of another part of the process no driver may be taken
     for (const char* name : remote_drivers) {
+      if (drivers.GetDriverByName(name) == nullptr) ours.push_back(name);
+    }
+    GDALAllRegister();
+    for (const char* name : ours) {
       const std::unique_ptr<GDALDriver> driver(drivers.GetDriverByName(name));
       if (driver != nullptr) drivers.DeregisterDriver(driver.get());
     }
   });
+}
+
+bool is_remote_driver(std::string_view name) {
+  return std::find(remote_drivers.begin(), remote_drivers.end(), name) != remote_drivers.end();
+}
+
+std::vector<std::string> local_raster_drivers() {
+  std::vector<std::string> names;
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  for (int i = 0; i < drivers.GetDriverCount(); ++i) {
+    GDALDriver* const driver = drivers.GetDriver(i);
+    if (driver == nullptr || driver->GetMetadataItem(GDAL_DCAP_RASTER) == nullptr) continue;
+    if (!is_remote_driver(driver->GetDescription())) names.emplace_back(driver->GetDescription());
+  }
+  return names;
 }
 
 }  // namespace thiessen

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 namespace thiessen {
 
 /// Starts GDAL, once, with only the drivers that are promised (GeoJSON, GeoPackage, Shapefile,
@@ -10,7 +14,15 @@ void start_gdal();
 
 /// Starts GDAL, and registers its drivers of all formats but of those that need another machine or
 /// another program: for rasters to be read, which may be of any format, and for cells in a format
-/// that is not promised.
+/// that is not promised. Where another part of the process uses GDAL, too, those may be there all
+/// the same: what it has registered stays.
 void register_local_drivers();
+
+/// Whether a driver needs another machine or another program.
+bool is_remote_driver(std::string_view name);
+
+/// The names of all drivers of rasters that are registered now and need no other machine and no
+/// other program: what a raster may be opened with.
+std::vector<std::string> local_raster_drivers();
 
 }  // namespace thiessen

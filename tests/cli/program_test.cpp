@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -118,6 +119,22 @@ TEST(Program, ends_as_shells_expect_where_a_signal_came_and_says_what_was_writte
     EXPECT_TRUE(contains(run.told, "thiessen: error: interrupted; nothing was written"))
         << run.told;
   }
+}
+
+void throw_as_a_library() {
+  throw std::runtime_error("words of a library");
+}
+
+void throw_where_nothing_may_be_thrown() noexcept {
+  watch_for_uncaught();
+  watch_for_uncaught();  // as the program does: before its work, and in it
+  throw_as_a_library();
+}
+
+TEST(ProgramDeathTest, tells_what_nothing_caught_before_it_aborts) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(throw_where_nothing_may_be_thrown(), testing::KilledBySignal(SIGABRT),
+              "words of a library");
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "gdal/gdal_errors.h"
 
@@ -82,6 +84,27 @@ TEST_F(DriversDeathTest, what_rasters_need_holds_none_that_asks_other_machines) 
       return drivers.GetDriverByName("GTiff") != nullptr &&
              drivers.GetDriverByName("netCDF") != nullptr;
     });
+  };
+  EXPECT_EXIT(start(), testing::ExitedWithCode(0), "");
+}
+
+std::vector<std::string> names_of_drivers() {
+  std::vector<std::string> names;
+  GDALDriverManager& drivers = *GetGDALDriverManager();
+  for (int i = 0; i < drivers.GetDriverCount(); ++i)
+    names.emplace_back(drivers.GetDriver(i)->GetDescription());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// The library may live in a program that uses GDAL itself, and has datasets open.
+TEST_F(DriversDeathTest, those_that_another_registered_first_stay) {
+  const auto start = [] {
+    GDALAllRegister();
+    const std::vector<std::string> before = names_of_drivers();
+    register_local_drivers();
+    const std::vector<std::string> after = names_of_drivers();
+    _exit(std::includes(after.begin(), after.end(), before.begin(), before.end()) ? 0 : 1);
   };
   EXPECT_EXIT(start(), testing::ExitedWithCode(0), "");
 }

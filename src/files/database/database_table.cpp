@@ -178,7 +178,7 @@ void DatabaseTable::commit(const std::string& comment, std::vector<std::string> 
   if (!grants.empty()) database.run(grants);
   database.run("COMMENT ON TABLE " + table + " IS " + Postgres::quoted_text(comment));
   throw_if_interrupted();
-  database.run("COMMIT");
+  database.commit();
 }
 
 }  // namespace thiessen

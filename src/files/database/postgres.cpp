@@ -96,10 +96,10 @@ struct Postgres::Answer {
 
 // A server may take minutes over an index, and Ctrl-C is heard all the while: the server is then
 // asked to stop, and what it has begun is gone with the connection.
-void Postgres::wait_for_answer() {
+void Postgres::wait_for_answer(Hears hears) {
   constexpr int pause = 100;  // milliseconds
   while (PQisBusy(connection_->handle) != 0) {
-    if (interrupt_signal() != 0) {
+    if (hears == Hears::interrupts && interrupt_signal() != 0) {
       const std::unique_ptr<PGcancel, void (*)(PGcancel*)> cancel(PQgetCancel(connection_->handle),
                                                                   PQfreeCancel);
       std::array<char, 256> reason;
@@ -144,12 +144,12 @@ void Postgres::fail(const char* reason, const char* state) const {
                       std::move(hint)});
 }
 
-Postgres::Answer Postgres::ask(const std::string& sql) {
+Postgres::Answer Postgres::ask(const std::string& sql, Hears hears) {
   Answer answer{{nullptr, PQclear}};
   if (PQsendQuery(connection_->handle, sql.c_str()) != 1)
     fail(PQerrorMessage(connection_->handle), nullptr);
   do {  // the last answer tells: there is one a command, and COPY waits for its rows
-    wait_for_answer();
+    wait_for_answer(hears);
     PGresult* const next = PQgetResult(connection_->handle);
     if (next == nullptr) break;
     answer.result.reset(next);
@@ -167,6 +167,10 @@ Postgres::Answer Postgres::ask(const std::string& sql) {
 
 void Postgres::run(const std::string& sql) {
   ask(sql);
+}
+
+void Postgres::commit() {
+  ask("COMMIT", Hears::nothing);
 }
 
 std::optional<std::string> Postgres::value(const std::string& sql) {

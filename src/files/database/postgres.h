@@ -33,6 +33,9 @@ class Postgres {
   /// Interrupted, whereupon what it has begun is given up with the connection. After a
   /// `COPY ... FROM STDIN` it waits for rows.
   void run(const std::string& sql);
+  /// Ends the transaction, and waits until the server says that it has: Ctrl-C is not heard, for
+  /// nobody would know then whether it has.
+  void commit();
   /// The first value of the first row of an answer; nothing where there is none, or it is null.
   std::optional<std::string> value(const std::string& sql);
   /// Hands rows over that the database waits for, until end_copy.
@@ -47,8 +50,10 @@ class Postgres {
  private:
   struct Answer;
 
-  Answer ask(const std::string& sql);
-  void wait_for_answer();
+  enum class Hears { interrupts, nothing };
+
+  Answer ask(const std::string& sql, Hears hears = Hears::interrupts);
+  void wait_for_answer(Hears hears = Hears::interrupts);
   [[noreturn]] void fail(const char* reason, const char* state) const;
 
   struct Connection;

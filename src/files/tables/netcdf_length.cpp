@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <system_error>
 #include <vector>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace thiessen {
 namespace {
@@ -19,6 +21,8 @@ namespace {
 // bytes. Source: NetCDF User's Guide, File Format Specifications.
 constexpr std::uint64_t most_dimensions = 1024;
 constexpr std::uint64_t most_of_a_list = 1U << 20U;
+constexpr std::uint64_t least_of_an_entry = 8;  // bytes: the length of a name, and another number
+constexpr std::uint64_t most_bytes = std::numeric_limits<std::int64_t>::max();  // of any file
 
 /// What ends the search: a header that is not whole, of which the library reads zeros, too.
 struct NoHeader {};
@@ -31,14 +35,13 @@ struct Variable {
 
 class Header {
  public:
-  explicit Header(const std::string& file) : bytes_(file, std::ios::binary) {}
+  /// `size` is how many bytes the file has: nothing in a header is larger.
+  Header(const std::string& file, std::uint64_t size)
+      : bytes_(file, std::ios::binary), left_(size) {}
 
   /// Where the last value ends; 0 where the header does not say.
   std::uint64_t end_of_values() {
-    std::uint64_t first = 0;
-    for (int i = 0; i < 3; ++i)
-      first = first << 8U | static_cast<std::uint64_t>(std::max(bytes_.get(), 0));
-    if (first != magic) return 0;
+    if (left_ < 3 || number(3) != magic) return 0;
     version_ = number(1);
     if (version_ != 1 && version_ != 2 && version_ != 5) return 0;
     const std::uint64_t records = count();
@@ -57,7 +60,8 @@ class Header {
     std::uint64_t value = 0;
     for (std::size_t i = 0; i < size; ++i) {
       const int byte = bytes_.get();
-      if (byte < 0) throw NoHeader{};
+      if (byte < 0 || left_ == 0) throw NoHeader{};
+      --left_;
       value = value << 8U | static_cast<std::uint64_t>(byte);
     }
     return value;
@@ -66,15 +70,27 @@ class Header {
   std::uint64_t length_of_list() {
     number(4);  // the tag; of an empty list it is 0
     const std::uint64_t length = count();
-    if (length > most_of_a_list) throw NoHeader{};
+    if (length > most_of_a_list || length > left_ / least_of_an_entry) throw NoHeader{};
     return length;
   }
   void pass(std::uint64_t size) {
+    if (size > left_ || filled_up(size) > left_) throw NoHeader{};
+    left_ -= filled_up(size);
     bytes_.seekg(static_cast<std::streamoff>(filled_up(size)), std::ios::cur);
     if (!bytes_) throw NoHeader{};
   }
   void pass_name() { pass(count()); }
 
+  /// What a header counts with is checked first: numbers that wrapped would lead back into it, or
+  /// to an end that is none.
+  static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+    if (a != 0 && b > most_bytes / a) throw NoHeader{};
+    return a * b;
+  }
+  static std::uint64_t sum(std::uint64_t a, std::uint64_t b) {
+    if (a > most_bytes || b > most_bytes - a) throw NoHeader{};
+    return a + b;
+  }
   static std::uint64_t filled_up(std::uint64_t size) { return (size + 3) / 4 * 4; }
   static std::uint64_t bytes_of_type(std::uint64_t type) {
     constexpr std::uint64_t sizes[] = {0, 1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
@@ -85,6 +101,7 @@ class Header {
   std::vector<std::uint64_t> read_dimensions() {
     std::vector<std::uint64_t> lengths(length_of_list());
     for (std::uint64_t& length : lengths) {
+      throw_if_interrupted();
       pass_name();
       length = count();
     }
@@ -92,15 +109,17 @@ class Header {
   }
   void pass_attributes() {
     for (std::uint64_t left = length_of_list(); left > 0; --left) {
+      throw_if_interrupted();
       pass_name();
       const std::uint64_t size = bytes_of_type(number(4));
-      pass(size * count());
+      pass(product(size, count()));
     }
   }
 
   std::vector<Variable> read_variables(const std::vector<std::uint64_t>& dimensions) {
     std::vector<Variable> variables(length_of_list());
     for (Variable& variable : variables) {
+      throw_if_interrupted();
       pass_name();
       std::uint64_t values = 1;
       const std::uint64_t axes = count();
@@ -110,11 +129,11 @@ class Header {
         if (axis == 0 && length == 0) {
           variable.has_records = true;
         } else {
-          values *= length;
+          values = product(values, length);
         }
       }
       pass_attributes();
-      variable.bytes = values * bytes_of_type(number(4));
+      variable.bytes = product(values, bytes_of_type(number(4)));
       count();  // the same size as it is stated, which has room for 4 GB alone
       variable.begin = number(version_ == 1 ? 4 : 8);
     }
@@ -133,33 +152,35 @@ class Header {
     const auto of_records = std::count_if(variables.begin(), variables.end(),
                                           [](const Variable& one) { return one.has_records; });
     for (const Variable& one : variables) {
-      if (one.has_records) record += of_records == 1 ? one.bytes : filled_up(one.bytes);
+      if (one.has_records) record = sum(record, of_records == 1 ? one.bytes : filled_up(one.bytes));
     }
     std::uint64_t end = 0;
     for (const Variable& one : variables) {
-      if (!one.has_records) end = std::max(end, one.begin + one.bytes);
+      if (!one.has_records) end = std::max(end, sum(one.begin, one.bytes));
       if (one.has_records && records > 0)
-        end = std::max(end, one.begin + (records - 1) * record + one.bytes);
+        end = std::max(end, sum(one.begin, sum(product(records - 1, record), one.bytes)));
     }
     return end;
   }
 
   std::ifstream bytes_;
+  std::uint64_t left_;  ///< bytes of the file that are not read yet
   std::uint64_t version_ = 0;
 };
 
 }  // namespace
 
 void require_whole_netcdf(const std::string& file) {
+  std::error_code none;
+  const std::uintmax_t size = std::filesystem::file_size(file, none);
+  if (none) return;
   std::uint64_t wanted = 0;
   try {
-    wanted = Header(file).end_of_values();
+    wanted = Header(file, size).end_of_values();
   } catch (const NoHeader&) {
     throw Error(Message{file, 0, "is cut off: its header is not whole", {}});
   }
-  std::error_code none;
-  const std::uintmax_t size = std::filesystem::file_size(file, none);
-  if (none || size >= wanted) return;
+  if (size >= wanted) return;
   throw Error(Message{file,
                       0,
                       "is cut off: " + std::to_string(size) + " of its " + std::to_string(wanted) +

@@ -31,6 +31,7 @@ bool has_signature(const std::string& file) {
 
 bool is_netcdf_of_stations(const std::string& file) {
   if (!has_signature(file)) return false;
+  require_whole_netcdf(file);  // else whoever reads it would not know that it is a NetCDF it reads
   try {
     const NetcdfStations stations(file);
     return equal_ignoring_case(stations.attribute(NC_GLOBAL, "featureType"), "timeSeries");

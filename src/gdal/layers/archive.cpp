@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
+#include <limits>
 #include <string_view>
 
 #include "base/error.h"
@@ -65,7 +66,9 @@ std::uint64_t unpacked_size(const std::string& file, const std::string& name) {
   VSIDIR* const folder = VSIOpenDir(("/vsizip/{" + name + "}").c_str(), all_folders, nullptr);
   std::uint64_t size = 0;
   if (folder != nullptr) {
-    while (const VSIDIREntry* const entry = VSIGetNextDirEntry(folder)) size += entry->nSize;
+    constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+    while (const VSIDIREntry* const entry = VSIGetNextDirEntry(folder))
+      size += std::min<std::uint64_t>(entry->nSize, most - size);
     VSICloseDir(folder);
   }
   if (folder == nullptr || errors.failed())

@@ -10,8 +10,8 @@ namespace thiessen {
 /// `file` as messages name it. Throws Error where it is no whole archive.
 std::vector<std::string> files_in_archive(const std::string& file, const std::string& name);
 
-/// How many bytes all files of a .zip have together, as it states them. Throws Error where it is no
-/// whole archive.
+/// How many bytes all files of a .zip have together, as it states them, or the largest number where
+/// they are more. Throws Error where it is no whole archive.
 std::uint64_t unpacked_size(const std::string& file, const std::string& name);
 
 /// The files of an archive that may be data sets: those of a format that is read, texts among them,

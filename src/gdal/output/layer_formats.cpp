@@ -44,7 +44,7 @@ bool writes(GDALDriver& driver, const std::string& extension) {
     return false;
   // Spreadsheets hold no geometry.
   const std::string_view name = driver.GetDescription();
-  if (name == "XLSX" || name == "ODS") return false;
+  if (name == "XLSX" || name == "ODS" || is_remote_driver(name)) return false;
   const char* known = driver.GetMetadataItem(GDAL_DMD_EXTENSIONS);
   const CPLStringList extensions(CSLTokenizeString2(known == nullptr ? "" : known, " ", 0));
   return extensions.FindString(extension.c_str()) >= 0;

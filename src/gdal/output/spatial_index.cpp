@@ -91,10 +91,10 @@ SpatialIndex::SpatialIndex(GDALDataset& dataset, OGRLayer& layer, std::string pa
 }
 
 void SpatialIndex::take_triggers_away() {
+  const std::string prefix = in_quotes(tree_ + "_", '\'');
   const std::string of_tree =
       " FROM sqlite_master WHERE type = 'trigger' AND tbl_name = " + in_quotes(table_, '\'') +
-      " AND substr(name, 1, " + std::to_string(tree_.size() + 1) +
-      ") = " + in_quotes(tree_ + "_", '\'') + " ORDER BY rowid";
+      " AND substr(name, 1, length(" + prefix + ")) = " + prefix + " ORDER BY rowid";
   triggers_ = texts("SELECT sql" + of_tree);
   for (const std::string& name : texts("SELECT name" + of_tree))
     run("DROP TRIGGER " + in_quotes(name, '"'));

@@ -1,6 +1,7 @@
 #include "gdal/rasters/raster_source.h"
 
 #include <cpl_conv.h>
+#include <cpl_string.h>
 #include <gdal_priv.h>
 #include <sys/stat.h>
 
@@ -168,7 +169,11 @@ RasterSource::RasterSource(const std::string& file) : file_(file), held_(std::ma
   register_rasters();
   const std::string name = name_for_gdal(file);
   const GdalErrors errors;
-  held_->dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY));
+  // Another part of the process may have registered drivers that ask other machines.
+  CPLStringList drivers;
+  for (const std::string& driver : local_raster_drivers()) drivers.AddString(driver.c_str());
+  held_->dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY,
+                                         drivers.List(), nullptr, nullptr));
   if (!held_->dataset) {
     refuse(file, "is no raster that GDAL reads" + (errors.failed() ? ": " + errors.text() : ""));
   }

@@ -99,7 +99,7 @@ TEST(RainfallFolder, keeps_a_table_of_readings_that_is_the_one_of_stations_too) 
 TEST(RainfallFolder, of_netcdfs_of_stations_keeps_the_one_that_stations_are_read_from) {
   const TemporaryFolder folder;
   const std::string both = NetcdfOfStations().write(folder.path("s.nc"));
-  folder.write("grid.nc", "CDF\x01");
+  folder.write("grid.nc", "CDF\x01" + std::string(28, '\0'));
   Names files;
   EXPECT_EQ(notices_of(folder, {both}, files),
             Names{"grid.nc holds no readings, and is passed over"});

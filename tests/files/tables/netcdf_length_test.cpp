@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <netcdf.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -60,6 +61,49 @@ TEST(NetcdfLength, is_missed_wherever_the_header_is_cut_off) {
         complaint_of([&] { require_whole_netcdf(cut); }).starts_with(cut + ": is cut off: "))
         << length;
   }
+}
+
+/// A number of eight bytes, its largest first.
+std::string eight(std::uint64_t number) {
+  std::string bytes;
+  for (int shift = 56; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xFFU);
+  return bytes;
+}
+
+std::string four(std::uint64_t number) {
+  return eight(number).substr(4);
+}
+
+const std::string no_list = four(0) + eight(0);
+const std::string begin_of_64_bits = std::string("CDF\x05") + eight(0);
+
+/// A header with one attribute of doubles, which says that it has so many.
+std::string with_attribute(std::uint64_t values) {
+  return begin_of_64_bits + no_list + four(12) + eight(1) + eight(0) + four(6) + eight(values) +
+         no_list;
+}
+
+/// A header with a variable of bytes along dimensions of these lengths, which begins there.
+std::string with_variable(std::uint64_t length, std::uint64_t other, std::uint64_t begin) {
+  return begin_of_64_bits + four(10) + eight(2) + eight(0) + eight(length) + eight(0) +
+         eight(other) + no_list + four(11) + eight(1) + eight(0) + eight(2) + eight(0) + eight(1) +
+         no_list + four(1) + eight(0) + eight(begin);
+}
+
+TEST(NetcdfLength, is_missed_where_a_header_says_more_than_numbers_of_64_bits_hold) {
+  const TemporaryFolder folder;
+  const auto complaint = [&](const std::string& bytes) {
+    const std::string file = folder.write("f.nc", bytes);
+    return complaint_of([&] { require_whole_netcdf(file); }).substr(file.size());
+  };
+  const std::string broken = ": is cut off: its header is not whole";
+  constexpr std::uint64_t two_to_32 = std::uint64_t{1} << 32U;
+  EXPECT_EQ(complaint(with_attribute(std::uint64_t{1} << 61U)), broken) << "0 bytes, if it wraps";
+  EXPECT_EQ(complaint(with_attribute((std::uint64_t{1} << 61U) - 3)), broken) << "back, if it does";
+  EXPECT_EQ(complaint(with_variable(two_to_32, two_to_32, 0)), broken);
+  EXPECT_EQ(complaint(with_variable(1, 1, ~std::uint64_t{0})), broken);
+  EXPECT_EQ(complaint(with_variable(1, 1, 1000)), ": is cut off: 144 of its 1001 bytes are there");
+  EXPECT_NO_THROW(require_whole_netcdf(folder.write("f.nc", with_variable(1, 1, 100))));
 }
 
 TEST(NetcdfLength, is_not_asked_of_other_files) {

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -109,6 +111,19 @@ TEST(Archive, has_its_files_in_its_order_and_no_folders) {
   const TemporaryFolder folder;
   EXPECT_EQ(files_in_archive("a.zip", packed(folder, {"b.csv", "in/c.csv", "a.csv"})),
             (Names{"b.csv", "in/c.csv", "a.csv"}));
+}
+
+// Two files of 2^63 bytes each, as they state: together more than a number of 64 bits holds.
+TEST(Archive, sizes_that_add_up_to_more_than_a_number_holds_are_no_small_size) {
+  const TemporaryFolder folder;
+  const std::string pack = "cd '" + folder.path() +
+                           "' && python3 -c \"import zipfile\n"
+                           "with zipfile.ZipFile('a.zip', 'w') as archive:\n"
+                           " archive.writestr('a', 'a')\n archive.writestr('b', 'b')\n"
+                           " for entry in archive.filelist: entry.file_size = 1 << 63\"";
+  ASSERT_EQ(std::system(pack.c_str()), 0);
+  EXPECT_EQ(unpacked_size("a.zip", folder.path("a.zip")),
+            std::numeric_limits<std::uint64_t>::max());
 }
 
 // The list of the files stands at the end, and behind it where it begins. GDAL finds it without

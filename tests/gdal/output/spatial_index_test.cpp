@@ -15,9 +15,9 @@ namespace thiessen {
 namespace {
 
 /// A GeoPackage with rows of one point each along a line that winds; every tenth has no shape.
-std::string points(std::size_t rows) {
+std::string points(std::size_t rows, const std::string& name = "it's \"points\"") {
   VectorLayer layer;
-  layer.name = "it's \"points\"";
+  layer.name = name;
   layer.shapes = VectorLayer::Shapes::points;
   layer.fields = {{"number", FieldType::integer}};
   layer.own_fields = 1;
@@ -45,6 +45,13 @@ TEST(SpatialIndex, is_one_that_SQLite_finds_no_fault_in) {
     EXPECT_EQ(sqlite_rows(bytes, "SELECT count(*) FROM \"rtree_it's \"\"points\"\"_geom\""),
               Rows{std::to_string(rows - rows / 10)});
   }
+}
+
+// Bytes are no letters: of this name there are fewer letters.
+TEST(SpatialIndex, of_a_layer_whose_name_has_letters_of_several_bytes_has_no_fault_either) {
+  const std::string bytes = points(3000, "Fl\u00fcsse");
+  EXPECT_EQ(sqlite_rows(bytes, "SELECT rtreecheck('rtree_Fl\u00fcsse_geom')"), Rows{"ok"});
+  EXPECT_EQ(sqlite_rows(bytes, "SELECT count(*) FROM \"rtree_Fl\u00fcsse_geom\""), Rows{"2700"});
 }
 
 TEST(SpatialIndex, finds_what_lies_in_a_box) {

@@ -1,6 +1,8 @@
 #include "gdal/rasters/raster_source.h"
 
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -43,6 +45,28 @@ class RasterSources : public testing::Test {
 
 constexpr const char* grid =
     "ncols 3\nnrows 2\nxllcorner 100\nyllcorner 50\ncellsize 10\nNODATA_value -9\n1 2 3\n4 -9 6\n";
+
+constexpr const char* map_service = R"(<GDAL_WMS>
+<Service name="TMS"><ServerUrl>http://127.0.0.1:9/${z}/${x}/${y}.png</ServerUrl></Service>
+<DataWindow><UpperLeftX>0</UpperLeftX><UpperLeftY>1</UpperLeftY><LowerRightX>1</LowerRightX>
+<LowerRightY>0</LowerRightY><TileLevel>1</TileLevel></DataWindow>
+<Projection>EPSG:4326</Projection><BandsCount>1</BandsCount></GDAL_WMS>)";
+
+using RasterSourcesDeathTest = RasterSources;
+
+// The library may live in a program that registers GDAL's drivers at any time.
+TEST_F(RasterSourcesDeathTest, are_of_no_driver_that_asks_other_machines_whoever_registered_it) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const std::string file = written("service.xml", map_service);
+  const auto open = [&] {
+    fault_of(file);
+    GDALAllRegister();
+    const bool gdal_opens = GDALDatasetUniquePtr(GDALDataset::Open(file.c_str())) != nullptr;
+    const bool is_refused = fault_of(file).starts_with("is no raster that GDAL reads");
+    _exit(gdal_opens && is_refused ? 0 : 1);
+  };
+  EXPECT_EXIT(open(), testing::ExitedWithCode(0), "");
+}
 
 TEST_F(RasterSources, are_read_where_they_are_wanted) {
   const RasterSource source(written("grid.asc", grid));
