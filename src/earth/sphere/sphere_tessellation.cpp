@@ -108,9 +108,9 @@ void SphereTessellation::connect() {
   });
 }
 
-Direction SphereTessellation::chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const {
+Direction SphereTessellation::chord(PlaceIndex a, PlaceIndex b, double turned) const {
   const Direction difference = direction(b) - direction(a);
-  const double shortest = 1e-16 / turned_at_most;
+  const double shortest = 1e-16 / turned;
   return dot(difference, difference) > shortest * shortest
              ? difference
              : chord_on_sphere(positions_[index(a)], positions_[index(b)]);

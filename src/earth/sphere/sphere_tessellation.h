@@ -38,8 +38,8 @@ class SphereTessellation {
   }
   /// The vector from a to b on the sphere. The plain difference of their directions has their
   /// rounding, which turns a chord of length s by 1e-16 / s, so it is taken only where that turn is
-  /// below `turned_at_most`; otherwise chord_on_sphere computes it.
-  Direction chord(PlaceIndex a, PlaceIndex b, double turned_at_most) const;
+  /// below `turned`; otherwise chord_on_sphere computes it.
+  Direction chord(PlaceIndex a, PlaceIndex b, double turned) const;
   /// What chords of bisectors and circumcentres may be turned by, in radians.
   static constexpr double turned_at_most = 1e-12;
   /// The great circle between the cells of a and b.

@@ -50,7 +50,7 @@ class Fitting {
     auto of_year = fitted(year);
     if (!of_year->is_better_than_nearest()) refuse(*of_year);
     if (auto months = normals_of_months()) {
-      const auto of_months = fitted(*months);
+      auto of_months = fitted(*months);
       if (of_months->is_better_than_nearest()) {
         tell(*of_months, warnings);
         return of_months;

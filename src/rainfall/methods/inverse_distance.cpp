@@ -84,8 +84,8 @@ void InverseDistance::put_in_blocks(Points& points, const ReportingPlaces& all,
   std::vector<Neighbour> near;
   near.reserve(points.near.size());
   for (const std::uint32_t i : order) {
-    const auto kept = kept_at(points, i);
-    near.insert(near.end(), kept.begin(), kept.end());
+    const auto nearest = kept_at(points, i);
+    near.insert(near.end(), nearest.begin(), nearest.end());
   }
   points.near = std::move(near);
   points.at = in_order(points.at, order);
