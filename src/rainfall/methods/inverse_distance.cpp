@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
-#include "rainfall/methods/point_order.h"
+#include "rainfall/methods/point_blocks.h"
 #include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
@@ -90,20 +90,9 @@ void InverseDistance::put_in_blocks(Points& points, const ReportingPlaces& all,
   points.near = std::move(near);
   points.at = in_order(points.at, order);
   for (std::vector<double>& normals : points.normals) normals = in_order(normals, order);
-  points.sums.resize(std::max<std::size_t>(1, points.normals.size()));
-  for (std::uint32_t first = 0; first < order.size();) {
-    std::uint32_t end = first;
-    while (end < order.size() && sets[order[end]] == sets[order[first]]) ++end;
-    const auto first_sum = static_cast<std::uint32_t>(points.sums.front().size());
-    for (std::size_t m = 0; m < points.sums.size(); ++m) {
-      for (std::uint32_t i = first; i < end; ++i) add(points, m, i, all, bench);
-      const std::vector<PlaceSum> block = bench.sums.take_sums();
-      points.sums[m].insert(points.sums[m].end(), block.begin(), block.end());
-    }
-    const auto end_sum = static_cast<std::uint32_t>(points.sums.front().size());
-    points.blocks.push_back({first, end, first_sum, end_sum});
-    first = end;
-  }
+  points.blocks =
+      point_blocks(sets, order, std::max<std::size_t>(1, points.normals.size()), bench.sums,
+                   [&](std::size_t m, std::uint32_t i) { add(points, m, i, all, bench); });
 }
 
 void InverseDistance::keep_neighbours(Points& points) const {
@@ -161,9 +150,8 @@ void InverseDistance::add(const Points& points, std::size_t month, std::size_t p
 std::vector<PlaceWeight> InverseDistance::weights_of(const Points& points, std::size_t month,
                                                      const ReportingPlaces& reports,
                                                      Bench& bench) const {
-  for (const Block& block : points.blocks) {
-    const auto sums =
-        std::span(points.sums[month]).subspan(block.first_sum, block.end_sum - block.first_sum);
+  for (const PointBlock& block : points.blocks.all) {
+    const auto sums = points.blocks.sums_of(block, month);
     const bool is_full =
         std::all_of(sums.begin(), sums.end(), [&](const PlaceSum& s) { return reports[s.place]; });
     if (is_full) {

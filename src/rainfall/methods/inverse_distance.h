@@ -8,6 +8,7 @@
 #include "earth/sphere/geodesic.h"
 #include "rainfall/methods/area_method.h"
 #include "rainfall/methods/nearest_gauges.h"
+#include "rainfall/methods/point_blocks.h"
 #include "rainfall/methods/weight_sums.h"
 #include "rainfall/network/weights.h"
 
@@ -46,20 +47,12 @@ class InverseDistance : public AreaMethod {
     PlaceIndex place;
     float weight;  ///< (the nearest gauge's distance / its own)^2; infinite at the point
   };
-  /// Points with the same gauges, and where the sums of their weights stand.
-  struct Block {
-    std::uint32_t first_point;
-    std::uint32_t end_point;
-    std::uint32_t first_sum;
-    std::uint32_t end_sum;
-  };
   /// The points of a basin, block by block, and the gauges near them.
   struct Points {
     std::vector<Point> at;
     std::vector<Neighbour> near;               ///< kept_ for each point, the nearest first
     std::vector<std::vector<double>> normals;  ///< see point_normals
-    std::vector<Block> blocks;
-    std::vector<std::vector<PlaceSum>> sums;     ///< of the blocks, by month, as the normals
+    PointBlocks blocks;
     std::vector<std::vector<PlaceWeight>> full;  ///< by month, as the normals
   };
   /// What it takes to find points' gauges; its memory is used again.

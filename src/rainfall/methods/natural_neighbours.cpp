@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "rainfall/methods/basin_points.h"
 #include "rainfall/methods/natural_step.h"
-#include "rainfall/methods/point_order.h"
+#include "rainfall/methods/point_blocks.h"
 #include "rainfall/normals/point_normals.h"
 
 namespace thiessen {
@@ -63,7 +63,7 @@ NaturalNeighbours::NaturalNeighbours(const Weighing& weighing, std::size_t point
   std::size_t sums = 0;
   for (const Points& of_basin : points_) {
     first_sum_.push_back(sums);
-    sums += of_basin.sums.size() * of_basin.sums.front().size();
+    sums += of_basin.blocks.sums.size() * of_basin.blocks.sums.front().size();
   }
   singles_ = std::make_unique<Kept<Sums>>(sums, remembered_bytes / 2);
 }
@@ -119,20 +119,9 @@ void NaturalNeighbours::put_in_blocks(Points& points, const Found& found, Weight
   points.positions = in_order(points.positions, order);
   points.at = in_order(points.at, order);
   for (std::vector<double>& normals : points.normals) normals = in_order(normals, order);
-  points.sums.resize(std::max<std::size_t>(1, points.normals.size()));
-  for (std::uint32_t first = 0; first < order.size();) {
-    std::uint32_t end = first;
-    while (end < order.size() && sets[order[end]] == sets[order[first]]) ++end;
-    const auto first_sum = static_cast<std::uint32_t>(points.sums.front().size());
-    for (std::size_t m = 0; m < points.sums.size(); ++m) {
-      for (std::uint32_t i = first; i < end; ++i) add(points, m, i, found.of(order[i]), sums);
-      const Sums block = sums.take_sums();
-      points.sums[m].insert(points.sums[m].end(), block.begin(), block.end());
-    }
-    const auto end_sum = static_cast<std::uint32_t>(points.sums.front().size());
-    points.blocks.push_back({first, end, first_sum, end_sum});
-    first = end;
-  }
+  points.blocks = point_blocks(
+      sets, order, std::max<std::size_t>(1, points.normals.size()), sums,
+      [&](std::size_t m, std::uint32_t i) { add(points, m, i, found.of(order[i]), sums); });
 }
 
 AreaMethod::Weights NaturalNeighbours::weights(const ReportingPlaces& reports,

@@ -12,6 +12,7 @@
 #include "rainfall/methods/area_method.h"
 #include "rainfall/methods/natural_weights.h"
 #include "rainfall/methods/nearest_gauges.h"
+#include "rainfall/methods/point_blocks.h"
 #include "rainfall/methods/weight_sums.h"
 #include "rainfall/network/weights.h"
 
@@ -55,20 +56,12 @@ class NaturalNeighbours : public AreaMethod {
     PlaceIndex place;
     double weight;
   };
-  /// Points with the same neighbours, and where the sums of their weights stand.
-  struct Block {
-    std::uint32_t first_point;
-    std::uint32_t end_point;
-    std::uint32_t first_sum;
-    std::uint32_t end_sum;
-  };
   /// The points of a basin, block by block.
   struct Points {
     std::vector<Point> positions;
     std::vector<ChartPoint> at;
     std::vector<std::vector<double>> normals;  ///< see point_normals
-    std::vector<Block> blocks;
-    std::vector<std::vector<PlaceSum>> sums;     ///< of the blocks, by month, as the normals
+    PointBlocks blocks;
     std::vector<std::vector<PlaceWeight>> full;  ///< by month, as the normals
     std::vector<PlaceIndex> all;  ///< places that are a neighbour of any of the points
   };

@@ -18,7 +18,7 @@ constexpr std::size_t few_silent = 2;
 // weigh no silent gauge they are right: the point's cell, and what it takes from others, are those
 // among all that report.
 void NaturalNeighbours::AtStep::take_up(std::uint32_t basin) {
-  const std::vector<Block>& blocks = all_.points_[basin].blocks;
+  const std::vector<PointBlock>& blocks = all_.points_[basin].blocks.all;
   sums_[basin].resize(blocks.size());
   std::vector<PlaceIndex> silent;
   for (std::uint32_t i = 0; i < blocks.size(); ++i) {
@@ -79,13 +79,13 @@ std::shared_ptr<const NaturalNeighbours::Sums> NaturalNeighbours::AtStep::kept(c
 // The number of the block's sum of the one gauge that is silent.
 std::size_t NaturalNeighbours::AtStep::single(const Waiting& waiting) const {
   const Points& points = all_.points_[waiting.basin];
-  const Block& block = points.blocks[waiting.block];
+  const PointBlock& block = points.blocks.all[waiting.block];
   const std::span<const PlaceSum> sums = full_sums(waiting.basin, block);
   const auto at = std::find_if(sums.begin(), sums.end(), [&](const PlaceSum& sum) {
     return sum.place == waiting.silent.front();
   });
-  return all_.first_sum_[waiting.basin] + month_ * points.sums.front().size() + block.first_sum +
-         static_cast<std::size_t>(at - sums.begin());
+  return all_.first_sum_[waiting.basin] + month_ * points.blocks.sums.front().size() +
+         block.first_sum + static_cast<std::size_t>(at - sums.begin());
 }
 
 void NaturalNeighbours::AtStep::set_key(const Waiting& block) {
@@ -112,7 +112,7 @@ void NaturalNeighbours::AtStep::find_all() {
       throw_if_interrupted();
       const Points& points = all_.points_[block.basin];
       sums_[block.basin][block.block] = std::make_shared<const Sums>(
-          workplace_.sums_of(points, points.blocks[block.block], month_, reports_));
+          workplace_.sums_of(points, points.blocks.all[block.block], month_, reports_));
     }
   });
 }
@@ -125,14 +125,14 @@ void NaturalNeighbours::AtStep::find_without(std::span<Waiting> blocks) {
     for (Waiting& block : blocks) {
       const Points& points = all_.points_[block.basin];
       auto sums =
-          kept(block, workplace_.sums_of(points, points.blocks[block.block], month_, all_but));
+          kept(block, workplace_.sums_of(points, points.blocks.all[block.block], month_, all_but));
       settle(std::move(block), std::move(sums));
     }
   });
 }
 
 std::vector<PlaceWeight> NaturalNeighbours::AtStep::weights_of(std::uint32_t basin) {
-  const std::vector<Block>& blocks = all_.points_[basin].blocks;
+  const std::vector<PointBlock>& blocks = all_.points_[basin].blocks.all;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const auto& sums = sums_[basin][i];
     workplace_.sums.add(sums ? std::span<const PlaceSum>(*sums) : full_sums(basin, blocks[i]));

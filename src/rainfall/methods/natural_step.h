@@ -36,9 +36,8 @@ class NaturalNeighbours::AtStep {
     std::uint32_t block;
   };
 
-  std::span<const PlaceSum> full_sums(std::uint32_t basin, const Block& block) const {
-    return std::span(all_.points_[basin].sums[month_])
-        .subspan(block.first_sum, block.end_sum - block.first_sum);
+  std::span<const PlaceSum> full_sums(std::uint32_t basin, const PointBlock& block) const {
+    return all_.points_[basin].blocks.sums_of(block, month_);
   }
   bool add_silent(std::span<const PlaceSum> sums, std::vector<PlaceIndex>& silent) const;
   void look_up(Waiting block);

@@ -26,7 +26,8 @@ bool NaturalNeighbours::Workplace::find(const ChartPoint& at, Point position,
 }
 
 NaturalNeighbours::Sums NaturalNeighbours::Workplace::sums_of(const Points& points,
-                                                              const Block& block, std::size_t month,
+                                                              const PointBlock& block,
+                                                              std::size_t month,
                                                               const ReportingPlaces& reports) {
   begin_in(points, block, reports);
   for (std::uint32_t i = block.first_point; i < block.end_point; ++i) {
@@ -38,11 +39,11 @@ NaturalNeighbours::Sums NaturalNeighbours::Workplace::sums_of(const Points& poin
 
 // The last bits of weights may depend on where the search begins, and must not on what was looked
 // for before.
-void NaturalNeighbours::Workplace::begin_in(const Points& points, const Block& block,
+void NaturalNeighbours::Workplace::begin_in(const Points& points, const PointBlock& block,
                                             const ReportingPlaces& reports) {
   if (afresh_) return afresh_->natural.begin_anew();
   for (std::uint32_t i = block.first_sum; i < block.end_sum; ++i) {
-    const PlaceIndex place = points.sums.front()[i].place;
+    const PlaceIndex place = points.blocks.sums.front()[i].place;
     if (reports[place]) return natural_.begin_at(all_.full_.natural.numbers()[index(place)]);
   }
   natural_.begin_anew();

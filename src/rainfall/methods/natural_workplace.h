@@ -23,7 +23,7 @@ class NaturalNeighbours::Workplace {
             std::vector<Neighbour>& weights);
   /// The sums of a block's weights, which depend on it and on the places that report alone.
   /// Requires what `find` does.
-  Sums sums_of(const Points& points, const Block& block, std::size_t month,
+  Sums sums_of(const Points& points, const PointBlock& block, std::size_t month,
                const ReportingPlaces& reports);
 
   void begin_anew() { natural_.begin_anew(); }
@@ -60,7 +60,7 @@ class NaturalNeighbours::Workplace {
  private:
   bool is_silent(PointId number, const ReportingPlaces& reports) const;
   std::vector<PointId> silent_numbers(const ReportingPlaces& reports) const;
-  void begin_in(const Points& points, const Block& block, const ReportingPlaces& reports);
+  void begin_in(const Points& points, const PointBlock& block, const ReportingPlaces& reports);
 
   template <typename Work>
   void with_others_afresh(const ReportingPlaces& reports, Work&& work) {
