@@ -108,7 +108,7 @@ class MapCommand : public Command {
     const Kind kind = kind_of(output_.output);
     if (is_picture(kind)) {
       check_picture_size(view_.width(), view_.height());
-      check_picture_memory(view_.width(), view_.height());
+      check_picture_memory(view_.width(), view_.height(), format_of(kind));
     }
     Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     if (raster_.of_steps) return write_grid(kind, outputs, warnings);

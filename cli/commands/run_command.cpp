@@ -132,7 +132,8 @@ class RunCommand : public Command {
   void run(Warnings& warnings) override {
     const std::optional<StepTimes> times = periods_.times();
     check_picture_size(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
-    check_picture_memory(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height));
+    check_picture_memory(static_cast<int>(view_.size.width), static_cast<int>(view_.size.height),
+                         PictureFormat::png);
     Outputs outputs(output_.rules(rainfall_.files_beside(study_.files())));
     Warnings of_study_file;  // which are none of the study's: the page of its repetition has none
     const Files files = open_files(outputs, of_study_file);

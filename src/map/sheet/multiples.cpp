@@ -148,7 +148,7 @@ std::string encode_multiples(std::span<const Picture> maps, PictureFormat format
                              ImageEncoder encoder, Warnings& warnings) {
   if (maps.size() == 1) return encode_picture(maps.front(), format, encoder, warnings);
   check_picture_size(maps.front().width, maps.front().height);
-  if (format != PictureFormat::svg) check_picture_memory(maps.front().width, maps.front().height);
+  check_picture_memory(maps.front().width, maps.front().height, format);
   try {
     Sheet sheet(maps);
     std::string bytes = page_file(sheet.layout.page, maps.front(), format, encoder,

@@ -136,7 +136,8 @@ void check_picture_size(int width, int height) {
   }
 }
 
-void check_picture_memory(int width, int height) {
+void check_picture_memory(int width, int height, PictureFormat format) {
+  if (format == PictureFormat::svg) return;
   // Pixels, what is laid over them, and the file, which can be as large as the pixels.
   constexpr long long bytes_a_pixel = 9;
   const long long bytes = bytes_a_pixel * width * height;
@@ -152,7 +153,7 @@ void check_picture_memory(int width, int height) {
 std::string encode_picture(const Picture& picture, PictureFormat format, ImageEncoder encoder,
                            Warnings& warnings) {
   check_picture_size(picture.width, picture.height);
-  if (format != PictureFormat::svg) check_picture_memory(picture.width, picture.height);
+  check_picture_memory(picture.width, picture.height, format);
   try {
     return drawn(picture, format, encoder, warnings);
   } catch (...) {

@@ -108,12 +108,12 @@ inline constexpr int max_dots_to_the_inch = 10'000;
 /// `height` of 0 is chosen later by the study area's shape, and then respects the limits.
 void check_picture_size(int width, int height);
 
+enum class PictureFormat { png, jpeg, svg };
+
 /// Throws Error where the system has no room for what drawing such a picture takes, before any of
 /// it is taken: a picture that cannot be drawn is then refused at once, and not after hours. Where
-/// the height is not known yet there is nothing to say.
-void check_picture_memory(int width, int height);
-
-enum class PictureFormat { png, jpeg, svg };
+/// the height is not known yet, and of an SVG, which has no pixels, there is nothing to say.
+void check_picture_memory(int width, int height, PictureFormat format);
 
 /// Draws `picture` and has it encoded as the bytes of a PNG, JPEG or SVG file (which needs no
 /// encoder): cells filled by rainfall or station, outlines of cells and basins, gauges with their
