@@ -2,49 +2,13 @@
 // Every allocation of a commit fails once, the n-th for every n: all files are old, or all new.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <map>
 #include <new>
 #include <string>
 
+#include "base/failing_allocations.h"
 #include "base/outputs.h"
 #include "base/temporary_folder.h"
-
-namespace {
-
-// Allocations until one fails; none does while it is negative.
-long left = -1;
-
-void* allocate(std::size_t size) {
-  if (left > 0 && --left == 0) {
-    left = -1;
-    throw std::bad_alloc();
-  }
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  try {
-    return allocate(size);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
 
 namespace thiessen {
 namespace {

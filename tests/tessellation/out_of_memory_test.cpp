@@ -3,50 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <new>
 #include <span>
 #include <vector>
 
+#include "base/failing_allocations.h"
 #include "tessellation/history.h"
 #include "tessellation/simplices.h"
 #include "tessellation/space_families.h"
-
-namespace {
-
-// Allocations until one fails; none does while it is negative.
-long left = -1;
-
-void* allocate(std::size_t size) {
-  if (left > 0 && --left == 0) {
-    left = -1;
-    throw std::bad_alloc();
-  }
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  return allocate(size);
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  try {
-    return allocate(size);
-  } catch (const std::bad_alloc&) {
-    return nullptr;
-  }
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, const std::nothrow_t&) noexcept {
-  std::free(memory);
-}
 
 namespace thiessen {
 namespace {
