@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "files/netcdf_writer.h"
-#include "gdal/output/grid_file.h"
-#include "gdal/output/raster_output.h"
+#include "gdal/rasters/grid_file.h"
+#include "gdal/rasters/raster_output.h"
 #include "rainfall/series/stamp.h"
 #include "rainfall/series/time_bounds.h"
 

@@ -13,7 +13,7 @@
 
 #include "gdal/crs/crs.h"
 #include "gdal/crs/transformation.h"
-#include "gdal/output/raster_file.h"
+#include "gdal/rasters/raster_file.h"
 #include "map/raster/owners.h"
 #include "map/raster/step_pixels.h"
 

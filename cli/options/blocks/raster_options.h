@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/options/option_list.h"
-#include "gdal/output/raster_output.h"
+#include "gdal/rasters/raster_output.h"
 
 namespace thiessen::cli {
 

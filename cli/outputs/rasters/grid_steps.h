@@ -7,7 +7,7 @@
 
 #include "cli/inputs/inputs.h"
 #include "files/netcdf_grid.h"
-#include "gdal/output/grid_file.h"
+#include "gdal/rasters/grid_file.h"
 #include "rainfall/methods/rain_surface.h"
 #include "rainfall/network/reporting.h"
 #include "rainfall/series/readings.h"

@@ -12,7 +12,7 @@
 #include "cli/outputs/shown_values.h"
 #include "gdal/crs/crs.h"
 #include "gdal/crs/transformation.h"
-#include "gdal/output/raster_file.h"
+#include "gdal/rasters/raster_file.h"
 #include "map/raster/owners.h"
 #include "map/raster/raster_grid.h"
 #include "map/raster/surface_rows.h"

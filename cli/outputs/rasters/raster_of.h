@@ -9,7 +9,7 @@
 
 #include "cli/inputs/inputs.h"
 #include "gdal/output/encoded_file.h"
-#include "gdal/output/raster_output.h"
+#include "gdal/rasters/raster_output.h"
 #include "geometry/point_mapping.h"
 #include "geometry/polygon.h"
 #include "map/raster/surface_rows.h"

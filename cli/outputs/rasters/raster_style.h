@@ -8,7 +8,7 @@
 
 #include "base/colour.h"
 #include "gdal/output/encoded_file.h"
-#include "gdal/output/raster_colours.h"
+#include "gdal/rasters/raster_colours.h"
 #include "map/sheet/palette.h"
 #include "map/sheet/qgis_style.h"
 #include "map/sheet/rainfall_classes.h"

@@ -1,4 +1,4 @@
-#include "gdal/output/geotiff_writer.h"
+#include "gdal/rasters/geotiff_writer.h"
 
 #include <cpl_string.h>
 #include <cpl_vsi.h>

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "gdal/output/encoded_file.h"
-#include "gdal/output/raster_colours.h"
-#include "gdal/output/raster_output.h"
+#include "gdal/rasters/raster_colours.h"
+#include "gdal/rasters/raster_output.h"
 
 namespace thiessen {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/colour.h"
-#include "gdal/output/raster_colours.h"
+#include "gdal/rasters/raster_colours.h"
 
 namespace thiessen {
 

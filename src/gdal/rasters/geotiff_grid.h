@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "gdal/output/encoded_file.h"
-#include "gdal/output/geotiff_writer.h"
-#include "gdal/output/grid_file.h"
-#include "gdal/output/raster_colours.h"
+#include "gdal/rasters/geotiff_writer.h"
+#include "gdal/rasters/grid_file.h"
+#include "gdal/rasters/raster_colours.h"
 
 namespace thiessen {
 

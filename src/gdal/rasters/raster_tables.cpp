@@ -1,4 +1,4 @@
-#include "gdal/output/raster_tables.h"
+#include "gdal/rasters/raster_tables.h"
 
 namespace thiessen {
 

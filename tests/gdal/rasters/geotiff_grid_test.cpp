@@ -1,4 +1,4 @@
-#include "gdal/output/geotiff_grid.h"
+#include "gdal/rasters/geotiff_grid.h"
 
 #include <gtest/gtest.h>
 

@@ -1,12 +1,12 @@
-#include "gdal/output/raster_file.h"
+#include "gdal/rasters/raster_file.h"
 
 #include <gdal_rat.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "gdal/output/geotiff_writer.h"
-#include "gdal/output/raster_tables.h"
+#include "gdal/rasters/geotiff_writer.h"
+#include "gdal/rasters/raster_tables.h"
 
 namespace thiessen {
 namespace {

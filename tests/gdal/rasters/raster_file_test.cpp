@@ -1,4 +1,4 @@
-#include "gdal/output/raster_file.h"
+#include "gdal/rasters/raster_file.h"
 
 #include <gtest/gtest.h>
 

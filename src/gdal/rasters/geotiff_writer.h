@@ -10,7 +10,7 @@
 #include "gdal/output/disk_file.h"
 #include "gdal/output/encoded_file.h"
 #include "gdal/output/memory_files.h"
-#include "gdal/output/raster_output.h"
+#include "gdal/rasters/raster_output.h"
 
 class GDALDataset;
 class GDALRasterAttributeTable;

@@ -1,9 +1,9 @@
-#include "gdal/output/geotiff_grid.h"
+#include "gdal/rasters/geotiff_grid.h"
 
 #include <algorithm>
 
 #include "base/error.h"
-#include "gdal/output/raster_tables.h"
+#include "gdal/rasters/raster_tables.h"
 
 #ifdef __GLIBC__
 #include <malloc.h>
