@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "basin/containment.h"
@@ -21,16 +22,6 @@ std::string id_of(const Inputs& inputs, StationIndex station) {
   return quoted(inputs.network().stations()[index(station)].id, longest_id);
 }
 
-/// Names at most so many of some things, and counts the rest.
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), named_at_most); ++i)
-    text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > named_at_most)
-    text += " and " + std::to_string(names.size() - named_at_most) + " more";
-  return text;
-}
-
 /// The gauges inside each basin, by basin, as positions in rising order.
 std::vector<std::vector<std::size_t>> gauges_inside(const Inputs& inputs) {
   std::vector<Point> positions;
@@ -46,14 +37,16 @@ std::string odd_gauges_text(const Inputs& inputs) {
   std::vector<std::string> names;
   for (const std::string& id : inputs.study().at_zero) names.push_back(quoted(id, longest_id));
   if (!names.empty())
-    text += "gauges at 0, 0, as missing coordinates are often written: " + listed(names) + "\n";
+    text += "gauges at 0, 0, as missing coordinates are often written: " +
+            enumerated_up_to(named_at_most, names) + "\n";
   names.clear();
   const Ruler ruler(inputs.study());
   for (const LonelyPlace& place : lonely_places(spacing_of(inputs.network().places(), ruler))) {
     names.push_back(id_of(inputs, inputs.network().stations_at(place.place).front()) + " (" +
                     ruler.text(place.distance) + ")");
   }
-  if (!names.empty()) text += "gauges far from all others: " + listed(names) + "\n";
+  if (!names.empty())
+    text += "gauges far from all others: " + enumerated_up_to(named_at_most, names) + "\n";
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "base/number.h"
 #include "base/utf8.h"
 #include "rainfall/network/network_dual.h"
@@ -114,12 +115,8 @@ std::string FindingsReport::lines() const {
   for (const FindingKind kind : all_findings) {
     const OfKind& found = of_kind(kind);
     if (found.count == 0) continue;
-    text += std::string("  ") + name_of(kind) + ": " + std::to_string(found.count) + ": ";
-    for (std::size_t i = 0; i < found.first.size(); ++i)
-      text += (i == 0 ? "" : ", ") + found.first[i];
-    if (found.count > found.first.size())
-      text += " and " + std::to_string(found.count - found.first.size()) + " more";
-    text += "\n";
+    text += std::string("  ") + name_of(kind) + ": " + std::to_string(found.count) + ": " +
+            enumerated(found.first, found.count) + "\n";
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/enumeration.h"
 #include "base/iso_time.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -33,15 +34,7 @@ bool means(std::string_view header, std::string_view name, bool with_unit) {
 
 /// The columns that stand in the file.
 std::string list(const Table& table) {
-  constexpr std::size_t shown = 10;
-  std::vector<std::string> header = table.header();
-  header.resize(table.columns_in_file());
-  std::string all;
-  for (std::size_t i = 0; i < std::min(shown, header.size()); ++i) {
-    all += (i > 0 ? ", " : "") + quoted(header[i], 60);
-  }
-  if (header.size() > shown) all += " and " + std::to_string(header.size() - shown) + " more";
-  return all;
+  return names_up_to(10, std::span(table.header()).first(table.columns_in_file()), 60);
 }
 
 class LayoutFinder {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "geometry/exact_range.h"
 #include "geometry/predicates.h"
 #include "geometry/shape_points.h"
@@ -91,14 +92,12 @@ void Study::warn_of_shared_places(Warnings& warnings) const {
       if (index(s) + parts_->opened < network_.stations().size()) stations.push_back(s);
     }
     if (stations.size() < 2 || ++shared > named_at_most) continue;
-    std::string ids;
-    for (std::size_t i = 0; i < std::min(stations.size(), named_at_most); ++i) {
-      ids += (i == 0 ? "'" : ", '") + network_.stations()[index(stations[i])].id + "'";
-    }
-    if (stations.size() > named_at_most)
-      ids += " and " + std::to_string(stations.size() - named_at_most) + " more";
-    warnings.add({parts_->stations_file, 0,
-                  "stations " + ids + " stand at one place and share its cell", ""});
+    std::vector<std::string> ids;
+    for (const StationIndex s : stations) ids.push_back(network_.stations()[index(s)].id);
+    warnings.add(
+        {parts_->stations_file, 0,
+         "stations " + names_up_to(named_at_most, ids) + " stand at one place and share its cell",
+         ""});
   }
   if (shared > named_at_most) {
     warnings.add({parts_->stations_file, 0,

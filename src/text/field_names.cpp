@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
@@ -129,15 +130,7 @@ std::string listed(std::span<const std::string_view> names) {
 }
 
 std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t at_most = 20;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < at_most; ++i) {
-    text += (i == 0 ? "" : ", ") + quoted(names[i], 40);
-  }
-  if (names.empty()) return "none";
-  return names.size() <= at_most
-             ? text
-             : text + " and " + std::to_string(names.size() - at_most) + " more";
+  return names.empty() ? "none" : names_up_to(20, names, 40);
 }
 
 void FieldTypeGuess::see(std::string_view text) {

@@ -1,7 +1,6 @@
 #include "files/rainfall/files_without_rain.h"
 
-#include <algorithm>
-
+#include "base/enumeration.h"
 #include "files/rainfall/published_rainfall.h"
 
 namespace thiessen {
@@ -33,12 +32,8 @@ void FilesWithoutRain::fail() {
 
 void FilesWithoutRain::tell(Warnings& warnings) const {
   constexpr std::size_t most = 5;
-  const std::size_t count = passed_over_.size();
-  std::string text = count == 1 ? "a file without rain is" : "files without rain are";
-  text += " passed over: ";
-  for (std::size_t i = 0; i < std::min(count, most); ++i)
-    text += (i == 0 ? "" : ", ") + passed_over_[i];
-  if (count > most) text += " and " + std::to_string(count - most) + " more";
+  std::string text = passed_over_.size() == 1 ? "a file without rain is" : "files without rain are";
+  text += " passed over: " + enumerated_up_to(most, passed_over_);
   warnings.add_notice({name_, 0, std::move(text), ""});
 }
 

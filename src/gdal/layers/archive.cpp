@@ -9,6 +9,7 @@
 #include <limits>
 #include <string_view>
 
+#include "base/enumeration.h"
 #include "base/error.h"
 #include "base/utf8.h"
 #include "gdal/gdal_errors.h"
@@ -105,12 +106,7 @@ std::string path_in_archive_quoted(const std::string& file, const std::string& n
 }
 
 std::string files_in_words(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    text += (i == 0 ? "" : ", ") + quoted(names[i], 80);
-  return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
-                             : text;
+  return names_up_to(10, names, 80);
 }
 
 std::string data_set_in_archive(const std::string& file, const std::vector<std::string>& names) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/enumeration.h"
 #include "base/error.h"
 #include "base/number.h"
 #include "base/secrets.h"
@@ -90,12 +91,9 @@ Dataset open(const std::string& file, const Opening& opening, const GdalErrors& 
 }
 
 std::string names_of(const std::vector<OGRLayer*>& layers) {
-  std::string names;
-  for (std::size_t i = 0; i < layers.size() && i < 20; ++i) {
-    names += (i == 0 ? "" : ", ") + quoted(layers[i]->GetName(), 80);
-  }
-  return layers.size() > 20 ? names + " and " + std::to_string(layers.size() - 20) + " more"
-                            : names;
+  std::vector<std::string> names;
+  for (OGRLayer* layer : layers) names.emplace_back(layer->GetName());
+  return names_up_to(20, names, 80);
 }
 
 /// The layers of a dataset. Sheets without a cell and folders without a placemark do not count.

@@ -1,14 +1,14 @@
 #include "readings/stations/named_stations.h"
 
+#include "base/enumeration.h"
 #include "base/utf8.h"
 
 namespace thiessen {
 
 std::string named(const std::vector<std::string>& first, std::size_t count) {
-  std::string all;
-  for (const std::string& name : first) all += (all.empty() ? "" : ", ") + quoted(name);
-  if (count > first.size()) all += " and " + std::to_string(count - first.size()) + " more";
-  return all;
+  std::vector<std::string> names;
+  for (const std::string& name : first) names.push_back(quoted(name));
+  return enumerated(names, count);
 }
 
 std::string without_readings(const std::vector<std::string>& first, std::size_t count,

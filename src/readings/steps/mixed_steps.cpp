@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/enumeration.h"
 #include "base/utf8.h"
 
 namespace thiessen {
@@ -75,11 +76,9 @@ std::optional<Message> MixedSteps::mixed_zones(const std::string& file) const {
 
 Message MixedSteps::mixed(const std::string& file, std::span<const Station> stations,
                           const std::vector<StationIndex>& coarse, const std::string& how) const {
-  std::string ids;
-  for (std::size_t i = 0; i < std::min(coarse.size(), names_listed); ++i)
-    ids += (i > 0 ? ", " : "") + quoted(stations[index(coarse[i])].id, longest_time);
-  if (coarse.size() > names_listed)
-    ids += " and " + std::to_string(coarse.size() - names_listed) + " more";
+  std::vector<std::string> all_ids;
+  for (const StationIndex s : coarse) all_ids.push_back(stations[index(s)].id);
+  const std::string ids = names_up_to(names_listed, all_ids, longest_time);
   const std::string subject =
       coarse.size() == 1 ? "station " + ids + " reports " : "stations " + ids + " report ";
   return {file, 0, subject + how + ": steps of two lengths in one table",
