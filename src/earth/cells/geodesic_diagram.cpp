@@ -131,7 +131,9 @@ class GeodesicDiagramBuilder {
     const auto& [left, right, start, end] = *border;
     EdgePoint from{0, node[start], diagram_.nodes[node[start]]};
     EdgePoint to{0, node[end], diagram_.nodes[node[end]]};
-    if (drawing.may_be_short(from.position, to.position)) {
+    // What lies between is told by ends that are on the edge.
+    if (vertices.is_exact(start) && vertices.is_exact(end) &&
+        drawing.may_be_short(from.position, to.position)) {
       const auto short_edge = ShortEdge::fit(vertices.place(left), vertices.place(right),
                                              {from.position, vertices.direction(start)},
                                              {to.position, vertices.direction(end)});

@@ -100,9 +100,7 @@ std::vector<std::uint32_t> not_alone(std::span<const Point> positions) {
     }
   };
   Repeated cells(positions.size());
-  for (const Point p : positions) {
-    if (is_told(p)) for_each_cell(p, [&](std::uint64_t cell) { cells.add(cell); });
-  }
+  for (const Point p : positions) for_each_cell(p, [&](std::uint64_t cell) { cells.add(cell); });
   std::vector<std::uint32_t> found;
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     bool may_be = !is_told(positions[i]);
