@@ -102,8 +102,7 @@ CellClipper::CellClipper(const Diagram& diagram, const Surface& surface, Searche
     : diagram_(diagram),
       surface_(surface),
       overlay_(diagram, searches),
-      area_(diagram.places.size()),
-      is_touched_(diagram.places.size(), false),
+      sums_(diagram.places.size()),
       order_(diagram.places.size(), 0) {}
 
 double area_of(const Basin& basin, const Surface& surface) {
@@ -125,43 +124,65 @@ double area_of(const Basin& basin, const Surface& surface) {
 }
 
 LongSum& CellClipper::area_at(PlaceIndex place) {
-  if (!is_touched_[index(place)]) {
-    is_touched_[index(place)] = true;
+  CellSum& sum = sums_[index(place)];
+  if (sum.basin != basin_number_) {
+    sum = {{}, basin_number_};
     touched_.push_back(place);
   }
-  return area_[index(place)];
+  return sum.area;
 }
 
+// Areas are asked for in blocks, between which Ctrl-C is looked for.
 void CellClipper::measure(const CutBasin& cut, double reference) {
-  for (const PlaceIndex place : touched_) {
-    area_[index(place)] = {};
-    is_touched_[index(place)] = false;
-  }
+  constexpr std::size_t block = 512;
+  ++basin_number_;
   touched_.clear();
   bool has_bulges = false;
-  const auto add = [&](const BoundaryPiece& piece, double under) {
-    LongSum& area = area_at(piece.place);
+  const auto add = [&](PlaceIndex place, double under, double bulge) {
+    LongSum& area = area_at(place);
     area.add(-under);
-    if (piece.bulge != 0) {
-      area.add(piece.bulge);
-      has_bulges = true;
+    if (bulge == 0) return;
+    area.add(bulge);
+    has_bulges = true;
+  };
+  const auto in_blocks = [&](std::size_t count, auto&& ask, auto&& take) {
+    for (std::size_t first = 0; first < count; first += block) {
+      throw_if_interrupted();
+      const std::size_t end = std::min(count, first + block);
+      segments_.clear();
+      for (std::size_t i = first; i < end; ++i) ask(i);
+      surface_.under_each(segments_, reference, areas_);
+      std::size_t next = 0;
+      for (std::size_t i = first; i < end; ++i) take(i, next);
     }
   };
+  const auto is_known = [&](std::size_t i) {
+    return i > 0 && is_reverse(cut.pieces[i - 1], cut.pieces[i]);
+  };
   double under = 0;
-  for (std::size_t i = 0; i < cut.pieces.size(); ++i) {
-    throw_if_interrupted();
-    const BoundaryPiece& piece = cut.pieces[i];
-    const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
-    under = known ? -under : surface_.under(piece.from, piece.to, reference);
-    add(piece, under);
-  }
-  for (const std::uint32_t chord : cut.whole_chords) {
-    throw_if_interrupted();
-    const auto [left, right] = pieces_of(diagram_, chord);
-    under = surface_.under(left.from, left.to, reference);
-    add(left, under);
-    add(right, -under);
-  }
+  in_blocks(
+      cut.pieces.size(),
+      [&](std::size_t i) {
+        if (!is_known(i)) segments_.push_back({cut.pieces[i].from, cut.pieces[i].to});
+      },
+      [&](std::size_t i, std::size_t& next) {
+        under = is_known(i) ? -under : areas_[next++];
+        add(cut.pieces[i].place, under, cut.pieces[i].bulge);
+      });
+  in_blocks(
+      cut.whole_chords.size(),
+      [&](std::size_t i) {
+        const Chord& chord = diagram_.chords[cut.whole_chords[i]];
+        segments_.push_back({diagram_.nodes[chord.from], diagram_.nodes[chord.to]});
+      },
+      [&](std::size_t i, std::size_t& next) {
+        const std::uint32_t number = cut.whole_chords[i];
+        const Chord& chord = diagram_.chords[number];
+        const double bulge = diagram_.bulges.empty() ? 0 : diagram_.bulges[number];
+        under = areas_[next++];
+        add(chord.left, under, bulge);
+        add(chord.right, -under, -bulge);
+      });
   std::sort(touched_.begin(), touched_.end());
   if (has_bulges) settle_bulges();
 }
@@ -171,12 +192,12 @@ void CellClipper::settle_bulges() {
   double less_than_nothing = 0;
   double positive = 0;
   for (const PlaceIndex place : touched_) {
-    const double area = area_[index(place)].value();
+    const double area = sums_[index(place)].area.value();
     (area < 0 ? less_than_nothing : positive) += area;
   }
   if (less_than_nothing == 0 || !(positive > -less_than_nothing)) return;
   for (const PlaceIndex place : touched_) {
-    LongSum& area = area_[index(place)];
+    LongSum& area = sums_[index(place)].area;
     const double before = area.value();
     if (before < 0)
       area = {};
@@ -187,7 +208,7 @@ void CellClipper::settle_bulges() {
 
 double CellClipper::smallest_area() const {
   double whole = 0;
-  for (const PlaceIndex place : touched_) whole += area_[index(place)].value();
+  for (const PlaceIndex place : touched_) whole += sums_[index(place)].area.value();
   return rounding_share * whole;
 }
 
@@ -202,7 +223,7 @@ std::vector<CellShare> CellClipper::shares_of_cut() const {
   const double smallest = smallest_area();
   std::vector<CellShare> shares;
   for (const PlaceIndex place : touched_) {
-    const double area = area_[index(place)].value();
+    const double area = sums_[index(place)].area.value();
     if (area > smallest) shares.push_back({place, area});
   }
   return shares;
@@ -254,7 +275,7 @@ std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMea
   const double smallest = smallest_area();
   std::vector<double> figures;
   for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (area_[index(touched_[i])].value() <= smallest) continue;
+    if (sums_[index(touched_[i])].area.value() <= smallest) continue;
     for (std::size_t f = 0; f < count; ++f) figures.push_back(sums[i * count + f].value());
   }
   return figures;

@@ -107,10 +107,17 @@ class CellClipper {
   const Diagram& diagram_;
   const Surface& surface_;
   Overlay overlay_;
-  std::vector<LongSum> area_;  // by place
-  std::vector<bool> is_touched_;
+  /// A cell's area in the basin of that number.
+  struct CellSum {
+    LongSum area;
+    std::uint32_t basin = 0;
+  };
+  std::vector<CellSum> sums_;  // by place
+  std::uint32_t basin_number_ = 0;
   std::vector<PlaceIndex> touched_;   // those with pieces in the basin at hand
   std::vector<std::uint32_t> order_;  // by place: where it stands among these, or the shares
+  std::vector<Segment> segments_;     // of a block, and the areas under them
+  std::vector<double> areas_;
 };
 
 }  // namespace thiessen

@@ -22,6 +22,9 @@ struct Chord {
   PlaceIndex right;
 };
 
+/// Whether Diagram::neighbours are wanted of a diagram, or left empty.
+enum class Neighbours { wanted, left_out };
+
 /// The edges of the Thiessen cells of some places, in the coordinates of a study, as far as they
 /// come near a frame. Chords that meet have the same node; where an edge leaves the frame, it just
 /// ends. All code that uses a Diagram takes the nodes' coordinates as exact, so that what it makes

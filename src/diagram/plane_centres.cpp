@@ -21,6 +21,39 @@ PlaneCentres::PlaneCentres(const Tessellation<2>& tessellation, const std::vecto
     for (const PointId p : topology_.forming(v)) needed += is_needed[index(p)] ? 1 : 0;
     return needed >= 2;
   };
+  if (!find_distinct(is_asked)) find_groups(is_asked);
+}
+
+// Computes the centre of each simplex by itself. That is all there is to do where no two of
+// neighbours come near each other: those of cocircular ones are within their roundings. False
+// where two do.
+template <typename IsAsked>
+bool PlaneCentres::find_distinct(const IsAsked& is_asked) {
+  constexpr double roundings = 8;
+  topology_.for_each_vertex([&](VertexId v) {
+    if (!is_asked(v)) return;
+    known_[index(v)] = Known::asked;
+    centre_[index(v)] = centre_of(v);
+  });
+  for (std::uint32_t i = 0; i < known_.size(); ++i) {
+    const VertexId v{i};
+    if (known_[i] != Known::asked) continue;
+    for (const VertexId w : topology_.row(v).neighbours) {
+      if (known_[index(w)] == Known::asked && w < v) continue;
+      if (topology_.is_infinite(w)) continue;
+      if (known_[index(w)] == Known::nothing) {
+        known_[index(w)] = Known::alone;
+        centre_[index(w)] = centre_of(w);
+      }
+      if (are_indistinct(v, w, roundings)) return false;
+    }
+  }
+  return true;
+}
+
+template <typename IsAsked>
+void PlaneCentres::find_groups(const IsAsked& is_asked) {
+  std::fill(known_.begin(), known_.end(), Known::nothing);
   topology_.for_each_vertex([&](VertexId v) {
     if (known_[index(v)] == Known::nothing && is_asked(v)) find_cocircular(v, Known::asked);
   });
@@ -125,11 +158,10 @@ bool PlaneCentres::are_cocircular(VertexId v, VertexId w) const {
   return in_circle(position(f[0]), position(f[1]), position(f[2]), position(across)) == 0;
 }
 
-bool PlaneCentres::are_indistinct(VertexId v, VertexId w) const {
-  constexpr double indistinct = 4;
+bool PlaneCentres::are_indistinct(VertexId v, VertexId w, double roundings) const {
   const Point p = centre_[index(v)];
   const Point q = centre_[index(w)];
-  const double allowed = indistinct * (rounding(v) + rounding(w));
+  const double allowed = roundings * (rounding(v) + rounding(w));
   return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= allowed;
 }
 

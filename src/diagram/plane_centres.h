@@ -29,13 +29,17 @@ class PlaneCentres {
   /// centre is asked for, and so that of each that might be one with it.
   enum class Known : std::uint8_t { nothing, alone, asked };
 
+  template <typename IsAsked>
+  bool find_distinct(const IsAsked& is_asked);
+  template <typename IsAsked>
+  void find_groups(const IsAsked& is_asked);
   void find_cocircular(VertexId v, Known known);
   void ask_cocircular(VertexId v);
   void unite_indistinct(VertexId v);
   void compute_united();
   VertexId first_of(const std::vector<VertexId>& simplices) const;
   bool are_cocircular(VertexId v, VertexId w) const;
-  bool are_indistinct(VertexId v, VertexId w) const;
+  bool are_indistinct(VertexId v, VertexId w, double roundings = 4) const;
   double rounding(VertexId v) const;
   Point centre_of(VertexId v) const;
   std::array<Point, 3> corners_of(VertexId v) const;

@@ -83,6 +83,7 @@ class PlaneDiagramBuilder {
     cutting_box_ = frame.grown(margin > 0 ? margin : largest_magnitude(frame) / 16 + 1);
     diagram_.frame = frame;
     diagram_.places.assign(places.begin(), places.end());
+    find_inner_box();
     find_needed_points(points);
   }
 
@@ -107,6 +108,14 @@ class PlaneDiagramBuilder {
   static double largest_magnitude(const Box& box) {
     return std::max(
         {std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+  }
+
+  // What is computed of an edge is off by less than 2^-40 of the coordinates.
+  void find_inner_box() {
+    Box all = cutting_box_;
+    for (const Point p : diagram_.places) all.take_in(p);
+    const double margin = 0x1p-40 * largest_magnitude(all);
+    inner_box_ = cutting_box_.grown(-margin);
   }
 
   Point position(PointId p) const { return tessellation_->position(p); }
@@ -155,6 +164,11 @@ class PlaneDiagramBuilder {
     const bool starts = start != no_vertex && !topology().is_infinite(start);
     const bool ends = end != no_vertex && !topology().is_infinite(end);
     if (starts && ends && centres_->group_of(start) == centres_->group_of(end)) return;
+    if (starts && ends && inner_box_.contains(centres_->of(start)) &&
+        inner_box_.contains(centres_->of(end))) {
+      add_edge_within(a, b, start, end);
+      return;
+    }
     // Always goes in one direction, so that rounding is the same for any order of places.
     if (position(b) < position(a)) {
       add_edge(b, a, end, start);
@@ -170,14 +184,27 @@ class PlaneDiagramBuilder {
     diagram_.chords.push_back({first, last, (*place_of_)[index(a)], (*place_of_)[index(b)]});
   }
 
+  // Adds an edge whose ends are well within the box.
+  void add_edge_within(PointId a, PointId b, VertexId start, VertexId end) {
+    if (position(b) < position(a)) {
+      std::swap(a, b);
+      std::swap(start, end);
+    }
+    const std::uint32_t first = node_of(start);
+    const std::uint32_t last = node_of(end);
+    diagram_.chords.push_back({first, last, (*place_of_)[index(a)], (*place_of_)[index(b)]});
+  }
+
   // The vertex's node. Where the centre is outside the box, it is a new node at which the edge
   // leaves the box, because the rounding of a far centre would turn the edge.
   std::uint32_t node_at(VertexId v, Point leaving) {
     if (v == no_vertex) return new_node(leaving);
-    const Point centre = centres_->of(v);
-    if (!cutting_box_.contains(centre)) return new_node(leaving);
+    if (!cutting_box_.contains(centres_->of(v))) return new_node(leaving);
+    return node_of(v);
+  }
+  std::uint32_t node_of(VertexId v) {
     std::uint32_t& node = node_of_[centres_->group_of(v)];
-    if (node == no_node) node = new_node(centre);
+    if (node == no_node) node = new_node(centres_->of(v));
     return node;
   }
 
@@ -191,6 +218,7 @@ class PlaneDiagramBuilder {
   std::shared_ptr<Tessellation<2>> tessellation_;
   std::shared_ptr<std::vector<PlaceIndex>> place_of_ = std::make_shared<std::vector<PlaceIndex>>();
   Box cutting_box_;
+  Box inner_box_;  // far enough within that one for rounding not to count
   Diagram diagram_;
   std::optional<PlaneCentres> centres_;
   std::vector<std::uint32_t> node_of_;  // the node of each group of centres, or no_node

@@ -16,17 +16,18 @@ constexpr double finest_accuracy = 1e-6;  // metres
 
 }  // namespace
 
-Diagram Yardstick::diagram(std::span<const Point> places, const Box& frame,
-                           unsigned threads) const {
+Diagram Yardstick::diagram(std::span<const Point> places, const Box& frame, unsigned threads,
+                           Neighbours neighbours) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
   return geodesic_diagram(places, frame, share_for_chords * measuring_tolerance, finest_accuracy,
-                          threads);
+                          threads, neighbours);
 }
 
-Diagram Yardstick::drawn_diagram(std::span<const Point> places, const Box& frame,
-                                 unsigned threads) const {
+Diagram Yardstick::drawn_diagram(std::span<const Point> places, const Box& frame, unsigned threads,
+                                 Neighbours neighbours) const {
   if (metric == Metric::planar) return plane_diagram(places, frame);
-  return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads);
+  return geodesic_diagram(places, frame, share_for_chords * tolerance, finest_accuracy, threads,
+                          neighbours);
 }
 
 Dual Yardstick::dual(std::span<const Point> places, unsigned threads) const {

@@ -31,10 +31,12 @@ struct Yardstick {
 
   /// The Thiessen cells of `places` near `frame` for their areas, by plane_diagram or
   /// geodesic_diagram.
-  Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
+  Diagram diagram(std::span<const Point> places, const Box& frame, unsigned threads,
+                  Neighbours neighbours = Neighbours::wanted) const;
   /// The Thiessen cells of `places` near `frame` with edges as they are drawn, no farther than the
   /// tolerance from the true ones.
-  Diagram drawn_diagram(std::span<const Point> places, const Box& frame, unsigned threads) const;
+  Diagram drawn_diagram(std::span<const Point> places, const Box& frame, unsigned threads,
+                        Neighbours neighbours = Neighbours::wanted) const;
   /// Whether cells are drawn with the edges that they are measured with.
   bool draws_as_measured() const {
     return metric == Metric::planar || tolerance == measuring_tolerance;

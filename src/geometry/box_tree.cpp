@@ -1,8 +1,10 @@
 #include "geometry/box_tree.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "geometry/hilbert.h"
+#include "geometry/rank_order.h"
 
 namespace thiessen {
 
@@ -10,14 +12,7 @@ BoxTree::BoxTree(std::span<const Box> boxes) : positions_(boxes.size()) {
   if (boxes.empty()) return;
   Box all;
   for (const Box& box : boxes) all.take_in(box);
-  constexpr int position_bits = 32;
-  std::vector<std::uint64_t> order(boxes.size());  // along the curve, then by position
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    order[i] = std::uint64_t{hilbert_distance(all, boxes[i].centre())} << position_bits | i;
-  std::sort(order.begin(), order.end());
-  std::ranges::transform(order, positions_.begin(),
-                         [](std::uint64_t entry) { return static_cast<std::uint32_t>(entry); });
-  order = {};
+  put_in_order(boxes, all);
 
   std::vector<Box> level;
   level.reserve(boxes.size());
@@ -29,6 +24,18 @@ BoxTree::BoxTree(std::span<const Box> boxes) : positions_(boxes.size()) {
     for (std::size_t i = 0; i < below.size(); ++i) groups[i / fan].take_in(below[i]);
     levels_.push_back(std::move(groups));
   }
+}
+
+// Along the curve, then by position.
+void BoxTree::put_in_order(std::span<const Box> boxes, const Box& all) {
+  const HilbertGrid<2> curve(coordinates(all.low), coordinates(all.high));
+  const auto entries = std::make_unique_for_overwrite<RankedIndex[]>(boxes.size());
+  const auto spare = std::make_unique_for_overwrite<RankedIndex[]>(boxes.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    entries[i] = RankedIndex{curve.distance(boxes[i].centre())} << ranked_index_bits | i;
+  const std::span<const RankedIndex> order = sorted_by_rank(
+      {entries.get(), boxes.size()}, {spare.get(), boxes.size()}, HilbertGrid<2>::distance_bits);
+  std::ranges::transform(order, positions_.begin(), index_of);
 }
 
 }  // namespace thiessen

@@ -26,6 +26,8 @@ class BoxTree {
  private:
   static constexpr std::size_t fan = 8;
 
+  void put_in_order(std::span<const Box> boxes, const Box& all);
+
   template <typename Found>
   void search_node(const Box& sought, std::size_t level, std::size_t first, Found& found) const {
     const std::vector<Box>& boxes = levels_[level];

@@ -1,13 +1,14 @@
 #include "geometry/insertion_order.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <memory>
+#include <span>
 #include <utility>
 
 #include "base/interrupt.h"
 #include "geometry/hilbert.h"
+#include "geometry/rank_order.h"
 
 namespace thiessen {
 
@@ -31,41 +32,11 @@ std::uint32_t InsertionRounds::of(std::size_t i) const {
 
 namespace {
 
-/// The entries that are sorted: a rank in the high bits, a point's index in the low ones.
-using Entry = std::uint64_t;
-constexpr int index_bits = 32;
+using Entry = RankedIndex;
+constexpr int index_bits = ranked_index_bits;
 
-std::uint32_t index_of(Entry entry) {
-  return static_cast<std::uint32_t>(entry);
-}
 bool same_rank(Entry a, Entry b) {
   return (a ^ b) >> index_bits == 0;
-}
-
-/// Sorts entries by rank, and keeps the order of those with one rank: few are sorted by comparison,
-/// many digit by digit. Requires ranks of at most `bits` bits, and `spare` of the size of
-/// `entries`; returns whichever of the two holds the result.
-std::span<Entry> sorted(std::span<Entry> entries, std::span<Entry> spare, int bits) {
-  constexpr std::size_t few = 256;
-  constexpr int widest_digit = 10;
-  if (entries.size() < few) {
-    std::sort(entries.begin(), entries.end());
-    return entries;
-  }
-  const int digits = (bits + widest_digit - 1) / widest_digit;
-  const int width = (bits + digits - 1) / digits;
-  const Entry mask = (Entry{1} << width) - 1;
-  for (int digit = 0; digit < digits; ++digit) {
-    throw_if_interrupted();
-    const int shift = index_bits + digit * width;
-    std::array<std::uint32_t, std::size_t{1} << widest_digit> next{};
-    for (const Entry entry : entries) ++next[entry >> shift & mask];
-    std::uint32_t begin = 0;
-    for (std::uint32_t& place : next) begin += std::exchange(place, begin);
-    for (const Entry entry : entries) spare[next[entry >> shift & mask]++] = entry;
-    std::swap(entries, spare);
-  }
-  return entries;
 }
 
 template <int Dimension>
@@ -161,7 +132,7 @@ class CurveOrder {
   void take_sorted(Stretch stretch, int rank_bits) {
     const std::size_t count = stretch.end - stretch.begin;
     const std::span<const Entry> entries =
-        sorted({entries_.get(), count}, {spare_.get(), count}, rank_bits);
+        sorted_by_rank({entries_.get(), count}, {spare_.get(), count}, rank_bits);
     for (std::size_t i = 0; i < count; ++i) order_[stretch.begin + i] = index_of(entries[i]);
     for (std::size_t i = 0; i + crowd < count; ++i) {
       if (!same_rank(entries[i], entries[i + crowd])) continue;

@@ -40,6 +40,7 @@ int orientation(Point a, Point b, Point c, Estimate area);
 int in_circle(Point a, Point b, Point c, Point d, Estimate lift);
 bool breaks_tie_inside(Point a, Point b, Point c, Point d);
 int compare_distance(Point from, Point a, Point b, Estimate difference);
+Point circumcentre(Point a, Point b, Point c);
 }  // namespace exact
 
 /// The side of the directed line a→b on which the point c is, exactly: 1 left, -1 right, 0 on the

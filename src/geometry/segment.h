@@ -6,6 +6,12 @@
 
 namespace thiessen {
 
+/// A straight way from one point to another.
+struct Segment {
+  Point from;
+  Point to;
+};
+
 /// The point on the segment at this share of the way: 0 is `from`, 1 is `to`.
 constexpr Point between(Point from, Point to, double share) {
   return {from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};

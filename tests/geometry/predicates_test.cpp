@@ -274,6 +274,24 @@ TEST(Circumcentre, does_not_depend_on_the_order_of_the_points) {
   }
 }
 
+// Whichever of the two stages tells it.
+TEST(Circumcentre, is_that_of_whole_numbers_to_the_bit) {
+  Seeded seeded;
+  for (std::uint64_t round = 0; round < seeded.rounds(20000); ++round) {
+    const Corners corners = random_corners(seeded);
+    const double size = std::pow(10, seeded.uniform(-6, 6));
+    const auto near = [&](double at) { return at + size * seeded.uniform(-1, 1); };
+    const Point middle{seeded.uniform(-1e6, 1e6), seeded.uniform(0, 1e6)};
+    std::array<Point, 3> p{corners[0], corners[1], corners[2]};
+    if (round % 2 == 0) {
+      for (Point& q : p) q = {near(middle.x), near(middle.y)};
+    }
+    if (orientation(p[0], p[1], p[2]) == 0) continue;
+    std::sort(p.begin(), p.end());
+    ASSERT_EQ(circumcentre(p[0], p[1], p[2]), exact::circumcentre(p[0], p[1], p[2]));
+  }
+}
+
 TEST(ExactRange, holds_zero_and_what_lies_between_its_ends) {
   EXPECT_TRUE(in_exact_range(0.0));
   EXPECT_TRUE(in_exact_range(-0.0));

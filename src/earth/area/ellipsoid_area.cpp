@@ -29,7 +29,10 @@ const Wgs84& wgs84() {
 class Strip {
  public:
   explicit Strip(double reference)
-      : reference_(reference), sine_(std::sin(reference)), cosine_(std::cos(reference)) {}
+      : reference_(reference),
+        sine_(std::sin(reference)),
+        cosine_(std::cos(reference)),
+        narrowing_(1 - ellipsoid_.square_eccentricity * sine_ * sine_) {}
 
   double up_to(double latitude) const { return up_to(sines_at(latitude)); }
 
@@ -37,7 +40,7 @@ class Strip {
   /// longest_for_one_point: that up to its middle, and the second term of the series about it. The
   /// third is below rise^4 / 1920 of the Earth's radius squared.
   double mean(double middle, double rise) const {
-    const Wgs84& e = wgs84();
+    const Wgs84& e = ellipsoid_;
     const Sines there = sines_at(middle);
     const double square = there.sine * there.sine;
     const double narrowing = 1 - e.square_eccentricity * square;
@@ -64,12 +67,11 @@ class Strip {
   }
 
   double up_to(const Sines& there) const {
-    const Wgs84& e = wgs84();
+    const Wgs84& e = ellipsoid_;
     const auto [sine, rise] = there;
     const double product = e.square_eccentricity * sine * sine_;
     const double rational =
-        rise * (1 + product) /
-        ((1 - e.square_eccentricity * sine * sine) * (1 - e.square_eccentricity * sine_ * sine_));
+        rise * (1 + product) / ((1 - e.square_eccentricity * sine * sine) * narrowing_);
     const double transcendental =
         area_tangent(e.eccentricity * rise / (1 - product)) / e.eccentricity;
     return e.polar_radius * e.polar_radius / 2 * (rational + transcendental);
@@ -83,9 +85,11 @@ class Strip {
     return t + t * s * (1. / 3 + s * (1. / 5 + s * (1. / 7)));
   }
 
+  const Wgs84& ellipsoid_ = wgs84();
   double reference_;
   double sine_;
   double cosine_;
+  double narrowing_;
 };
 
 struct Abscissa {
@@ -111,11 +115,8 @@ double mean_strip(const Strip& strip, double middle, double half,
   return sum / 2;
 }
 
-}  // namespace
-
-double area_under(Point a, Point b, double reference_latitude) {
-  if (b < a) return -area_under(b, a, reference_latitude);
-  const Strip strip(reference_latitude * degree);
+/// The area under a segment that does not run to the west.
+double area_in(const Strip& strip, Point a, Point b) {
   const double width = (b.x - a.x) * degree;
   if (width == 0) return 0;
   const double south = a.y * degree;
@@ -134,13 +135,25 @@ double area_under(Point a, Point b, double reference_latitude) {
   return width * sum / pieces;
 }
 
-double area_beside_chord(Point start, Point middle, Point end) {
-  return area_beside_chord(start, middle, end, std::sin(middle.y * degree),
-                           std::cos(middle.y * degree));
+double signed_area_in(const Strip& strip, Point a, Point b) {
+  return b < a ? -area_in(strip, b, a) : area_in(strip, a, b);
 }
 
-double area_beside_chord(Point start, Point middle, Point end, double sine, double cosine) {
-  const Wgs84& e = wgs84();
+}  // namespace
+
+double area_under(Point a, Point b, double reference_latitude) {
+  return signed_area_in(Strip(reference_latitude * degree), a, b);
+}
+
+void areas_under(std::span<const Segment> segments, double reference_latitude,
+                 std::vector<double>& areas) {
+  const Strip strip(reference_latitude * degree);
+  areas.resize(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    areas[i] = signed_area_in(strip, segments[i].from, segments[i].to);
+}
+
+double area_beside_chord(Point start, Point middle, Point end) {
   const auto east = [&](Point p) {
     const double way = p.x - start.x;
     return (std::abs(way) <= 180 ? way : std::remainder(way, 360)) * degree;
@@ -148,9 +161,14 @@ double area_beside_chord(Point start, Point middle, Point end, double sine, doub
   const auto north = [&](Point p) { return (p.y - start.y) * degree; };
   const double sagitta =
       east(end) * (north(middle) - north(end) / 2) - north(end) * (east(middle) - east(end) / 2);
+  return -2.0 / 3 * sagitta *
+         square_radian(std::sin(middle.y * degree), std::cos(middle.y * degree));
+}
+
+double square_radian(double sine, double cosine) {
+  const Wgs84& e = wgs84();
   const double narrowing = 1 - e.square_eccentricity * sine * sine;
-  const double square_radian = e.polar_radius * e.polar_radius * cosine / (narrowing * narrowing);
-  return -2.0 / 3 * sagitta * square_radian;
+  return e.polar_radius * e.polar_radius * cosine / (narrowing * narrowing);
 }
 
 }  // namespace thiessen

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "geometry/point.h"
+#include "geometry/segment.h"
 
 namespace thiessen {
 
@@ -19,6 +23,9 @@ namespace thiessen {
 /// (s / (1 - e^2 s^2) + artanh(e s) / e), s = sin(phi), taken as differences throughout to avoid
 /// cancellation.
 double area_under(Point a, Point b, double reference_latitude);
+/// The same for each of some segments, bit for bit.
+void areas_under(std::span<const Segment> segments, double reference_latitude,
+                 std::vector<double>& areas);
 
 /// The area in square metres between a curve and its chord, which is straight in longitude and
 /// latitude (degrees): positive where the curve lies to the right of the way from `start` to `end`.
@@ -26,8 +33,8 @@ double area_under(Point a, Point b, double reference_latitude);
 /// taken for a parabola and the Earth's curvature for that at its middle. Accuracy: 1e-4 of the
 /// area for a curve of constant curvature and 30 km. Cost: 50 nanoseconds.
 double area_beside_chord(Point start, Point middle, Point end);
-/// The same, where the sine and the cosine of the middle's latitude are known. Cost: 10
-/// nanoseconds.
-double area_beside_chord(Point start, Point middle, Point end, double sine, double cosine);
+/// The area in square metres of a square radian of longitude and latitude at a latitude, by its
+/// sine and cosine.
+double square_radian(double sine, double cosine);
 
 }  // namespace thiessen

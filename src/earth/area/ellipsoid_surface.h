@@ -9,6 +9,8 @@ namespace thiessen {
 class EllipsoidSurface : public Surface {
  public:
   double under(Point a, Point b, double reference) const override;
+  void under_each(std::span<const Segment> segments, double reference,
+                  std::vector<double>& areas) const override;
 };
 
 }  // namespace thiessen

@@ -45,7 +45,8 @@ double bulge(Point start, Point middle, Point end) {
 
 /// How far, in metres, an edge's middle lies to the right of the line of its chord. The sign tells
 /// an edge that bends both ways, as one does that crosses the equator, from one that is even.
-double sagitta(Point start, Point middle, Point end, double cosine) {
+double sagitta(Point start, Point middle, Point end) {
+  const double cosine = std::cos(middle.y * degree);
   const Way before(start, middle, cosine);
   const Way after(middle, end, cosine);
   const double east = before.east + after.east;
@@ -53,9 +54,6 @@ double sagitta(Point start, Point middle, Point end, double cosine) {
   const double length = std::sqrt(east * east + north * north);
   if (length == 0) return std::hypot(before.east, before.north);
   return (before.east * after.north - before.north * after.east) / length;
-}
-double sagitta(Point start, Point middle, Point end) {
-  return sagitta(start, middle, end, std::cos(middle.y * degree));
 }
 
 /// How a piece of an edge bends: how far, in metres, its middle and those of its halves lie from
@@ -293,24 +291,18 @@ bool EdgeDrawing::draw_short(const ShortEdge& edge, EdgePoint start, EdgePoint e
                              PlaceIndex right) {
   throw_if_interrupted();
   if (is_long(edge.length() / 2)) return false;
-  const Point middle = edge.at(0.5);
-  const auto cosine = [&](Point p) { return edge.latitude(p.y).cosine; };
-  const Point first_quarter = edge.at(0.25);
-  const Point last_quarter = edge.at(0.75);
-  const Bend bend{sagitta(start.position, middle, end.position, cosine(middle)),
-                  sagitta(start.position, first_quarter, middle, cosine(first_quarter)),
-                  sagitta(middle, last_quarter, end.position, cosine(last_quarter))};
-  if (!bend.is_even() && !bend.is_fine(tolerance_)) return false;
+  const auto [whole, first, last] = edge.bend();
+  const Bend bend{whole, first, last};
+  const bool is_fine = bend.is_fine(tolerance_);
+  if (!is_fine && !bend.is_even()) return false;
   left_ = left;
   right_ = right;
-  const int chords = bend.chords(tolerance_);
+  const int chords = is_fine ? 1 : bend.chords(tolerance_);
+  const double part = 1. / chords;
   EdgePoint from = start;
   for (int i = 1; i <= chords; ++i) {
-    EdgePoint to = i == chords ? end : EdgePoint{0, no_node, edge.at(1. * i / chords)};
-    const Point halfway = chords == 1 ? middle : edge.at((i - 0.5) / chords);
-    const auto [sine, cosine_there] = edge.latitude(halfway.y);
-    draw_chord(from, to,
-               area_beside_chord(from.position, halfway, to.position, sine, cosine_there));
+    EdgePoint to = i == chords ? end : EdgePoint{0, no_node, edge.at(i * part)};
+    draw_chord(from, to, edge.area_beside_chord((i - 0.5) * part, part));
     from = to;
   }
   return true;

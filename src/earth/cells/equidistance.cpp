@@ -15,8 +15,9 @@ constexpr double antipodal = 1.99e7;  // the antipode is 20,004 km away by the g
 
 /// Moves from p along the great circle of a tangent, by the tangent's length in radians.
 Direction moved_on_sphere(Direction p, Direction tangent) {
+  constexpr double straight = 1e-5;  // the third power of it does not count
   const double angle = length(tangent);
-  if (angle == 0) return p;
+  if (angle <= straight) return unit(p + tangent);
   if (angle <= small_angle)
     return unit(small_cosine(angle) * p + (small_sine(angle) / angle) * tangent);
   return unit(std::cos(angle) * p + (std::sin(angle) / angle) * tangent);
@@ -33,9 +34,11 @@ SphereArrival site_arrival(const Site& site, Direction at, double scale_there, d
   const Direction chord = at - site.place.direction;
   const double half = length(chord) / 2;
   if (half == 0 || !is_short_path(half, accuracy)) return sphere_arrival(site.place, at, accuracy);
-  // The chord of two points of the unit sphere has 2 half^2 along each of them.
-  const double along = 2 * half * half;
-  const double size = 2 * half * std::sqrt(1 - half * half);
+  // The chord of two points of the unit sphere has 2 half^2 along each of them. The series for the
+  // cosine of half the angle is right to 1e-14 where the path is short.
+  const double square = half * half;
+  const double along = 2 * square;
+  const double size = 2 * half * (1 - square * (1. / 2 + square * (1. / 8 + square / 16)));
   return {short_path(sphere_scale(), {site.place.direction, site.scale}, {at, scale_there}, half),
           (1 / size) * (chord - along * at)};
 }

@@ -29,11 +29,12 @@ constexpr double pi = std::numbers::pi;
 class GeodesicDiagramBuilder {
  public:
   GeodesicDiagramBuilder(std::span<const Point> places, const Box& frame, double tolerance,
-                         double accuracy, unsigned threads)
+                         double accuracy, unsigned threads, Neighbours neighbours)
       : sphere_(std::make_shared<SphereTessellation>(places)),
         tolerance_(tolerance),
         accuracy_(accuracy),
-        threads_(threads) {
+        threads_(threads),
+        neighbours_(neighbours) {
     diagram_.frame = frame;
     diagram_.period = 360;
     diagram_.places.assign(places.begin(), places.end());
@@ -47,6 +48,10 @@ class GeodesicDiagramBuilder {
     const Span span = sphere_->tessellation().span();
     if (span == Span::point) add_closed_edge();
     if (span == Span::line || span == Span::plane) add_edges();
+    if (neighbours_ == Neighbours::left_out) {
+      diagram_.neighbours.clear();
+      return std::move(diagram_);
+    }
     for (std::uint32_t p = 0; p < diagram_.places.size(); ++p) {
       const PlaceIndex cell = diagram_.cell_of[p];
       if (index(cell) != p) diagram_.neighbours.emplace_back(cell, PlaceIndex{p});
@@ -87,6 +92,7 @@ class GeodesicDiagramBuilder {
     }
     draw(vertices, node);
     longitudes.draw_on_both_sides(diagram_);
+    if (neighbours_ == Neighbours::left_out) return;
     vertices.for_each_neighbours(
         [this](PlaceIndex a, PlaceIndex b) { diagram_.neighbours.emplace_back(a, b); });
   }
@@ -125,11 +131,12 @@ class GeodesicDiagramBuilder {
     const auto& [left, right, start, end] = *border;
     EdgePoint from{0, node[start], diagram_.nodes[node[start]]};
     EdgePoint to{0, node[end], diagram_.nodes[node[end]]};
-    if (drawing.may_be_short(from.position, to.position)) {
-      const auto short_edge =
-          ShortEdge::fit(vertices.edge_side(left), vertices.edge_side(right),
-                         vertices.chord(left, right), {from.position, vertices.direction(start)},
-                         {to.position, vertices.direction(end)}, accuracy_);
+    // What lies between is told by ends that are on the edge.
+    if (vertices.is_exact(start) && vertices.is_exact(end) &&
+        drawing.may_be_short(from.position, to.position)) {
+      const auto short_edge = ShortEdge::fit(vertices.place(left), vertices.place(right),
+                                             {from.position, vertices.direction(start)},
+                                             {to.position, vertices.direction(end)});
       if (short_edge && drawing.draw_short(*short_edge, from, to, left, right)) return;
     }
     if (is_far(vertices.direction(start), vertices.direction(end), from.position)) return;
@@ -150,6 +157,7 @@ class GeodesicDiagramBuilder {
   double tolerance_;
   double accuracy_;
   unsigned threads_;
+  Neighbours neighbours_;
   Diagram diagram_;
 };
 
@@ -181,15 +189,16 @@ void renumber(Diagram& diagram, std::vector<std::uint32_t> number) {
 // Many places are put in the order in which they lie, for in any other each look at a place's
 // position would wait for the memory.
 Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
-                         double accuracy, unsigned threads) {
+                         double accuracy, unsigned threads, Neighbours neighbours) {
   constexpr std::size_t few = 1000;
   if (places.size() <= few)
-    return GeodesicDiagramBuilder(places, frame, tolerance, accuracy, threads).build();
+    return GeodesicDiagramBuilder(places, frame, tolerance, accuracy, threads, neighbours).build();
   std::vector<std::uint32_t> order = insertion_order(places);
   std::vector<Point> ordered;
   ordered.reserve(places.size());
   for (const std::uint32_t p : order) ordered.push_back(places[p]);
-  Diagram diagram = GeodesicDiagramBuilder(ordered, frame, tolerance, accuracy, threads).build();
+  Diagram diagram =
+      GeodesicDiagramBuilder(ordered, frame, tolerance, accuracy, threads, neighbours).build();
   renumber(diagram, std::move(order));
   return diagram;
 }

@@ -23,6 +23,7 @@ namespace thiessen {
 /// log n for n places; some ten geodesics for each vertex near the frame, and for each edge; and
 /// the chords, whose number grows with the square root of the edges' length over the tolerance.
 Diagram geodesic_diagram(std::span<const Point> places, const Box& frame, double tolerance,
-                         double accuracy, unsigned threads);
+                         double accuracy, unsigned threads,
+                         Neighbours neighbours = Neighbours::wanted);
 
 }  // namespace thiessen

@@ -82,7 +82,7 @@ bool GeodesicVertices::is_near_frame(const Box& frame, std::uint32_t triangle) {
 }
 
 Point GeodesicVertices::position_near_corner(std::uint32_t triangle) const {
-  const PlaceIndex corner = sphere_.in_order(mesh_.corners(triangle))[0];
+  const PlaceIndex corner = corners_in_order(triangle)[0];
   const NearbyPositions near(position(corner), sphere_.direction(corner));
   return within_turn(near.of(vertices_[triangle].direction));
 }
@@ -95,8 +95,9 @@ double GeodesicVertices::farthest_off(std::uint32_t triangle) const {
 }
 
 void GeodesicVertices::place_on_sphere(std::uint32_t triangle) {
-  const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
   Vertex& vertex = vertices_[triangle];
+  vertex.first = sphere_.first_corner(mesh_.corners(triangle));
+  const auto [a, b, c] = corners_in_order(triangle);
   vertex.direction = sphere_.centre(a, b, c);
   vertex.is_exact = false;
 }
@@ -126,7 +127,7 @@ void GeodesicVertices::lay_far_side_anew() {
 
 void GeodesicVertices::place_on_earth(std::uint32_t triangle) {
   constexpr double farthest = 0.5;  // radians
-  const auto [a, b, c] = sphere_.in_order(mesh_.corners(triangle));
+  const auto [a, b, c] = corners_in_order(triangle);
   Vertex& vertex = vertices_[triangle];
   const auto found = equidistant_point({earth_point(a), earth_point(b), earth_point(c)},
                                        {scales_[index(a)], scales_[index(b)], scales_[index(c)]},
@@ -160,18 +161,24 @@ std::pair<double, double> GeodesicVertices::angles(const GeodesicBisector& edge,
                             vertices_[group_of(end)].direction);
 }
 
-// Whether the point across from the side is nearer to the triangle's vertex than its corners are,
-// by more than `margin` metres.
-bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
+// Whether the sphere does not tell that holds_point_across says no: a place that is much farther on
+// the sphere is farther on the Earth too.
+bool GeodesicVertices::may_hold_point_across(SideIndex s) const {
   const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
   const PlaceIndex corner = mesh_.apex(s);
   const PlaceIndex across = mesh_.apex(mesh_.twin(s));
   if (!vertex.is_exact || across == corner) return false;
-  // A place that is much farther on the sphere is farther on the Earth too, which saves the
-  // geodesic.
   const double to_corner = sphere_.square_distance(vertex.direction, corner);
   const double to_across = sphere_.square_distance(vertex.direction, across);
-  if (to_across > to_corner * scale_variation * scale_variation) return false;
+  return to_across <= to_corner * scale_variation * scale_variation;
+}
+
+// Whether the point across from the side is nearer to the triangle's vertex than its corners are,
+// by more than `margin` metres.
+bool GeodesicVertices::holds_point_across(SideIndex s, double margin) const {
+  if (!may_hold_point_across(s)) return false;
+  const Vertex& vertex = vertices_[CellMesh::triangle_of(s)];
+  const PlaceIndex across = mesh_.apex(mesh_.twin(s));
   return geodesic_distance(position(across), vertex.position) < vertex.radius - margin;
 }
 
@@ -192,7 +199,8 @@ void GeodesicVertices::flip_sides() {
   std::vector<SideIndex> open;
   for (std::uint32_t t = 0; t < mesh_.triangles(); ++t) {
     for (std::uint32_t i = 0; i < 3 && vertices_[t].is_near; ++i) {
-      open.push_back(CellMesh::side(t, i));
+      const SideIndex s = CellMesh::side(t, i);
+      if (may_hold_point_across(s)) open.push_back(s);
     }
   }
   // Sides that keep flipping are at antipodes, where no choice is better than another, so flips are
@@ -240,12 +248,13 @@ void GeodesicVertices::unite() {
   DisjointSets groups(vertices_.size());
   for (std::uint32_t i = 0; i < mesh_.sides(); ++i) {
     const SideIndex s{i};
-    const std::uint32_t a = groups.find(CellMesh::triangle_of(s));
-    const std::uint32_t b = groups.find(CellMesh::triangle_of(mesh_.twin(s)));
-    if (a == b) continue;
+    if (mesh_.twin(s) < s) continue;
     const Direction apart = vertices_[CellMesh::triangle_of(s)].direction -
                             vertices_[CellMesh::triangle_of(mesh_.twin(s))].direction;
     if (dot(apart, apart) > indistinct * indistinct) continue;
+    const std::uint32_t a = groups.find(CellMesh::triangle_of(s));
+    const std::uint32_t b = groups.find(CellMesh::triangle_of(mesh_.twin(s)));
+    if (a == b) continue;
     const bool keeps_a = sphere_.key_of(mesh_.corners(a)) < sphere_.key_of(mesh_.corners(b));
     groups.unite(keeps_a ? a : b, keeps_a ? b : a);
   }

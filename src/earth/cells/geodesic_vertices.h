@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -8,7 +9,6 @@
 
 #include "earth/cells/cell_mesh.h"
 #include "earth/cells/geodesic_bisector.h"
-#include "earth/cells/short_edge.h"
 #include "geometry/box.h"
 
 namespace thiessen {
@@ -35,11 +35,8 @@ class GeodesicVertices {
   /// between neighbours whose centres are less than twice the accuracy apart have one vertex; the
   /// first of them by its corners' coordinates stands for them.
   std::uint32_t group_of(std::uint32_t triangle) const;
-  /// The places on either side of a short edge, and the vector from the first to the second.
-  EdgeSide edge_side(PlaceIndex p) const { return {sphere_.direction(p), scales_[index(p)]}; }
-  Direction chord(PlaceIndex first, PlaceIndex second) const {
-    return sphere_.chord(first, second, SphereTessellation::turned_at_most);
-  }
+  /// The direction of a place.
+  Direction place(PlaceIndex p) const { return sphere_.direction(p); }
   /// The edge between the cells of two places.
   GeodesicBisector edge(PlaceIndex first, PlaceIndex second) const {
     return {earth_point(first), earth_point(second), sphere_.bisector(first, second), accuracy_};
@@ -78,11 +75,19 @@ class GeodesicVertices {
     double radius = 0;
     bool is_near = false;
     bool is_exact = false;
-    bool is_far = false;  ///< at the antipode of the places: see FarSide
+    bool is_far = false;     ///< at the antipode of the places: see FarSide
+    std::uint8_t first = 0;  ///< the first corner by coordinates: see SphereTessellation::in_order
   };
 
   Point position(PlaceIndex p) const { return places_[index(p)]; }
   EarthPoint earth_point(PlaceIndex p) const { return {position(p), sphere_.direction(p)}; }
+  std::array<PlaceIndex, 3> corners_in_order(std::uint32_t triangle) const {
+    const std::uint32_t first = vertices_[triangle].first;
+    const auto corner = [&](std::uint32_t i) {
+      return mesh_.apex(CellMesh::side(triangle, i % 3));
+    };
+    return {corner(first), corner(first + 1), corner(first + 2)};
+  }
   double farthest_off(std::uint32_t triangle) const;
   void place_on_sphere(std::uint32_t triangle);
   bool is_near_frame(const Box& frame, std::uint32_t triangle);
@@ -90,6 +95,7 @@ class GeodesicVertices {
   void place_on_earth(std::uint32_t triangle);
   void lay_far_side_anew();
   void flip_sides();
+  bool may_hold_point_across(SideIndex s) const;
   bool holds_point_across(SideIndex s, double margin) const;
   bool is_to_be_flipped(SideIndex s) const;
   bool may_be_flipped(SideIndex s) const;

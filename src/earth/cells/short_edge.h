@@ -1,18 +1,11 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "geometry/direction.h"
 #include "geometry/point.h"
 
 namespace thiessen {
-
-/// A place beside an edge: its direction on the conformal sphere, and the sphere's scale there.
-struct EdgeSide {
-  Direction direction;
-  double scale;
-};
 
 /// A vertex at an end of an edge: its longitude and latitude in degrees, and its direction.
 struct EdgeEnd {
@@ -24,56 +17,58 @@ struct EdgeEnd {
 /// longitudes and latitudes are polynomials of the fourth degree.
 class ShortEdge {
  public:
-  /// The longest short edge, in radians: 12.7 km.
-  static constexpr double longest = 2e-3;
+  /// The longest short edge, in radians: 25 km, and less beyond 55 degrees of latitude.
+  static constexpr double longest = 4e-3;
   /// The latitude beyond which no edge is short, in degrees.
   static constexpr double highest_latitude = 75;
 
   /// Fits the edge from the vertex `start` to `end`, on the right and on the left of the way from
-  /// the first place to the second, whose vector is `chord`. The result is empty where the edge is
-  /// not short, or too far from the places: farther than Simpson's rule is right to a tenth of
-  /// `accuracy` metres (see is_short_path), or than places near each other tell. Accuracy: 1e-5
-  /// metres for its points, beside the accuracy of its ends; short_edge.cpp proves it. Requires
-  /// ends less than half a turn apart in longitude. Cost: 0.2 microseconds.
-  static std::optional<ShortEdge> fit(const EdgeSide& first, const EdgeSide& second,
-                                      Direction chord, const EdgeEnd& start, const EdgeEnd& end,
-                                      double accuracy);
+  /// the place at the direction `first` to that at `second`. The result is empty where the edge is
+  /// not short, or far from the places. Accuracy: 1e-5 metres for its points, 3e-5 along it, beside
+  /// the accuracy of its ends; short_edge.cpp proves it. Requires ends less than half a turn apart
+  /// in longitude. Cost: 30 nanoseconds.
+  static std::optional<ShortEdge> fit(Direction first, Direction second, const EdgeEnd& start,
+                                      const EdgeEnd& end);
 
-  /// The angle along the great circle of the places from one end to the other, in radians.
+  /// The angle between the ends, in radians.
   double length() const { return length_; }
-  /// The edge's point at a share of its length, as longitude and latitude in degrees.
-  Point at(double share) const { return {x_.at(share), y_.at(share)}; }
-  /// The sine and the cosine of a latitude on the edge, in degrees. Accuracy: 1e-12.
-  struct Latitude {
-    double sine;
-    double cosine;
+  /// The edge's point at a share of its angle, as longitude and latitude in degrees.
+  Point at(double share) const {
+    const double angle = share - 0.5;
+    const double along = angle + stretch_ * (angle * angle - 0.25);
+    const double square = along * along - 0.25;
+    const double bend = square / 2;
+    const double twist = along * square / 6;
+    const double fourth = square * (square + 0.5) / 24;
+    return {middle_.x + along * way_.x + bend * bend_.x + twist * twist_.x + fourth * fourth_.x,
+            middle_.y + along * way_.y + bend * bend_.y + twist * twist_.y + fourth * fourth_.y};
+  }
+  /// How far, in metres, the middles of a piece of it and of the piece's halves lie to the right of
+  /// their chords.
+  struct Bend {
+    double whole;
+    double first;
+    double last;
   };
-  Latitude latitude(double degrees) const;
+  Bend bend() const;
+  /// The area in square metres between the edge and a chord of it, of a share `part` of its length
+  /// round the share `middle`: positive where the edge lies to the right.
+  double area_beside_chord(double middle, double part) const;
 
  private:
-  /// The polynomial through values at the two ends and at the quarters of the length.
-  class Quartic {
-   public:
-    Quartic() = default;
-    /// What the values at the quarters and at the end are more than the first.
-    Quartic(double first, const std::array<double, 4>& more);
-    double at(double share) const {
-      const double t = 4 * share;
-      return first_ + t * (differences_[0] +
-                           (t - 1) * (differences_[1] +
-                                      (t - 2) * (differences_[2] + (t - 3) * differences_[3])));
-    }
-
-   private:
-    double first_ = 0;
-    std::array<double, 4> differences_{};  // Newton's, divided by factorials
-  };
+  struct Piece;
+  /// A piece round the share 0.5 + `along`.
+  Piece piece(double along, double part) const;
 
   double length_ = 0;
-  Quartic x_;
-  Quartic y_;
-  double middle_latitude_ = 0;  // degrees
-  Latitude middle_{};
+  double stretch_ = 0;  // what a share of the angle is more than that of the metres
+  Point middle_;        // of the line between the ends, in degrees
+  Point way_;           // between the ends
+  Point bend_;          // the second derivative by the share, at the middle
+  Point twist_;         // the third one
+  Point fourth_;
+  double sine_ = 0;  // of the latitude of the middle
+  double cosine_ = 0;
 };
 
 }  // namespace thiessen

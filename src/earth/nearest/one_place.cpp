@@ -50,19 +50,65 @@ std::uint64_t hash_of(const Cube& cube) {
   return mixed_bits(y ^ static_cast<std::uint64_t>(cube.z));
 }
 
+/// Numbers of which some come more than once: it may say so of one that does not, of an eighth of
+/// them or less.
+class Repeated {
+ public:
+  explicit Repeated(std::size_t count)
+      : is_met_(std::bit_ceil(bits_a_number * count + 1), false),
+        is_repeated_(is_met_.size(), false) {}
+
+  void add(std::uint64_t number) {
+    const std::size_t at = number & (is_met_.size() - 1);
+    if (is_met_[at]) is_repeated_[at] = true;
+    is_met_[at] = true;
+  }
+  bool has(std::uint64_t number) const { return is_repeated_[number & (is_met_.size() - 1)]; }
+
+ private:
+  static constexpr std::size_t bits_a_number = 8;
+
+  std::vector<bool> is_met_;
+  std::vector<bool> is_repeated_;
+};
+
 /// Takes out the entries that are alone in their cubes, but for those whose cubes have the hash of
 /// another one: an eighth of them or less.
 void take_out_lone(std::vector<Entry>& entries) {
-  constexpr std::size_t bits_an_entry = 8;
-  std::vector<bool> is_met(std::bit_ceil(bits_an_entry * entries.size() + 1), false);
-  std::vector<bool> is_shared(is_met.size(), false);
-  const std::size_t mask = is_met.size() - 1;
-  for (const Entry& entry : entries) {
-    const std::size_t at = hash_of(entry.cube) & mask;
-    if (is_met[at]) is_shared[at] = true;
-    is_met[at] = true;
+  Repeated cubes(entries.size());
+  for (const Entry& entry : entries) cubes.add(hash_of(entry.cube));
+  std::erase_if(entries, [&](const Entry& e) { return !cubes.has(hash_of(e.cube)); });
+}
+
+/// The positions that may be within one_place of another, as longitudes and latitudes tell without
+/// a look at space: in cells of 1e-8 degrees no other is in the cells of the rest.
+std::vector<std::uint32_t> not_alone(std::span<const Point> positions) {
+  constexpr double side = 1e-8;
+  // More than one_place, as latitude and as longitude where it is told.
+  constexpr double reach = 1e-10;
+  constexpr double farthest_north = 80;
+  constexpr double farthest_east = 179;
+  const auto is_told = [](Point p) {
+    return std::abs(p.y) <= farthest_north && std::abs(p.x) <= farthest_east;
+  };
+  const auto for_each_cell = [](Point p, auto&& visit) {
+    const auto cell = [](double at) { return static_cast<std::int64_t>(std::floor(at / side)); };
+    for (std::int64_t x = cell(p.x - reach); x <= cell(p.x + reach); ++x) {
+      for (std::int64_t y = cell(p.y - reach); y <= cell(p.y + reach); ++y)
+        visit(
+            mixed_bits(mixed_bits(static_cast<std::uint64_t>(x)) ^ static_cast<std::uint64_t>(y)));
+    }
+  };
+  Repeated cells(positions.size());
+  for (const Point p : positions) for_each_cell(p, [&](std::uint64_t cell) { cells.add(cell); });
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    bool may_be = !is_told(positions[i]);
+    if (!may_be)
+      for_each_cell(positions[i], [&](std::uint64_t cell) { may_be = may_be || cells.has(cell); });
+    if (may_be) found.push_back(i);
   }
-  std::erase_if(entries, [&](const Entry& e) { return !is_shared[hash_of(e.cube) & mask]; });
+  return found;
 }
 
 Cube fine_cube(Direction p) {
@@ -76,10 +122,10 @@ Cube fine_cube(Direction p) {
 class Joining {
  public:
   explicit Joining(std::span<const Point> positions)
-      : positions_(positions), parent_(positions.size()) {
+      : positions_(positions), some_(not_alone(positions)), parent_(positions.size()) {
     std::iota(parent_.begin(), parent_.end(), 0u);
-    in_space_.reserve(positions.size());
-    for (const Point p : positions) in_space_.push_back(in_space(p, Metric::geodesic));
+    in_space_.resize(positions.size());
+    for (const std::uint32_t i : some_) in_space_[i] = in_space(positions[i], Metric::geodesic);
   }
 
   std::vector<std::uint32_t> result() && {
@@ -103,8 +149,8 @@ class Joining {
   // hold one position are left out, which spares sorting where all are apart.
   std::vector<Entry> coarse_entries() const {
     std::vector<Entry> entries;
-    entries.reserve(in_space_.size());
-    for (std::uint32_t i = 0; i < in_space_.size(); ++i) {
+    entries.reserve(some_.size());
+    for (const std::uint32_t i : some_) {
       const Reach x = reach_of(in_space_[i].x);
       const Reach y = reach_of(in_space_[i].y);
       const Reach z = reach_of(in_space_[i].z);
@@ -186,7 +232,8 @@ class Joining {
   void join(std::uint32_t a, std::uint32_t b) { parent_[root(a)] = root(b); }
 
   std::span<const Point> positions_;
-  std::vector<Direction> in_space_;
+  std::vector<std::uint32_t> some_;    // those that may have others at their places
+  std::vector<Direction> in_space_;    // of these
   std::vector<std::uint32_t> parent_;  // towards the position that stands for the place
 };
 

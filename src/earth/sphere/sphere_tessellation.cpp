@@ -33,7 +33,6 @@ SphereTessellation::SphereTessellation(std::span<const Point> places)
   for (std::uint32_t i = 0; i < places.size(); ++i) cell_of_.push_back(PlaceIndex{i});
   tessellate();
   if (merge_indistinct()) tessellate();
-  connect();
 }
 
 // Tessellates the places that have a cell of their own.
@@ -93,7 +92,7 @@ void SphereTessellation::for_each_link(Visit&& visit) const {
   }
 }
 
-void SphereTessellation::connect() {
+void SphereTessellation::connect() const {
   first_neighbour_.assign(directions_.size() + 1, 0);
   for_each_link([&](PlaceIndex a, PlaceIndex b) {
     ++first_neighbour_[index(a) + 1];
@@ -116,11 +115,15 @@ Direction SphereTessellation::chord(PlaceIndex a, PlaceIndex b, double turned) c
              : chord_on_sphere(positions_[index(a)], positions_[index(b)]);
 }
 
-std::array<PlaceIndex, 3> SphereTessellation::in_order(std::array<PlaceIndex, 3> corners) const {
+std::uint8_t SphereTessellation::first_corner(const std::array<PlaceIndex, 3>& corners) const {
   const auto first = std::min_element(
       corners.begin(), corners.end(),
       [&](PlaceIndex a, PlaceIndex b) { return positions_[index(a)] < positions_[index(b)]; });
-  std::rotate(corners.begin(), first, corners.end());
+  return static_cast<std::uint8_t>(first - corners.begin());
+}
+
+std::array<PlaceIndex, 3> SphereTessellation::in_order(std::array<PlaceIndex, 3> corners) const {
+  std::rotate(corners.begin(), corners.begin() + first_corner(corners), corners.end());
   return corners;
 }
 

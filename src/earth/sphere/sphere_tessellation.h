@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <mutex>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,7 @@ class SphereTessellation {
   /// The places whose cells have an edge in common with the place's, and those that rounding does
   /// not tell from it. A place may stand in the list twice.
   std::span<const PlaceIndex> neighbours(PlaceIndex p) const {
+    std::call_once(is_connected_, [this] { connect(); });
     const std::size_t first = first_neighbour_[index(p)];
     return std::span(neighbours_).subspan(first, first_neighbour_[index(p) + 1] - first);
   }
@@ -50,6 +52,8 @@ class SphereTessellation {
   Direction centre(PlaceIndex a, PlaceIndex b, PlaceIndex c) const {
     return unit(cross(chord(a, b, turned_at_most), chord(a, c, turned_at_most)));
   }
+  /// Which of a triangle's corners is the first by coordinates.
+  std::uint8_t first_corner(const std::array<PlaceIndex, 3>& corners) const;
   /// A triangle's corners, turned to begin with the first by coordinates, so that figures computed
   /// from them are rounded the same for any order of places.
   std::array<PlaceIndex, 3> in_order(std::array<PlaceIndex, 3> corners) const;
@@ -76,7 +80,7 @@ class SphereTessellation {
   void for_each_link(Visit&& visit) const;
   void tessellate();
   bool merge_indistinct();
-  void connect();
+  void connect() const;
 
   std::vector<Point> positions_;
   std::vector<Direction> directions_;
@@ -85,8 +89,10 @@ class SphereTessellation {
   Tessellation<2> tessellation_;
   std::vector<PlaceIndex> place_of_;  // by point; the infinite point stands for the pole
   std::vector<PlaceIndex> cell_of_;
-  std::vector<std::uint32_t> first_neighbour_;  // by place: where its own begin in neighbours_
-  std::vector<PlaceIndex> neighbours_;
+  // Neighbours are found when they are first asked for, which often nobody does.
+  mutable std::once_flag is_connected_;
+  mutable std::vector<std::uint32_t> first_neighbour_;  // by place: where its own begin
+  mutable std::vector<PlaceIndex> neighbours_;
 };
 
 template <typename Visit>

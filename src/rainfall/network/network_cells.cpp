@@ -25,8 +25,10 @@ NetworkCells::NetworkCells(const Network& network, const ReportingStations& repo
   if (yardstick.metric == Metric::planar) {
     diagram_ = plane_diagram(positions, frame, needs);
   } else {
-    diagram_ = edges == Edges::drawn ? yardstick.drawn_diagram(positions, frame, threads)
-                                     : yardstick.diagram(positions, frame, threads);
+    const auto neighbours = needs.neighbours ? Neighbours::wanted : Neighbours::left_out;
+    diagram_ = edges == Edges::drawn
+                   ? yardstick.drawn_diagram(positions, frame, threads, neighbours)
+                   : yardstick.diagram(positions, frame, threads, neighbours);
   }
   share_cells(place_of_station, stations);
 }
@@ -38,7 +40,9 @@ void NetworkCells::share_cells(const std::vector<PlaceIndex>& place_of_station,
   in_cells.reserve(stations.size());
   for (std::size_t i = 0; i < stations.size(); ++i)
     in_cells.emplace_back(diagram_.cell_of[index(place_of_station[i])], stations[i]);
-  std::sort(in_cells.begin(), in_cells.end());
+  // They are in order already but where a cell is shared.
+  if (!std::is_sorted(in_cells.begin(), in_cells.end()))
+    std::sort(in_cells.begin(), in_cells.end());
   first_.assign(diagram_.places.size() + 1, 0);
   stations_.reserve(stations.size());
   for (const auto& [cell, station] : in_cells) {

@@ -19,7 +19,8 @@ enum class Edges { measured, drawn };
 class NetworkCells {
  public:
   /// `reports` has one entry for each station. The network must outlive this object. Cost: that of
-  /// Yardstick::diagram. Of a diagram in the plane there is no more than `needs` says.
+  /// Yardstick::diagram. There is no more of a diagram than `needs` says, but on the Earth
+  /// what its ground leaves out.
   NetworkCells(const Network& network, const ReportingStations& reports, const Yardstick& yardstick,
                const Box& frame, unsigned threads, Edges edges = Edges::measured,
                const PlaneNeeds& needs = {});

@@ -8,6 +8,7 @@
 
 #include "basin/basin.h"
 #include "earth/sphere/conformal_sphere.h"
+#include "geometry/segment.h"
 
 namespace thiessen {
 namespace {
@@ -22,10 +23,6 @@ constexpr double most_pieces = 10000;
 /// Ground of which no more than this share lacks normals has them all: it is what rounding and the
 /// scales of pixels leave.
 constexpr double complete_share = 1e-5;
-
-Point between(Point a, Point b, double along) {
-  return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
-}
 
 /// How far the middle of a curve lies from its chord, in the area of a parabola through it: above 0
 /// where the curve lies to the right of the way in a picture whose rows go down.

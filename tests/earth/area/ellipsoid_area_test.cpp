@@ -93,13 +93,20 @@ TEST(AreaBesideChord, is_that_of_many_short_chords) {
       area -= area_under(at(static_cast<double>(i) / chords), at((i + 1.0) / chords), start.y);
     const double found = area_beside_chord(start, at(0.5), at(1));
     ASSERT_NEAR(found, area, 5e-4 * std::abs(area)) << length;
-    const double sine = std::sin(at(0.5).y * M_PI / 180);
-    const double cosine = std::cos(at(0.5).y * M_PI / 180);
-    ASSERT_NEAR(area_beside_chord(start, at(0.5), at(1), sine, cosine), found,
-                1e-12 * std::abs(found));
     const Point turned{at(1).x - 360, at(1).y};
     ASSERT_NEAR(area_beside_chord(start, at(0.5), turned), found, 1e-7 * std::abs(found));
     ASSERT_NEAR(area_beside_chord(at(1), at(0.5), start), -found, 1e-7 * std::abs(found));
+  }
+}
+
+// A hundredth of a radian each way.
+TEST(SquareRadian, is_that_of_a_small_square) {
+  const double side = 0.01 * 180 / M_PI;
+  for (double latitude = -80; latitude <= 80; latitude += 20) {
+    const Point west{10, latitude + side / 2}, east{10 + side, latitude + side / 2};
+    const double phi = latitude * M_PI / 180;
+    const double whole = square_radian(std::sin(phi), std::cos(phi));
+    EXPECT_NEAR(area_under(west, east, latitude - side / 2), 1e-4 * whole, 1e-9 * whole);
   }
 }
 

@@ -58,6 +58,17 @@ TEST(OnePlace, goes_over_the_antimeridian_and_the_poles) {
 }
 
 // Law: a chain of near pairs is one place, in whatever order it comes, and however long it is.
+// Degrees tell who is alone up to 80 degrees of latitude and 179 of longitude.
+TEST(OnePlace, does_not_end_where_degrees_tell_no_more) {
+  const double near = 0.9 * micrometre;
+  EXPECT_EQ(joined_positions(std::vector<Point>{{10, 80}, {10, 80 + near}}), (Numbers{0, 0}));
+  EXPECT_EQ(joined_positions(std::vector<Point>{{10, -80 - near}, {10, -80}}), (Numbers{0, 0}));
+  EXPECT_EQ(joined_positions(std::vector<Point>{{179, 10}, {179 + near, 10}}), (Numbers{0, 0}));
+  EXPECT_EQ(joined_positions(std::vector<Point>{{10, 79.9}, {10 + 5 * near, 79.9}}),
+            (Numbers{0, 0}))
+      << "a degree of longitude is short there";
+}
+
 TEST(OnePlace, is_a_whole_chain_in_any_order) {
   std::vector<Point> chain;
   for (int i = 0; i < 200; ++i) chain.push_back({20, 40 + i * 0.9 * micrometre});

@@ -49,6 +49,12 @@ TEST(ConformalSphere, has_snyder_s_conformal_latitudes) {
   }
 }
 
+TEST(ConformalSphere, has_the_sine_of_the_latitude_from_that_of_the_conformal_one) {
+  for (double latitude = -90; latitude <= 90; latitude += 0.5)
+    EXPECT_NEAR(sine_of_latitude(on_sphere({0, latitude}).z), std::sin(latitude * M_PI / 180),
+                3e-8);
+}
+
 TEST(ConformalSphere, is_conformal) {
   // A small step north and one east of equal length on the ellipsoid are of equal length there.
   const double f = 1 / 298.257223563;
