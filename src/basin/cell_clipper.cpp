@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <tuple>
@@ -16,6 +15,7 @@ namespace thiessen {
 namespace {
 
 constexpr double rounding_share = 1e-14;
+constexpr std::size_t fetched_ahead = 8;  // so many chords are fetched from memory ahead of time
 constexpr std::uint32_t no_share = std::numeric_limits<std::uint32_t>::max();
 
 Box box_of_basin(const Basin& basin) {
@@ -102,8 +102,7 @@ CellClipper::CellClipper(const Diagram& diagram, const Surface& surface, Searche
     : diagram_(diagram),
       surface_(surface),
       overlay_(diagram, searches),
-      area_(diagram.places.size()),
-      is_touched_(diagram.places.size(), false),
+      parts_(diagram.places.size()),
       order_(diagram.places.size(), 0) {}
 
 double area_of(const Basin& basin, const Surface& surface) {
@@ -124,26 +123,21 @@ double area_of(const Basin& basin, const Surface& surface) {
   return area.value();
 }
 
-LongSum& CellClipper::area_at(PlaceIndex place) {
-  if (!is_touched_[index(place)]) {
-    is_touched_[index(place)] = true;
-    touched_.push_back(place);
-  }
-  return area_[index(place)];
+// Adds what a piece of the place's boundary encloses.
+void CellClipper::add(PlaceIndex place, double area) {
+  Part& part = parts_[index(place)];
+  if (part.pieces++ == 0) touched_.push_back(place);
+  part.area.add(area);
 }
 
 void CellClipper::measure(const CutBasin& cut, double reference) {
-  for (const PlaceIndex place : touched_) {
-    area_[index(place)] = {};
-    is_touched_[index(place)] = false;
-  }
+  for (const PlaceIndex place : touched_) parts_[index(place)] = {};
   touched_.clear();
   bool has_bulges = false;
-  const auto add = [&](const BoundaryPiece& piece, double under) {
-    LongSum& area = area_at(piece.place);
-    area.add(-under);
+  const auto add_piece = [&](const BoundaryPiece& piece, double under) {
+    add(piece.place, -under);
     if (piece.bulge != 0) {
-      area.add(piece.bulge);
+      parts_[index(piece.place)].area.add(piece.bulge);
       has_bulges = true;
     }
   };
@@ -153,17 +147,35 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
     const BoundaryPiece& piece = cut.pieces[i];
     const bool known = i > 0 && is_reverse(cut.pieces[i - 1], piece);
     under = known ? -under : surface_.under(piece.from, piece.to, reference);
-    add(piece, under);
+    add_piece(piece, under);
   }
-  for (const std::uint32_t chord : cut.whole_chords) {
+  const auto fetch = [&](std::uint32_t chord) {
+    __builtin_prefetch(&parts_[index(diagram_.chords[chord].left)]);
+    __builtin_prefetch(&parts_[index(diagram_.chords[chord].right)]);
+  };
+  for (std::size_t i = 0; i < cut.whole_chords.size(); ++i) {
     throw_if_interrupted();
-    const auto [left, right] = pieces_of(diagram_, chord);
+    if (i + fetched_ahead < cut.whole_chords.size()) fetch(cut.whole_chords[i + fetched_ahead]);
+    const auto [left, right] = pieces_of(diagram_, cut.whole_chords[i]);
     under = surface_.under(left.from, left.to, reference);
-    add(left, under);
-    add(right, -under);
+    add_piece(left, under);
+    add_piece(right, -under);
   }
-  std::sort(touched_.begin(), touched_.end());
+  sort_touched();
   if (has_bulges) settle_bulges();
+}
+
+// Where many places have a part it takes less time to look at all.
+void CellClipper::sort_touched() {
+  constexpr std::size_t few = 16;
+  if (touched_.size() < parts_.size() / few) {
+    std::sort(touched_.begin(), touched_.end());
+    return;
+  }
+  touched_.clear();
+  for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].pieces > 0) touched_.push_back(PlaceIndex{i});
+  }
 }
 
 // Without this the others would add up to more than the basin.
@@ -171,12 +183,12 @@ void CellClipper::settle_bulges() {
   double less_than_nothing = 0;
   double positive = 0;
   for (const PlaceIndex place : touched_) {
-    const double area = area_[index(place)].value();
+    const double area = parts_[index(place)].area.value();
     (area < 0 ? less_than_nothing : positive) += area;
   }
   if (less_than_nothing == 0 || !(positive > -less_than_nothing)) return;
   for (const PlaceIndex place : touched_) {
-    LongSum& area = area_[index(place)];
+    LongSum& area = parts_[index(place)].area;
     const double before = area.value();
     if (before < 0)
       area = {};
@@ -187,7 +199,7 @@ void CellClipper::settle_bulges() {
 
 double CellClipper::smallest_area() const {
   double whole = 0;
-  for (const PlaceIndex place : touched_) whole += area_[index(place)].value();
+  for (const PlaceIndex place : touched_) whole += parts_[index(place)].area.value();
   return rounding_share * whole;
 }
 
@@ -202,7 +214,7 @@ std::vector<CellShare> CellClipper::shares_of_cut() const {
   const double smallest = smallest_area();
   std::vector<CellShare> shares;
   for (const PlaceIndex place : touched_) {
-    const double area = area_[index(place)].value();
+    const double area = parts_[index(place)].area.value();
     if (area > smallest) shares.push_back({place, area});
   }
   return shares;
@@ -254,7 +266,7 @@ std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMea
   const double smallest = smallest_area();
   std::vector<double> figures;
   for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (area_[index(touched_[i])].value() <= smallest) continue;
+    if (parts_[index(touched_[i])].area.value() <= smallest) continue;
     for (std::size_t f = 0; f < count; ++f) figures.push_back(sums[i * count + f].value());
   }
   return figures;
@@ -278,49 +290,72 @@ CellsInBasin CellClipper::cells_in(const Basin& basin) {
 CellsInBasin CellClipper::cells_of(const CutBasin& cut) {
   std::vector<CellShare> shares = shares_of_cut();
   for (const PlaceIndex place : touched_) order_[index(place)] = no_share;
-  for (std::uint32_t i = 0; i < shares.size(); ++i) order_[index(shares[i].place)] = i;
-  return {diagram_, cut, std::move(shares), order_};
+  std::vector<std::uint32_t> begins;
+  begins.reserve(shares.size() + 2);
+  std::uint32_t begin = 0;
+  for (std::uint32_t i = 0; i < shares.size(); ++i) {
+    order_[index(shares[i].place)] = i;
+    begins.push_back(begin);
+    begin += parts_[index(shares[i].place)].pieces;
+  }
+  begins.push_back(begin);
+  return {diagram_, cut, std::move(shares), std::move(begins), order_};
 }
 
 // There are millions of pieces in a basin as large as a continent: they stay where they are, and no
 // step takes long between two looks for Ctrl-C.
 CellsInBasin::CellsInBasin(const Diagram& diagram, const CutBasin& cut,
-                           std::vector<CellShare> shares, const std::vector<std::uint32_t>& order)
-    : diagram_(diagram), cut_(cut), shares_(std::move(shares)) {
+                           std::vector<CellShare> shares, std::vector<std::uint32_t> begins,
+                           const std::vector<std::uint32_t>& order)
+    : diagram_(diagram), cut_(cut), shares_(std::move(shares)), begins_(std::move(begins)) {
   const std::uint64_t numbers = cut.pieces.size() + 2 * std::uint64_t{diagram.chords.size()};
   if (numbers > std::numeric_limits<std::uint32_t>::max())
     throw std::length_error("more than 2^32 pieces of cells");
-  const auto for_each_piece = [&](auto&& visit) {
-    std::uint32_t number = 0;
-    const auto visit_next = [&](PlaceIndex place) {
-      if (const std::uint32_t share = order[index(place)]; share != no_share) visit(share, number);
-      ++number;
-    };
-    for (const BoundaryPiece& piece : cut.pieces) {
-      throw_if_interrupted();
-      visit_next(piece.place);
-    }
-    for (const std::uint32_t chord : cut.whole_chords) {
-      throw_if_interrupted();
-      number = static_cast<std::uint32_t>(cut.pieces.size()) + 2 * chord;
-      visit_next(diagram.chords[chord].left);
-      visit_next(diagram.chords[chord].right);
-    }
-  };
-  // Each share's place in `begins_` is at first one further on, and moves to where its next begins.
-  begins_.assign(shares_.size() + 2, 0);
-  for_each_piece([&](std::uint32_t share, std::uint32_t) { ++begins_[share + 2]; });
-  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
   numbers_.resize(begins_.back());
-  for_each_piece(
-      [&](std::uint32_t share, std::uint32_t number) { numbers_[begins_[share + 1]++] = number; });
-  begins_.pop_back();
+  // Each share's pieces are put where its next one is to stand; in the end that is where the next
+  // share's begin.
+  const auto put = [&](PlaceIndex place, std::uint32_t number) {
+    if (const std::uint32_t share = order[index(place)]; share != no_share)
+      numbers_[begins_[share]++] = number;
+  };
+  for (std::uint32_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
+    put(cut.pieces[i].place, i);
+  }
+  const auto first_chord = static_cast<std::uint32_t>(cut.pieces.size());
+  for (const std::uint32_t chord : cut.whole_chords) {
+    throw_if_interrupted();
+    put(diagram.chords[chord].left, first_chord + 2 * chord);
+    put(diagram.chords[chord].right, first_chord + 2 * chord + 1);
+  }
+  std::shift_right(begins_.begin(), begins_.end(), 1);
+  begins_.front() = 0;
   has_bulges_ =
       std::ranges::any_of(cut.pieces,
                           [](const BoundaryPiece& piece) { return piece.bulge != 0; }) ||
       (!diagram.bulges.empty() && std::ranges::any_of(cut.whole_chords, [&](std::uint32_t chord) {
         return diagram.bulges[chord] != 0;
       }));
+}
+
+void CellsInBasin::expect_far(std::size_t i) const {
+  for (std::uint32_t n = begins_[i]; n < begins_[i + 1]; ++n) {
+    const std::size_t number = numbers_[n];
+    if (number >= cut_.pieces.size())
+      __builtin_prefetch(&diagram_.chords[(number - cut_.pieces.size()) / 2]);
+    else
+      __builtin_prefetch(&cut_.pieces[number]);
+  }
+}
+
+void CellsInBasin::expect_near(std::size_t i) const {
+  for (std::uint32_t n = begins_[i]; n < begins_[i + 1]; ++n) {
+    const std::size_t number = numbers_[n];
+    if (number < cut_.pieces.size()) continue;
+    const Chord& chord = diagram_.chords[(number - cut_.pieces.size()) / 2];
+    __builtin_prefetch(&diagram_.nodes[chord.from]);
+    __builtin_prefetch(&diagram_.nodes[chord.to]);
+  }
 }
 
 ClippedCell CellsInBasin::cell(std::size_t i) {
