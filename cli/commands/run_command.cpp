@@ -150,7 +150,7 @@ class RunCommand : public Command {
     settings.accounts = format_.format().rows_for_basins && !periods_.totalling();
     const ArealRainfall rainfall(inputs.weighing(), settings, threads());
     write_weights(files.weights, inputs.weighing(), weights_of(inputs, rainfall),
-                  inputs.area_unit());
+                  inputs.area_unit(), threads());
     const auto by_month = monthly(inputs, rainfall);
 
     std::optional<Totalling> totalling = periods_.totalling();

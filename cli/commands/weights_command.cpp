@@ -121,7 +121,7 @@ class WeightsCommand : public Command {
     } else {
       write_weights(file, inputs.weighing(),
                     inputs.weighing().weights_by_month(inputs.all_report(), threads()),
-                    inputs.area_unit());
+                    inputs.area_unit(), threads());
     }
     outputs.commit();
     if (!table) return;

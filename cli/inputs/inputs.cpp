@@ -31,8 +31,11 @@ void note_whole_network(const std::string& file, std::size_t stations, const Wor
   warnings.add_notice({file, 0, who + reason, ""});
 }
 
-std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, Warnings& warnings) {
-  return std::make_shared<StudyFiles>(read_study(options.request(), warnings));
+std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, std::size_t threads,
+                                       Warnings& warnings) {
+  StudyRequest request = options.request();
+  request.threads = static_cast<unsigned>(threads);
+  return std::make_shared<StudyFiles>(read_study(request, warnings));
 }
 
 ReadingsOptions readings_options(const StudyOptions& study, const RainfallOptions& rainfall) {
@@ -124,8 +127,8 @@ std::vector<std::string> passed_over(const StudyFiles& files) {
 
 /// The stations and basins, with the stations of the full network alone.
 std::shared_ptr<StudyFiles> read_files(const StudyOptions& options, const RainfallOptions& rainfall,
-                                       Warnings& warnings) {
-  std::shared_ptr<StudyFiles> files = read_files(options, warnings);
+                                       std::size_t threads, Warnings& warnings) {
+  std::shared_ptr<StudyFiles> files = read_files(options, threads, warnings);
   keep_full_network(*files, options, rainfall, warnings);
   return files;
 }
@@ -173,11 +176,12 @@ void note_whole_network(const Inputs& inputs, Warnings& warnings) {
 }
 
 Inputs::Inputs(const StudyOptions& options, double margin, std::size_t threads, Warnings& warnings)
-    : Inputs(read_files(options, warnings), options, margin, threads, warnings) {}
+    : Inputs(read_files(options, threads, warnings), options, margin, threads, warnings) {}
 
 Inputs::Inputs(const StudyOptions& options, double margin, const RainfallOptions& rainfall,
                std::size_t threads, Warnings& warnings)
-    : Inputs(read_files(options, rainfall, warnings), options, margin, threads, warnings) {}
+    : Inputs(read_files(options, rainfall, threads, warnings), options, margin, threads, warnings) {
+}
 
 Inputs::Inputs(std::shared_ptr<StudyFiles> files, const StudyOptions& options, double margin,
                std::size_t threads, Warnings& warnings)

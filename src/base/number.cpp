@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 
 namespace thiessen {
@@ -128,15 +132,154 @@ Parsed<std::size_t> parse_size(std::string_view text) {
   return {value, NumberFault::none};
 }
 
+namespace {
+
+__extension__ using Product = unsigned __int128;
+
+/// A number as digits / 10^decimals, without zeros at the end of its decimals.
+struct PlainDigits {
+  std::uint64_t digits;
+  int decimals;
+};
+
+/// Takes so many zeros off the end of the decimals, if they are there.
+template <int zeros, std::uint32_t power>
+void trim(PlainDigits& number) {
+  if (number.decimals < zeros || number.digits % power != 0) return;
+  number.digits /= power;
+  number.decimals -= zeros;
+}
+
+/// Takes all zeros off the end of the decimals, of which there are less than 16.
+void trim_zeros(PlainDigits& number) {
+  trim<8, 100'000'000>(number);
+  trim<4, 10'000>(number);
+  trim<2, 100>(number);
+  trim<1, 10>(number);
+}
+
+/// The fewest digits that read back to the value, and of those the nearest. Requires 1e-6 <= value
+/// < 1e15. Returns false for powers of two, below which doubles lie closer together than above.
+///
+/// All that reads back to the value lies within half a step between doubles of it. The step is at
+/// least one unit of the last decimal that is looked at, and less than ten. So one multiple of ten
+/// units at most reads back, and it is the shortest text; where there is none the nearest multiple
+/// of one unit is. (R. Giulietti, The Schubfach way to render doubles, 2020.) In this range 5 to
+/// the power of the decimals is a whole number, so that all of it is exact.
+bool fewest_digits(double value, PlainDigits& found) {
+  static constexpr auto fives = [] {
+    std::array<std::uint64_t, 23> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 5 * powers[i - 1];
+    return powers;
+  }();
+  constexpr std::uint64_t hidden_bit = std::uint64_t{1} << 52;
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  const std::uint64_t fraction = bits & (hidden_bit - 1);
+  if (fraction == 0) return false;
+  const std::uint64_t mantissa = fraction | hidden_bit;
+  const int exponent = static_cast<int>(bits >> 52) - 1075;  // of 2, -72 to -3: the step
+  const int decimals = -((exponent * 78'913) >> 18);         // log10(2) = 78913 / 2^18, nearly
+  const std::uint64_t five = fives[static_cast<std::size_t>(decimals)];
+  // The value in units is `whole` and `rest` of 2^shift parts; half a step is 2 * five parts.
+  const int shift = 2 - exponent - decimals;
+  const auto scaled = Product{4 * mantissa} * five;
+  const auto whole = static_cast<std::uint64_t>(scaled >> shift);
+  const std::uint64_t unit = std::uint64_t{1} << shift;
+  const std::uint64_t rest = static_cast<std::uint64_t>(scaled) & (unit - 1);
+  // What is half a step away reads back where the value's last bit is 0.
+  const std::uint64_t reach = 2 * five - mantissa % 2;
+  const std::uint64_t tens = whole / 10;
+  const std::uint64_t above_ten = (whole % 10) * unit + rest;
+  if (above_ten <= reach || 10 * unit - above_ten <= reach) {
+    found = {above_ten <= reach ? tens : tens + 1, decimals - 1};
+    trim_zeros(found);
+  } else {
+    const bool up = 2 * rest > unit || (2 * rest == unit && whole % 2 != 0);
+    found = {whole + (up ? 1 : 0), decimals};
+  }
+  return true;
+}
+
+/// The digits of 00 to 99, one pair after the other.
+constexpr auto pairs_of_digits = [] {
+  std::array<char, 200> digits{};
+  for (std::size_t i = 0; i < 100; ++i) {
+    digits[2 * i] = static_cast<char>('0' + i / 10);
+    digits[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return digits;
+}();
+
+/// Writes a number below 10^8 with all 8 digits.
+void write_eight(char* at, std::uint32_t number) {
+  const std::uint32_t high = number / 10'000;
+  const std::uint32_t low = number % 10'000;
+  std::memcpy(at, &pairs_of_digits[2 * (high / 100)], 2);
+  std::memcpy(at + 2, &pairs_of_digits[2 * (high % 100)], 2);
+  std::memcpy(at + 4, &pairs_of_digits[2 * (low / 100)], 2);
+  std::memcpy(at + 6, &pairs_of_digits[2 * (low % 100)], 2);
+}
+
+constexpr int most_digits = 17;
+
+/// How many digits a number of at most 17 has.
+int digits_of(std::uint64_t number) {
+  static constexpr auto tens = [] {
+    std::array<std::uint64_t, most_digits + 1> powers{1};
+    for (std::size_t i = 1; i < powers.size(); ++i) powers[i] = 10 * powers[i - 1];
+    return powers;
+  }();
+  const int nearly =
+      (static_cast<int>(std::bit_width(number)) * 1233) >> 12;  // log10(2) = 1233 / 2^12, nearly
+  return nearly + (number >= tens[static_cast<std::size_t>(nearly)] ? 1 : 0);
+}
+
+/// Writes a number above 0 of at most 17 digits, 15 of them before the point; returns where its
+/// text ends. Requires room for 48 characters: copies of one length, which may write more than
+/// there is, take less time than copies of the right one.
+char* write_plain(char* at, const PlainDigits& number) {
+  constexpr std::uint32_t eight = 100'000'000;
+  constexpr std::size_t copied = 20;
+  std::array<char, 48> digits{};
+  const std::uint64_t high = number.digits / eight;
+  digits[0] = static_cast<char>('0' + high / eight);
+  write_eight(&digits[1], static_cast<std::uint32_t>(high % eight));
+  write_eight(&digits[9], static_cast<std::uint32_t>(number.digits % eight));
+  const int count = digits_of(number.digits);
+  const char* from = &digits[static_cast<std::size_t>(most_digits - count)];
+  const int whole = count - number.decimals;
+  if (whole <= 0) {
+    std::memcpy(at, "0.0000000", 8);  // 1e-6 has five zeros after the point
+    at += 2 - whole;
+  } else {
+    std::memcpy(at, from, copied);
+    at += whole;
+    from += whole;
+    if (number.decimals == 0) return at;
+    *at++ = '.';
+  }
+  std::memcpy(at, from, copied);
+  return at + std::min(count, number.decimals);
+}
+
+}  // namespace
+
 void append_shortest(std::string& out, double value) {
   assert(std::isfinite(value));
   if (value == 0) value = 0;  // drops the sign of -0
   const double size = std::abs(value);
   const bool plain = size == 0 || (size >= 1e-6 && size < 1e15);
   std::array<char, 64> text;
-  const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
-  const auto result = std::to_chars(text.data(), text.data() + text.size(), value, format);
-  out.append(text.data(), result.ptr);
+  char* end = text.data();
+  PlainDigits number{};
+  if (plain && size != 0 && fewest_digits(size, number)) {
+    if (value < 0) *end++ = '-';
+    end = write_plain(end, number);
+  } else {
+    const auto format = plain ? std::chars_format::fixed : std::chars_format::scientific;
+    end = std::to_chars(end, end + text.size(), value, format).ptr;
+  }
+  out.append(text.data(), static_cast<std::size_t>(end - text.data()));
 }
 
 std::string shortest_text(double value) {

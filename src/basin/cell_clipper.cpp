@@ -4,7 +4,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <tuple>
@@ -102,7 +101,7 @@ CellClipper::CellClipper(const Diagram& diagram, const Surface& surface, Searche
     : diagram_(diagram),
       surface_(surface),
       overlay_(diagram, searches),
-      sums_(diagram.places.size()),
+      parts_(diagram.places.size()),
       order_(diagram.places.size(), 0) {}
 
 double area_of(const Basin& basin, const Surface& surface) {
@@ -123,13 +122,16 @@ double area_of(const Basin& basin, const Surface& surface) {
   return area.value();
 }
 
-LongSum& CellClipper::area_at(PlaceIndex place) {
-  CellSum& sum = sums_[index(place)];
-  if (sum.basin != basin_number_) {
-    sum = {{}, basin_number_};
+// Adds what a piece of the place's boundary encloses.
+void CellClipper::add(PlaceIndex place, double under, double bulge) {
+  Part& part = parts_[index(place)];
+  if (part.basin != basin_number_) {
+    part = {{}, 0, basin_number_};
     touched_.push_back(place);
   }
-  return sum.area;
+  ++part.pieces;
+  part.area.add(-under);
+  if (bulge != 0) part.area.add(bulge);
 }
 
 // Areas are asked for in blocks, between which Ctrl-C is looked for.
@@ -138,13 +140,6 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
   ++basin_number_;
   touched_.clear();
   bool has_bulges = false;
-  const auto add = [&](PlaceIndex place, double under, double bulge) {
-    LongSum& area = area_at(place);
-    area.add(-under);
-    if (bulge == 0) return;
-    area.add(bulge);
-    has_bulges = true;
-  };
   const auto in_blocks = [&](std::size_t count, auto&& ask, auto&& take) {
     for (std::size_t first = 0; first < count; first += block) {
       throw_if_interrupted();
@@ -168,11 +163,14 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
       [&](std::size_t i, std::size_t& next) {
         under = is_known(i) ? -under : areas_[next++];
         add(cut.pieces[i].place, under, cut.pieces[i].bulge);
+        has_bulges = has_bulges || cut.pieces[i].bulge != 0;
       });
   in_blocks(
       cut.whole_chords.size(),
       [&](std::size_t i) {
         const Chord& chord = diagram_.chords[cut.whole_chords[i]];
+        __builtin_prefetch(&parts_[index(chord.left)]);
+        __builtin_prefetch(&parts_[index(chord.right)]);
         segments_.push_back({diagram_.nodes[chord.from], diagram_.nodes[chord.to]});
       },
       [&](std::size_t i, std::size_t& next) {
@@ -182,9 +180,23 @@ void CellClipper::measure(const CutBasin& cut, double reference) {
         under = areas_[next++];
         add(chord.left, under, bulge);
         add(chord.right, -under, -bulge);
+        has_bulges = has_bulges || bulge != 0;
       });
-  std::sort(touched_.begin(), touched_.end());
+  sort_touched();
   if (has_bulges) settle_bulges();
+}
+
+// Where many places have a part it takes less time to look at all.
+void CellClipper::sort_touched() {
+  constexpr std::size_t few = 16;
+  if (touched_.size() < parts_.size() / few) {
+    std::sort(touched_.begin(), touched_.end());
+    return;
+  }
+  touched_.clear();
+  for (std::uint32_t i = 0; i < parts_.size(); ++i) {
+    if (parts_[i].basin == basin_number_) touched_.push_back(PlaceIndex{i});
+  }
 }
 
 // Without this the others would add up to more than the basin.
@@ -192,12 +204,12 @@ void CellClipper::settle_bulges() {
   double less_than_nothing = 0;
   double positive = 0;
   for (const PlaceIndex place : touched_) {
-    const double area = sums_[index(place)].area.value();
+    const double area = parts_[index(place)].area.value();
     (area < 0 ? less_than_nothing : positive) += area;
   }
   if (less_than_nothing == 0 || !(positive > -less_than_nothing)) return;
   for (const PlaceIndex place : touched_) {
-    LongSum& area = sums_[index(place)].area;
+    LongSum& area = parts_[index(place)].area;
     const double before = area.value();
     if (before < 0)
       area = {};
@@ -208,7 +220,7 @@ void CellClipper::settle_bulges() {
 
 double CellClipper::smallest_area() const {
   double whole = 0;
-  for (const PlaceIndex place : touched_) whole += sums_[index(place)].area.value();
+  for (const PlaceIndex place : touched_) whole += parts_[index(place)].area.value();
   return rounding_share * whole;
 }
 
@@ -223,7 +235,7 @@ std::vector<CellShare> CellClipper::shares_of_cut() const {
   const double smallest = smallest_area();
   std::vector<CellShare> shares;
   for (const PlaceIndex place : touched_) {
-    const double area = sums_[index(place)].area.value();
+    const double area = parts_[index(place)].area.value();
     if (area > smallest) shares.push_back({place, area});
   }
   return shares;
@@ -275,7 +287,7 @@ std::vector<double> CellClipper::figures_of(const CutBasin& cut, const GroundMea
   const double smallest = smallest_area();
   std::vector<double> figures;
   for (std::size_t i = 0; i < touched_.size(); ++i) {
-    if (sums_[index(touched_[i])].area.value() <= smallest) continue;
+    if (parts_[index(touched_[i])].area.value() <= smallest) continue;
     for (std::size_t f = 0; f < count; ++f) figures.push_back(sums[i * count + f].value());
   }
   return figures;
@@ -299,49 +311,72 @@ CellsInBasin CellClipper::cells_in(const Basin& basin) {
 CellsInBasin CellClipper::cells_of(const CutBasin& cut) {
   std::vector<CellShare> shares = shares_of_cut();
   for (const PlaceIndex place : touched_) order_[index(place)] = no_share;
-  for (std::uint32_t i = 0; i < shares.size(); ++i) order_[index(shares[i].place)] = i;
-  return {diagram_, cut, std::move(shares), order_};
+  std::vector<std::uint32_t> begins;
+  begins.reserve(shares.size() + 2);
+  std::uint32_t begin = 0;
+  for (std::uint32_t i = 0; i < shares.size(); ++i) {
+    order_[index(shares[i].place)] = i;
+    begins.push_back(begin);
+    begin += parts_[index(shares[i].place)].pieces;
+  }
+  begins.push_back(begin);
+  return {diagram_, cut, std::move(shares), std::move(begins), order_};
 }
 
 // There are millions of pieces in a basin as large as a continent: they stay where they are, and no
 // step takes long between two looks for Ctrl-C.
 CellsInBasin::CellsInBasin(const Diagram& diagram, const CutBasin& cut,
-                           std::vector<CellShare> shares, const std::vector<std::uint32_t>& order)
-    : diagram_(diagram), cut_(cut), shares_(std::move(shares)) {
+                           std::vector<CellShare> shares, std::vector<std::uint32_t> begins,
+                           const std::vector<std::uint32_t>& order)
+    : diagram_(diagram), cut_(cut), shares_(std::move(shares)), begins_(std::move(begins)) {
   const std::uint64_t numbers = cut.pieces.size() + 2 * std::uint64_t{diagram.chords.size()};
   if (numbers > std::numeric_limits<std::uint32_t>::max())
     throw std::length_error("more than 2^32 pieces of cells");
-  const auto for_each_piece = [&](auto&& visit) {
-    std::uint32_t number = 0;
-    const auto visit_next = [&](PlaceIndex place) {
-      if (const std::uint32_t share = order[index(place)]; share != no_share) visit(share, number);
-      ++number;
-    };
-    for (const BoundaryPiece& piece : cut.pieces) {
-      throw_if_interrupted();
-      visit_next(piece.place);
-    }
-    for (const std::uint32_t chord : cut.whole_chords) {
-      throw_if_interrupted();
-      number = static_cast<std::uint32_t>(cut.pieces.size()) + 2 * chord;
-      visit_next(diagram.chords[chord].left);
-      visit_next(diagram.chords[chord].right);
-    }
-  };
-  // Each share's place in `begins_` is at first one further on, and moves to where its next begins.
-  begins_.assign(shares_.size() + 2, 0);
-  for_each_piece([&](std::uint32_t share, std::uint32_t) { ++begins_[share + 2]; });
-  std::partial_sum(begins_.begin(), begins_.end(), begins_.begin());
   numbers_.resize(begins_.back());
-  for_each_piece(
-      [&](std::uint32_t share, std::uint32_t number) { numbers_[begins_[share + 1]++] = number; });
-  begins_.pop_back();
+  // Each share's pieces are put where its next one is to stand; in the end that is where the next
+  // share's begin.
+  const auto put = [&](PlaceIndex place, std::uint32_t number) {
+    if (const std::uint32_t share = order[index(place)]; share != no_share)
+      numbers_[begins_[share]++] = number;
+  };
+  for (std::uint32_t i = 0; i < cut.pieces.size(); ++i) {
+    throw_if_interrupted();
+    put(cut.pieces[i].place, i);
+  }
+  const auto first_chord = static_cast<std::uint32_t>(cut.pieces.size());
+  for (const std::uint32_t chord : cut.whole_chords) {
+    throw_if_interrupted();
+    put(diagram.chords[chord].left, first_chord + 2 * chord);
+    put(diagram.chords[chord].right, first_chord + 2 * chord + 1);
+  }
+  std::shift_right(begins_.begin(), begins_.end(), 1);
+  begins_.front() = 0;
   has_bulges_ =
       std::ranges::any_of(cut.pieces,
                           [](const BoundaryPiece& piece) { return piece.bulge != 0; }) ||
       (!diagram.bulges.empty() && std::ranges::any_of(cut.whole_chords, [&](std::uint32_t chord) {
         return diagram.bulges[chord] != 0;
       }));
+}
+
+void CellsInBasin::expect_far(std::size_t i) const {
+  for (std::uint32_t n = begins_[i]; n < begins_[i + 1]; ++n) {
+    const std::size_t number = numbers_[n];
+    if (number >= cut_.pieces.size())
+      __builtin_prefetch(&diagram_.chords[(number - cut_.pieces.size()) / 2]);
+    else
+      __builtin_prefetch(&cut_.pieces[number]);
+  }
+}
+
+void CellsInBasin::expect_near(std::size_t i) const {
+  for (std::uint32_t n = begins_[i]; n < begins_[i + 1]; ++n) {
+    const std::size_t number = numbers_[n];
+    if (number < cut_.pieces.size()) continue;
+    const Chord& chord = diagram_.chords[(number - cut_.pieces.size()) / 2];
+    __builtin_prefetch(&diagram_.nodes[chord.from]);
+    __builtin_prefetch(&diagram_.nodes[chord.to]);
+  }
 }
 
 ClippedCell CellsInBasin::cell(std::size_t i) {

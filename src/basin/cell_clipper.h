@@ -39,12 +39,17 @@ class CellsInBasin {
   /// The cell whose area stands there. Throws std::logic_error where an edge of the diagram ends
   /// within the basin, so that the cell's boundary does not close. Cost: linear in its edges.
   ClippedCell cell(std::size_t i);
+  /// Tells that this cell is soon asked for, so that what it is made of comes from memory
+  /// meanwhile: first that it is far off, by some tens of cells, and then that it is near.
+  void expect_far(std::size_t i) const;
+  void expect_near(std::size_t i) const;
 
  private:
   friend class CellClipper;
-  /// `order` tells for the place of each piece which of the shares is its own, if one is.
+  /// `begins` tells where each share's pieces are to begin, and the end; `order` tells for the
+  /// place of each piece which of the shares is its own, if one is.
   CellsInBasin(const Diagram& diagram, const CutBasin& cut, std::vector<CellShare> shares,
-               const std::vector<std::uint32_t>& order);
+               std::vector<std::uint32_t> begins, const std::vector<std::uint32_t>& order);
 
   const Diagram& diagram_;
   const CutBasin& cut_;
@@ -99,7 +104,14 @@ class CellClipper {
   CellsInBasin cells_of(const CutBasin& cut);
   std::vector<double> figures_of(const CutBasin& cut, const GroundMeasure& measure);
   void measure(const CutBasin& cut, double reference);
-  LongSum& area_at(PlaceIndex place);
+  /// A place's part in the basin of that number.
+  struct Part {
+    LongSum area;
+    std::uint32_t pieces = 0;  ///< of its boundary
+    std::uint32_t basin = 0;
+  };
+  void add(PlaceIndex place, double under, double bulge);
+  void sort_touched();
   void settle_bulges();
   /// The smallest area that counts in the basin that was measured last; less is rounding.
   double smallest_area() const;
@@ -107,12 +119,7 @@ class CellClipper {
   const Diagram& diagram_;
   const Surface& surface_;
   Overlay overlay_;
-  /// A cell's area in the basin of that number.
-  struct CellSum {
-    LongSum area;
-    std::uint32_t basin = 0;
-  };
-  std::vector<CellSum> sums_;  // by place
+  std::vector<Part> parts_;  // by place
   std::uint32_t basin_number_ = 0;
   std::vector<PlaceIndex> touched_;   // those with pieces in the basin at hand
   std::vector<std::uint32_t> order_;  // by place: where it stands among these, or the shares

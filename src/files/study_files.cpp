@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <filesystem>
 #include <iterator>
 #include <numbers>
 #include <set>
+#include <system_error>
 #include <utility>
 
 #include "base/number.h"
+#include "base/parallel.h"
 #include "base/utf8.h"
 #include "files/basin_tracing.h"
 #include "files/far_files.h"
@@ -17,6 +21,7 @@
 #include "files/plane/plane_choice.h"
 #include "files/plane/plane_mapping.h"
 #include "gdal/crs/shape_tracer.h"
+#include "gdal/layers/opening.h"
 #include "study/basin_placing.h"
 #include "study/coordinate_checks.h"
 
@@ -202,7 +207,7 @@ class StudyMaker {
     }
     MendingRules rules{request_.mend, wraps, {}};
     if (basins_->crs) rules.kind = basins_->crs->kind();
-    study_.native_basins = thiessen::mend_basins(*basins_, rules, warnings_);
+    study_.native_basins = thiessen::mend_basins(*basins_, rules, warnings_, request_.threads);
   }
 
   void bring_stations() {
@@ -383,13 +388,52 @@ class StudyMaker {
   std::optional<Crs> degrees_;  // WGS 84 over the study's area, on the way to a plane made for it
 };
 
+/// Whether a source is a text on the disk, of which GDAL is asked no more than what a geometry
+/// says.
+bool is_text_on_disk(const Source& source) {
+  std::error_code error;
+  if (!source.where.empty() || !std::filesystem::is_regular_file(source.file, error)) return false;
+  try {
+    return !read_by_gdal(source.file);
+  } catch (const Error&) {  // the format is another, or what is wrong is told when it is read
+    return false;
+  }
+}
+
+/// Whether two threads may read the files.
+bool may_be_read_at_once(const StudyRequest& request) {
+  return request.threads > 1 && request.basins && is_text_on_disk(request.stations.source) &&
+         is_text_on_disk(request.basins->source);
+}
+
 }  // namespace
 
 StudyFiles read_study(const StudyRequest& request, Warnings& warnings) {
-  StationsFile stations = read_stations(request.stations, warnings);
   std::optional<BasinsFile> basins;
-  if (request.basins) basins = read_basins(*request.basins, warnings);
-  return study_of(std::move(stations), std::move(basins), request, warnings);
+  Warnings of_basins;
+  std::exception_ptr fault;
+  const auto read_basins_of_request = [&] {
+    try {
+      if (request.basins) basins = read_basins(*request.basins, of_basins);
+    } catch (...) {
+      fault = std::current_exception();
+    }
+  };
+  std::optional<StationsFile> stations;
+  const auto read_stations_of_request = [&] {
+    stations = read_stations(request.stations, warnings);
+  };
+  if (may_be_read_at_once(request)) {
+    side_by_side(read_basins_of_request, read_stations_of_request);
+  } else {
+    read_stations_of_request();
+    read_basins_of_request();
+  }
+  // What is found in the stations is told first, and alone where it is a fault.
+  for (const Message& message : of_basins.messages()) warnings.add(message);
+  for (const Message& notice : of_basins.notices()) warnings.add_notice(notice);
+  if (fault) std::rethrow_exception(fault);
+  return study_of(*std::move(stations), std::move(basins), request, warnings);
 }
 
 StudyFiles study_of(StationsFile stations, std::optional<BasinsFile> basins,

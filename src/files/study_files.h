@@ -28,6 +28,7 @@ struct StudyRequest {
   std::string plane;             ///< a CRS, or automatic_plane; empty: none is asked for
   double tolerance = 0.1;        ///< metres
   bool mend = false;             ///< basins that cross themselves are mended by union
+  unsigned threads = 1;          ///< how many may read the files and mend basins
 };
 
 /// A study read from its files, ready to be tessellated, and what the files hold beyond that.

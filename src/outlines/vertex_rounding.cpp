@@ -114,7 +114,29 @@ Point VertexRounding::rounded(Point point) const {
   return {through_text(point.x), through_text(point.y)};
 }
 
+/// Where every vertex has all digits, vertices are written alike where they are alike.
+void VertexRounding::append_all_digits(std::string& out, const Ring& ring) {
+  out += '[';
+  const std::size_t begin = out.size();
+  std::size_t end_of_first = begin;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (i > 0 && ring[i] == ring[i - 1]) continue;
+    out += i > 0 ? ",[" : "[";
+    append_shortest(out, ring[i].x);
+    out += ',';
+    append_shortest(out, ring[i].y);
+    out += ']';
+    if (i == 0) end_of_first = out.size();
+  }
+  if (!ring.empty() && ring.back() != ring.front()) {
+    out += ',';
+    out.append(out, begin, end_of_first - begin);
+  }
+  out += ']';
+}
+
 void VertexRounding::append(std::string& out, const Ring& ring) const {
+  if (decimals_ == every_digit) return append_all_digits(out, ring);
   std::string first;
   std::string before;
   out += '[';

@@ -43,6 +43,7 @@ class VertexRounding {
   bool holds(const MultiPolygon& cell) const;
   void refine(const MultiPolygon& cell, int level);
   void append_number(std::string& out, double value, int level) const;
+  static void append_all_digits(std::string& out, const Ring& ring);
 
   int decimals_ = every_digit;
   std::unordered_map<Point, int, Hash> levels_;  ///< of the vertices that need more decimals

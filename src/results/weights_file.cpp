@@ -1,9 +1,11 @@
 #include "results/weights_file.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 
 #include "base/number.h"
+#include "base/parallel.h"
 #include "text/csv_writer.h"
 
 namespace thiessen {
@@ -34,6 +36,47 @@ std::string of_month(std::size_t month, std::size_t months) {
   if (months == 1) return {};
   return (month < 9 ? "_0" : "_") + std::to_string(month + 1);
 }
+
+/// The rows of weights, basin after basin, as texts.
+class WeightTexts {
+ public:
+  WeightTexts(const Weighing& weighing, const std::vector<std::vector<BasinWeights>>& weights,
+              AreaUnit unit)
+      : weighing_(weighing), weights_(weights), unit_(unit) {
+    begins_.reserve(weights.front().size() + 1);
+    begins_.push_back(0);
+    for (const BasinWeights& basin : weights.front())
+      begins_.push_back(begins_.back() + basin.stations.size());
+  }
+
+  std::size_t rows() const { return begins_.back(); }
+  /// Appends so many rows, from a given one on.
+  void append(std::string& out, std::size_t row, std::size_t count) const {
+    const auto after = std::upper_bound(begins_.begin(), begins_.end(), row);
+    auto basin = static_cast<std::size_t>(after - begins_.begin()) - 1;
+    for (const std::size_t end = row + count; row < end; ++row) {
+      while (row == begins_[basin + 1]) ++basin;
+      append_row(out, basin, row - begins_[basin]);
+    }
+  }
+
+ private:
+  void append_row(std::string& out, std::size_t basin, std::size_t i) const {
+    const StationWeight& s = weights_.front()[basin].stations[i];
+    append_ids(out, weighing_, basin, s.station);
+    append_part(out, s, unit_);
+    for (std::size_t m = 0; m < factors_in(weighing_, weights_); ++m) {
+      out += ',';
+      append_shortest(out, weights_[m][basin].stations[i].factor);
+    }
+    out += '\n';
+  }
+
+  const Weighing& weighing_;
+  const std::vector<std::vector<BasinWeights>>& weights_;
+  AreaUnit unit_;
+  std::vector<std::size_t> begins_;  ///< of each basin, its first row; and the end
+};
 
 }  // namespace
 
@@ -67,25 +110,27 @@ std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const Bas
 }
 
 void write_weights(OutputFile& file, const Weighing& weighing,
-                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit) {
+                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit,
+                   unsigned threads) {
   std::string header = std::string("basin,station,") + unit.column() + ",weight";
   for (std::size_t m = 0; m < factors_in(weighing, weights); ++m)
     header += ",factor" + of_month(m, weights.size());
   file.append(header + '\n');
-  std::string row;
-  for (std::size_t b = 0; b < weights.front().size(); ++b) {
-    for (std::size_t i = 0; i < weights.front()[b].stations.size(); ++i) {
-      const StationWeight& s = weights.front()[b].stations[i];
-      row.clear();
-      append_ids(row, weighing, b, s.station);
-      append_part(row, s, unit);
-      for (std::size_t m = 0; m < factors_in(weighing, weights); ++m) {
-        row += ',';
-        append_shortest(row, weights[m][b].stations[i].factor);
-      }
-      row += '\n';
-      file.append(row);
-    }
+  const WeightTexts texts(weighing, weights, unit);
+  constexpr std::size_t rows_in_block = 4096;
+  constexpr std::size_t blocks_a_thread = 4;
+  std::vector<std::string> blocks(threads > 1 ? threads * blocks_a_thread : 1);
+  const std::size_t rows_at_once = rows_in_block * blocks.size();
+  for (std::size_t first = 0; first < texts.rows(); first += rows_at_once) {
+    const std::size_t rows = std::min(rows_at_once, texts.rows() - first);
+    in_parallel((rows + rows_in_block - 1) / rows_in_block, threads,
+                [&](std::size_t, std::size_t i) {
+                  blocks[i].clear();
+                  const std::size_t begin = i * rows_in_block;
+                  texts.append(blocks[i], first + begin, std::min(rows_in_block, rows - begin));
+                });
+    for (std::size_t begin = 0; begin < rows; begin += rows_in_block)
+      file.append(blocks[begin / rows_in_block]);
   }
 }
 

@@ -44,9 +44,11 @@ std::vector<ChangedWeight> changed_weights(const BasinWeights& before, const Bas
 /// is unknown, in the fewest digits that read back to the same double; basins in file order, then
 /// stations in file order. With normals there is a last column `factor`, by which a reading counts
 /// beside its weight; where calendar months have their own there are twelve, `factor_01` to
-/// `factor_12`: `weights` has those of each month (see Weighing::weights_by_month).
+/// `factor_12`: `weights` has those of each month (see Weighing::weights_by_month). The threads
+/// make blocks of rows, which are written in their order.
 void write_weights(OutputFile& file, const Weighing& weighing,
-                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit);
+                   const std::vector<std::vector<BasinWeights>>& weights, AreaUnit unit,
+                   unsigned threads = 1);
 
 /// Writes the table of weights before and after a change of the network: CSV
 /// `basin,station,area_km2,weight,area_km2_after,weight_after`, with the stations that have weight

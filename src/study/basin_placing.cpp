@@ -1,9 +1,11 @@
 #include "study/basin_placing.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "base/parallel.h"
 #include "outlines/area_words.h"
 #include "outlines/common_turn.h"
 #include "outlines/longitudes.h"
@@ -35,26 +37,54 @@ void tell_assumptions(const RawBasin& basin, const WideEdges& wide, const MultiP
   warnings.add({file, basin.line, basin.place + ": " + text, {}});
 }
 
+/// What has become of a basin, and what is to be said of it.
+struct Placed {
+  MultiPolygon shape;
+  Warnings warnings;
+  std::optional<Error> fault;  ///< why it has no shape
+};
+
+MultiPolygon mended_or_thrown(RawBasin& basin, const MendingRules& rules, const std::string& file,
+                              Warnings& warnings) {
+  WideEdges wide;
+  const std::string fault = rules.round_the_earth ? unwrap_longitudes(basin.polygons, wide) : "";
+  if (!fault.empty()) throw Error({file, basin.line, basin.place + ": " + fault, hint_for(wide)});
+  Complaints complaints;
+  std::optional<MultiPolygon> mended = mend(basin, rules, file, warnings, complaints);
+  complaints.throw_if_any();
+  tell_assumptions(basin, wide, *mended, file, warnings);
+  return *std::move(mended);
+}
+
+Placed place(RawBasin& basin, const MendingRules& rules, const std::string& file) {
+  Placed placed;
+  try {
+    placed.shape = mended_or_thrown(basin, rules, file, placed.warnings);
+  } catch (const Error& error) {
+    placed.fault = error;
+  }
+  basin.polygons.clear();
+  return placed;
+}
+
 }  // namespace
 
 std::vector<MultiPolygon> mend_basins(BasinList& basins, const MendingRules& rules,
-                                      Warnings& warnings) {
+                                      Warnings& warnings, unsigned threads) {
+  std::vector<Placed> placed(basins.basins.size());
+  in_parallel(placed.size(), threads, [&](std::size_t, std::size_t i) {
+    placed[i] = place(basins.basins[i], rules, basins.file);
+  });
   std::vector<MultiPolygon> shapes;
-  shapes.reserve(basins.basins.size());
+  shapes.reserve(placed.size());
   Complaints complaints;
-  for (RawBasin& basin : basins.basins) {
-    WideEdges wide;
-    const std::string fault = rules.round_the_earth ? unwrap_longitudes(basin.polygons, wide) : "";
-    if (!fault.empty()) {
-      complaints.add({basins.file, basin.line, basin.place + ": " + fault, hint_for(wide)});
-      continue;
+  for (Placed& basin : placed) {
+    for (const Message& message : basin.warnings.messages()) warnings.add(message);
+    if (basin.fault) {
+      for (const Message& message : basin.fault->messages()) complaints.add(message);
+    } else {
+      shapes.push_back(std::move(basin.shape));
     }
-    auto mended = mend(basin, rules, basins.file, warnings, complaints);
-    if (mended) {
-      tell_assumptions(basin, wide, *mended, basins.file, warnings);
-      shapes.push_back(*std::move(mended));
-    }
-    basin.polygons.clear();
   }
   complaints.throw_if_any();
   return shapes;

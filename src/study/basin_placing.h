@@ -13,9 +13,10 @@ namespace thiessen {
 /// keeps ids and places, and loses its polygons. Where `rules.round_the_earth` is set, coordinates
 /// are longitudes and latitudes in degrees, and edges take their way as unwrap_longitudes says;
 /// what was assumed of wide edges is warned of, with the basin's area. Throws Error with every
-/// basin that has no area, crosses itself, or has an edge whose way is not known.
+/// basin that has no area, crosses itself, or has an edge whose way is not known. What is returned
+/// and said is the same for any number of threads.
 std::vector<MultiPolygon> mend_basins(BasinList& basins, const MendingRules& rules,
-                                      Warnings& warnings);
+                                      Warnings& warnings, unsigned threads = 1);
 
 /// Adds whole turns to the longitudes of basins in longitude and latitude that lie on both sides of
 /// the antimeridian, so that they are not far apart: see bring_to_common_turn.

@@ -1,5 +1,7 @@
 #include "text/json_text.h"
 
+#include <algorithm>
+
 #include "base/utf8.h"
 
 namespace thiessen {
@@ -11,6 +13,12 @@ void append_escape(std::string& out, unsigned code) {
   for (int shift = 12; shift >= 0; shift -= 4) {
     out += digits[(code >> static_cast<unsigned>(shift)) & 0xFU];
   }
+}
+
+/// Whether a text is written as it stands: ASCII, with nothing to escape.
+bool is_plain(std::string_view text) {
+  return std::ranges::all_of(
+      text, [](char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\' && c != '<'; });
 }
 
 /// Appends the text with what JSON requires escaped. Requires that all of it is UTF-8.
@@ -37,6 +45,11 @@ void append_valid(std::string& out, std::string_view text) {
 
 void append_json_string(std::string& out, std::string_view text) {
   out += '"';
+  if (is_plain(text)) {
+    out += text;
+    out += '"';
+    return;
+  }
   for (;;) {
     const Utf8Prefix prefix = valid_utf8_prefix(text);
     append_valid(out, text.substr(0, prefix.valid));

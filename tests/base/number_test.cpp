@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cfloat>
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
@@ -140,6 +141,28 @@ TEST(ShortestText, reads_back_to_the_same_double) {
   }
   for (const double value : {DBL_MAX, DBL_MIN, 5e-324}) {
     EXPECT_EQ(parse_number(shortest_text(value)).value, value);
+  }
+}
+
+TEST(ShortestText, is_that_of_the_c_library) {
+  const auto expect_alike = [](double value) {
+    std::array<char, 64> text;
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+    ASSERT_EQ(shortest_text(value), std::string(text.data(), end));
+  };
+  const unsigned seed = std::random_device()();
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> exponent(-5.9, 14.9);
+  for (int i = 0; i < 100'000; ++i) expect_alike(-std::pow(10.0, exponent(random)));
+  for (int i = 0; i < 100'000; ++i)
+    expect_alike(static_cast<double>(random() % 1'000'000'000) / std::pow(10.0, random() % 8));
+  // Above and below a power of two doubles lie apart by different steps.
+  for (int power = -19; power < 49; ++power) {
+    double value = std::ldexp(1, power);
+    for (int i = 0; i < 20; ++i) value = std::nextafter(value, 0);
+    for (int i = 0; i < 40; ++i, value = std::nextafter(value, 1e15)) expect_alike(value);
   }
 }
 

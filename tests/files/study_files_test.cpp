@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
@@ -47,6 +50,32 @@ std::string square(double x, double y, double side) {
 
 std::string geojson(const std::string& ring) {
   return R"({"type":"Polygon","coordinates":[)" + ring + "]}";
+}
+
+TEST(Study, is_read_by_two_threads_as_by_one) {
+  const auto read = [](unsigned threads, const std::string& stations, const std::string& basins) {
+    Given given;
+    given.stations = stations;
+    given.basins = basins;
+    given.basins_name = "b.csv";
+    given.request.threads = threads;
+    const StudyFiles study = given.study();
+    std::vector<std::string> told;  // without the folder, which is another each time
+    for (const std::string& text : sentences_of(given.warnings))
+      told.push_back(text.substr(text.find(".csv")));
+    return std::tuple(study.stations.size(), study.basins.at(0).shape.at(0).outer, told);
+  };
+  const std::string stations = "id,x,y\na,1000,2000\nb,3000,4000\n";
+  const std::string open = "id,WKT\nq,\"POLYGON ((0 0,4000 0,4000 4000,0 4000))\"\n";
+  EXPECT_EQ(std::get<2>(read(2, stations, open)).at(0), ".csv:2: basin 'q' is mended: 1 open ring");
+  EXPECT_EQ(read(2, stations, open), read(1, stations, open));
+  // Faults of the stations are told first, and alone.
+  const auto faulty_file = [&](const std::string& of_stations) {
+    const auto faults = complaints_of([&] { read(2, of_stations, "id,WKT\nq,POINT\n"); });
+    return faults.size() == 1 ? faults[0].substr(faults[0].find(".csv") - 1, 5) : "";
+  };
+  EXPECT_EQ(faulty_file("id,x,y\na,1,x\n"), "s.csv");
+  EXPECT_EQ(faulty_file(stations), "b.csv");
 }
 
 TEST(Study, longitude_and_latitude_are_geodesic) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 #include "results/written.h"
@@ -19,6 +21,23 @@ TEST(WeightsFile, has_a_row_a_weight_with_ids_as_written_and_areas_in_km2) {
             "\"B,1\",\"a\"\"b\",0.000006,0.5\n"
             "\"B,1\",007,0.000006,0.5\n"
             "C,007,0.000004,1\n");
+}
+
+TEST(WeightsFile, is_the_same_by_any_number_of_threads) {
+  const TwoBasins study;
+  std::vector<BasinWeights> weights(2);
+  for (int i = 0; i < 30'000; ++i)
+    weights[i % 3 == 0 ? 0 : 1].stations.push_back(
+        {StationIndex{i % 2 == 0 ? 0U : 1U}, i / 8.0, 0.5});
+  const auto by_threads = [&](unsigned threads) {
+    return written([&](OutputFile& file) {
+      write_weights(file, study.weighing, {weights}, AreaUnit{1}, threads);
+    });
+  };
+  const std::string alone = by_threads(1);
+  EXPECT_EQ(std::count(alone.begin(), alone.end(), '\n'), 30'001);
+  EXPECT_TRUE(alone.ends_with("\nC,007,3749.875,0.5\n"));
+  EXPECT_EQ(by_threads(3), alone);
 }
 
 TEST(WeightsFile, rows_have_the_names_and_the_unit_of_the_table) {

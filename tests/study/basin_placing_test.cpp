@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/complaints.h"
 
@@ -57,6 +60,29 @@ TEST(MendBasins, tells_every_basin_that_cannot_be_mended) {
   EXPECT_TRUE(faults[0].starts_with("b.csv:2: basin 'a' ")) << faults[0];
   EXPECT_TRUE(faults[1].starts_with("b.csv:4: basin 'c' ")) << faults[1];
   EXPECT_TRUE(faults[2].starts_with("b.csv:5: basin 'd' ")) << faults[2];
+}
+
+TEST(MendBasins, says_the_same_by_several_threads) {
+  std::vector<Ring> rings;
+  for (int i = 0; i < 20; ++i) {
+    rings.push_back(square(i, i, 1));
+    rings.push_back(open(square(0, i, 2)));  // which is mended, and told
+  }
+  const auto found = [&](unsigned threads) {
+    BasinList list = list_of(rings);
+    Warnings warnings;
+    auto shapes = mend_basins(list, in_plane, warnings, threads);
+    std::vector<Ring> outers;
+    for (const MultiPolygon& shape : shapes) outers.push_back(shape.at(0).outer);
+    return std::pair(outers, sentences_of(warnings));
+  };
+  EXPECT_EQ(found(1).second.size(), 20U);
+  EXPECT_EQ(found(3), found(1));
+  rings.insert(rings.begin() + 1, bow_tie);
+  rings.push_back(bow_tie);
+  const auto faults = complaints_of([&] { found(3); });
+  EXPECT_EQ(faults.size(), 2U);
+  EXPECT_EQ(faults, complaints_of([&] { found(1); }));
 }
 
 TEST(MendBasins, edges_go_the_short_way_round_the_earth_where_there_is_one) {

@@ -53,6 +53,7 @@ Placing StationPositions::read(Station& station) {
 Placing StationPositions::read_columns(Station& station) {
   using Axis = DegreesText::Axis;
   const auto& fields = features_.row().fields;
+  if (read_plainly(station)) return Placing::good;
   if (is_nowhere()) {
     if (request_.skip_unplaced) return Placing::nowhere;
     return complain("station " + quoted(station.id, 80) + " has no coordinates" +
@@ -64,6 +65,18 @@ Placing StationPositions::read_columns(Station& station) {
   // Adding zero turns -0 into 0, so that both are the same place.
   if (x && y) station.position = {*x + 0.0, *y + 0.0};
   return x && y ? Placing::good : Placing::bad;
+}
+
+/// Reads two numbers that can be nothing but coordinates, as most are. Of numbers only those below
+/// the least degrees, and two that are alike, may mean that there is none.
+bool StationPositions::read_plainly(Station& station) const {
+  const auto& fields = features_.row().fields;
+  const auto x = parse_number(trimmed(fields[fields_.x]), features_.decimal_mark());
+  const auto y = parse_number(trimmed(fields[fields_.y]), features_.decimal_mark());
+  if (!x || !y || x.value == y.value) return false;
+  if (fields_.are_degrees && (x.value < -most_longitude || y.value < -most_latitude)) return false;
+  station.position = {x.value + 0.0, y.value + 0.0};
+  return true;
 }
 
 /// Whether neither column of the feature has a coordinate.

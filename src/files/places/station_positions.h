@@ -46,6 +46,7 @@ class StationPositions {
  private:
   Placing read_columns(Station& station);
   Placing read_geometry(Station& station);
+  bool read_plainly(Station& station) const;
   bool is_nowhere() const;
   bool is_missing(std::size_t field, double most_degrees) const;
   std::optional<double> read_number(const Station& station, std::size_t field,

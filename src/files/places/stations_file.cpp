@@ -47,6 +47,7 @@ class StationsReader {
         result_.filtered_ids.insert(id_of_row());
       }
     }
+    drop_badly_placed();
     name_crs();
     complain_of_range(result_, complaints_);
     complaints_.throw_if_any();
@@ -93,9 +94,13 @@ class StationsReader {
       complain("a station has no id");
       return;
     }
-    if (const Station* const first = met_.meet(station))
+    if (const Station* const first = met_.meet(station.id))
       return meet_again(station, placing, *first);
-    if (placing != Placing::good) return;
+    if (placing != Placing::good) {  // it was complained of, and is only to be met again
+      badly_placed_.push_back(result_.stations.size());
+      result_.stations.push_back(std::move(station));
+      return;
+    }
     if (fields_.label && !row.fields[*fields_.label].empty())
       result_.labels.emplace(station.id, std::string(row.fields[*fields_.label]));
     if (normals_->any()) {
@@ -109,6 +114,17 @@ class StationsReader {
     }
     result_.stations.push_back(std::move(station));
     if (request_.attributes) keep_attributes(row);
+  }
+
+  void drop_badly_placed() {
+    auto bad = badly_placed_.begin();
+    std::size_t at = 0;
+    std::erase_if(result_.stations, [&](const Station&) {
+      const bool is_bad = bad != badly_placed_.end() && *bad == at;
+      if (is_bad) ++bad;
+      ++at;
+      return is_bad;
+    });
   }
 
   /// A file of one row a reading gives each station again and again, at one place.
@@ -195,7 +211,8 @@ class StationsReader {
   std::optional<StationPositions> positions_;
   std::optional<NormalColumns> normals_;
   std::optional<ElevationColumn> elevations_;
-  MetStations met_;
+  MetStations met_{result_.stations};
+  std::vector<std::size_t> badly_placed_;  ///< their places in the list, while it is made
   std::size_t read_ = 0;
   std::size_t repeated_ = 0;
   std::size_t unplaced_ = 0;

@@ -2,16 +2,17 @@
 
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
-#include "base/hexadecimal.h"
 #include "base/interrupt.h"
 #include "geometry/hilbert.h"
 
@@ -20,7 +21,6 @@ namespace {
 
 constexpr std::size_t node_head = 4;     // the tree's depth and the number of entries
 constexpr std::size_t entry_bytes = 24;  // a number of 8 bytes, and four coordinates as floats
-constexpr std::size_t rows_a_statement = 500;
 
 /// A text in SQL, between quotes of that kind.
 std::string in_quotes(const std::string& text, char quote) {
@@ -43,39 +43,54 @@ float float_above(double value) {
   return -float_below(-value);
 }
 
-/// Appends a number in hexadecimal digits, its highest byte first.
+/// Appends a number, its highest byte first.
 void append_bytes(std::string& out, std::uint64_t number, int bytes) {
-  for (int i = bytes - 1; i >= 0; --i)
-    append_hexadecimal(out, static_cast<std::uint8_t>(number >> (8 * i)));
+  for (int i = bytes - 1; i >= 0; --i) out += static_cast<char>(number >> (8 * i));
 }
 
 void append_float(std::string& out, float value) {
   append_bytes(out, std::bit_cast<std::uint32_t>(value), 4);
 }
 
-/// A statement that puts many rows into a table, some hundred at a time.
-template <typename Run>
-class RowsInserted {
- public:
-  RowsInserted(std::string into, Run run) : into_(std::move(into)), run_(std::move(run)) {}
-
-  void add(const std::string& row) {
-    statement_ += (statement_.empty() ? into_ + " VALUES " : ",") + row;
-    if (++count_ % rows_a_statement == 0) finish();
-  }
-  void finish() {
-    if (!statement_.empty()) run_(statement_);
-    statement_.clear();
-  }
-
- private:
-  std::string into_;
-  Run run_;
-  std::string statement_;
-  std::size_t count_ = 0;
+struct FinishStatement {
+  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 };
 
 }  // namespace
+
+/// A statement that puts a row of two columns into a table, made once for all rows: GDAL would look
+/// through the text of each.
+class SpatialIndex::RowInserted {
+ public:
+  RowInserted(const SpatialIndex& index, const std::string& into) : index_(index) {
+    auto* const database = static_cast<sqlite3*>(index.dataset_.GetInternalHandle("SQLITE_HANDLE"));
+    sqlite3_stmt* made = nullptr;
+    const std::string text = into + " VALUES (?,?)";
+    index_.require(database != nullptr &&
+                   sqlite3_prepare_v2(database, text.c_str(), -1, &made, nullptr) == SQLITE_OK);
+    statement_.reset(made);
+  }
+
+  void add(std::int64_t first, std::int64_t second) {
+    index_.require(sqlite3_bind_int64(statement_.get(), 2, second) == SQLITE_OK);
+    put(first);
+  }
+  void add(std::int64_t first, const std::string& bytes) {
+    index_.require(sqlite3_bind_blob64(statement_.get(), 2, bytes.data(), bytes.size(),
+                                       SQLITE_STATIC) == SQLITE_OK);
+    put(first);
+  }
+
+ private:
+  void put(std::int64_t first) {
+    index_.require(sqlite3_bind_int64(statement_.get(), 1, first) == SQLITE_OK);
+    index_.require(sqlite3_step(statement_.get()) == SQLITE_DONE);
+    index_.require(sqlite3_reset(statement_.get()) == SQLITE_OK);
+  }
+
+  const SpatialIndex& index_;
+  std::unique_ptr<sqlite3_stmt, FinishStatement> statement_;
+};
 
 SpatialIndex::SpatialIndex(GDALDataset& dataset, OGRLayer& layer, std::string path)
     : dataset_(dataset),
@@ -132,23 +147,18 @@ void SpatialIndex::write() {
 // level above. Entries of the lowest level are rows.
 std::vector<SpatialIndex::Entry> SpatialIndex::write_level(const std::vector<Entry>& entries,
                                                            int depth, bool is_root) {
-  const auto insert = [this](const std::string& verb, const char* table) {
-    return RowsInserted(verb + " INTO " + in_quotes(tree_ + table, '"'),
-                        [this](const std::string& statement) { run(statement); });
-  };
-  auto node_rows = insert("REPLACE", "_node");
-  auto entry_rows = insert("INSERT", depth == 0 ? "_rowid" : "_parent");
+  RowInserted node_row(*this, "REPLACE INTO " + in_quotes(tree_ + "_node", '"'));
   const std::size_t nodes = is_root ? 1 : (entries.size() + capacity_ - 1) / capacity_;
   std::vector<Entry> above;
   above.reserve(nodes);
   std::vector<std::pair<std::int64_t, std::int64_t>> node_of;  // of each entry
   node_of.reserve(entries.size());
+  std::string row;
   for (std::size_t n = 0; n < nodes; ++n) {
     const std::size_t begin = entries.size() * n / nodes;
     const std::size_t end = entries.size() * (n + 1) / nodes;
     Entry& node = above.emplace_back(Entry{is_root ? 1 : ++last_node_, {}});
-    const std::string number = std::to_string(node.number);
-    std::string row = "(" + number + ",X'";
+    row.clear();
     append_bytes(row, is_root ? static_cast<std::uint64_t>(depth) : 0, 2);
     append_bytes(row, end - begin, 2);
     for (std::size_t i = begin; i < end; ++i) {
@@ -161,14 +171,13 @@ std::vector<SpatialIndex::Entry> SpatialIndex::write_level(const std::vector<Ent
       node.box.take_in(box);
       node_of.emplace_back(entry, node.number);
     }
-    row.append(2 * entry_bytes * (capacity_ - (end - begin)), '0');
-    node_rows.add(row + "')");
+    row.append(entry_bytes * (capacity_ - (end - begin)), '\0');
+    node_row.add(node.number, row);
   }
-  node_rows.finish();
   std::sort(node_of.begin(), node_of.end());  // a table grows fastest at its end
-  for (const auto& [entry, node] : node_of)
-    entry_rows.add("(" + std::to_string(entry) + "," + std::to_string(node) + ")");
-  entry_rows.finish();
+  RowInserted entry_row(
+      *this, "INSERT INTO " + in_quotes(tree_ + (depth == 0 ? "_rowid" : "_parent"), '"'));
+  for (const auto& [entry, node] : node_of) entry_row.add(entry, node);
   return above;
 }
 
@@ -176,7 +185,11 @@ void SpatialIndex::run(const std::string& statement) const {
   CPLErrorReset();
   if (OGRLayer* const answer = dataset_.ExecuteSQL(statement.c_str(), nullptr, nullptr))
     dataset_.ReleaseResultSet(answer);
-  if (CPLGetLastErrorType() < CE_Failure) return;
+  require(CPLGetLastErrorType() < CE_Failure);
+}
+
+void SpatialIndex::require(bool done) const {
+  if (done) return;
   throw_if_interrupted();  // which makes SQLite fail
   throw Error(Message{path_, 0, "GDAL cannot write the spatial index", {}});
 }

@@ -34,10 +34,14 @@ class SpatialIndex {
     Box box;
   };
 
+  class RowInserted;
+
   void take_triggers_away();
   std::size_t node_bytes() const;
   std::vector<Entry> write_level(const std::vector<Entry>& entries, int depth, bool is_root);
   void run(const std::string& statement) const;
+  /// Throws Error, or Interrupted, where SQLite has not done what it was to do.
+  void require(bool done) const;
   std::vector<std::string> texts(const std::string& query) const;
 
   GDALDataset& dataset_;

@@ -253,8 +253,12 @@ class Weighing::CellsHandedOver {
         turns.emplace_back(s, i);
     }
     std::sort(turns.begin(), turns.end());
+    constexpr std::size_t far = 16;
+    constexpr std::size_t near = 6;
     for (std::size_t t = 0; goes_on_ && t < turns.size(); ++t) {
       throw_if_interrupted();
+      if (t + far < turns.size()) cells.expect_far(turns[t + far].second);
+      if (t + near < turns.size()) cells.expect_near(turns[t + near].second);
       ClippedCell cell = cells.cell(turns[t].second);
       const auto sharing = static_cast<double>(clipping.stations_of(cell.place).size());
       const double area = cell.area / sharing;

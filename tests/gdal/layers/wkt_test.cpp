@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <string>
+#include <vector>
+
 namespace thiessen {
 namespace {
 
@@ -15,6 +19,35 @@ TEST(Wkt, points_and_polygons_have_their_coordinates_as_written) {
   ASSERT_EQ(polygon->polygons.size(), 1U);
   EXPECT_EQ(polygon->polygons[0].outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 0}}));
   EXPECT_EQ(polygon->polygons[0].holes.at(0), (Ring{{3, 1}, {3, 2}, {2, 1}, {3, 1}}));
+}
+
+/// Polygons in their plain form are read without GDAL; by a blank, GDAL reads the same.
+TEST(Wkt, polygons_are_the_same_with_a_blank_more) {
+  for (const std::string text :
+       {"POLYGON((0.1 -2e3,4 0,4.25 4,0.1 -2e3))",
+        "POLYGON ((0 0, 4 0, 4 4, 0 0), (3 1,3 2,2 1,3 1))",
+        "MULTIPOLYGON (((0 0,4 0,4 4,0 0)),((7 7,9 7,8 9,7 7),(8 8,8 8.1,8.1 8,8 8)))",
+        "POLYGON ((0.12345678901234567890 1,4 0,4 4,0.12345678901234567890 1))"}) {
+    const auto plain = record_of_wkt(text);
+    const auto by_gdal = record_of_wkt(' ' + text);
+    ASSERT_TRUE(plain && by_gdal) << text;
+    EXPECT_EQ(plain->type, by_gdal->type);
+    EXPECT_FALSE(plain->has_z || by_gdal->has_z);
+    EXPECT_FALSE(plain->polygons.empty());
+    ASSERT_EQ(plain->polygons.size(), by_gdal->polygons.size());
+    for (std::size_t i = 0; i < plain->polygons.size(); ++i) {
+      EXPECT_EQ(plain->polygons[i].outer, by_gdal->polygons[i].outer);
+      EXPECT_EQ(plain->polygons[i].holes, by_gdal->polygons[i].holes);
+    }
+  }
+}
+
+TEST(Wkt, polygons_of_another_form_are_what_gdal_takes_them_for) {
+  EXPECT_TRUE(record_of_wkt("POLYGON Z ((0 0 1,4 0 1,4 4 1,0 0 1))").value().has_z);
+  EXPECT_EQ(record_of_wkt("POLYGON ((0 0,4 0,4 4))").value().polygons.at(0).outer.size(), 3U);
+  for (const char* text : {"POLYGON ((0 0,4 0,4 4,0 0)", "POLYGON ((0 0,4 0,4 4,0 0)) x",
+                           "POLYGON ((a 0,4 0,4 4,a 0))", "POLYGON ((+1 0,4 0,4 4,+1 0))"})
+    EXPECT_FALSE(record_of_wkt(text)) << text;
 }
 
 TEST(Wkt, case_and_blanks_do_not_count) {
