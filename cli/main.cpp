@@ -1,3 +1,4 @@
+#include "cli/lacking_memory.h"
 #include "cli/program.h"
 
 namespace {

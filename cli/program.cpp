@@ -1,11 +1,5 @@
 #include "cli/program.h"
 
-#include <unistd.h>
-#ifdef __GLIBC__
-#include <execinfo.h>
-#endif
-
-#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -14,10 +8,9 @@
 #include "base/error.h"
 #include "base/interrupt.h"
 #include "cli/command_line.h"
+#include "cli/lacking_memory.h"
 #include "cli/terminal/messages.h"
 #include "gdal/drivers.h"
-#include "gdal/gdal_errors.h"
-#include "map/opencv/fonts.h"
 
 namespace thiessen::cli {
 namespace {
@@ -47,35 +40,13 @@ int run_command(Command& command, Warnings& warnings) {
   return done;
 }
 
-/// Where nothing else is left to do: what has no name vanishes with the process, and what lies
-/// under a hidden one is removed by the next run that writes there.
-[[noreturn]] void end_without_memory() noexcept {
-  print_lack_of_memory();
-  ::_exit(failed);
-}
-
-/// What the C++ library does about an exception that nothing caught: it says which, and aborts.
-std::terminate_handler end_of_library = nullptr;
-
-/// A library that throws for want of memory where nothing may be thrown calls this.
-[[noreturn]] void end_after_uncaught() noexcept {
-  try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::bad_alloc&) {
-    end_without_memory();
-  } catch (...) {  // the library's own end, below, tells of it
-  }
-  if (end_of_library != nullptr) end_of_library();
-  std::abort();
-}
-
-/// The C library loads what it needs to end a thread when it is first needed, and gives up where
-/// there is no memory for it then.
-void load_unwinder() noexcept {
-#ifdef __GLIBC__
-  void* frame = nullptr;
-  ::backtrace(&frame, 1);
-#endif
+/// Prints an error, and where memory is short that it may be the cause: libraries tell a lack of it
+/// as something else.
+void print_error(const Error& error) {
+  const bool is_short = memory_is_short();
+  print(before_error, error);
+  const bool is_told = shown(error.messages().front().placed()).find("memory") != std::string::npos;
+  if (is_short && !is_told) print_hint("memory ran out, which may be the cause");
 }
 
 int run_and_report(int argc, char** argv) {
@@ -95,7 +66,7 @@ int run_and_report(int argc, char** argv) {
   } catch (const ReaderGone&) {
     return failed;
   } catch (const Error& error) {
-    print(before_error, error);
+    print_error(error);
     return failed;
   } catch (const Interrupted& interrupted) {
     print(before_error, when_interrupted, "");
@@ -112,16 +83,8 @@ int run_and_report(int argc, char** argv) {
 
 }  // namespace
 
-void watch_for_uncaught() noexcept {
-  const std::terminate_handler before = std::set_terminate(end_after_uncaught);
-  if (before != end_after_uncaught) end_of_library = before;
-}
-
 int run_program(int argc, char** argv) {
-  watch_for_uncaught();
-  load_unwinder();
-  when_gdal_lacks_memory(end_without_memory);
-  when_fonts_break_off(end_without_memory);
+  watch_for_lack_of_memory();
   try {
     return run_and_report(argc, argv);
   } catch (const std::bad_alloc&) {  // there was no memory for the message of what went wrong

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <initializer_list>
 #include <iostream>
 
 #include "base/secrets.h"
@@ -43,6 +44,13 @@ std::string argument(std::string_view name) {
   return text;
 }
 
+/// Takes no memory.
+void write_plainly(std::initializer_list<std::string_view> texts) noexcept {
+  for (const std::string_view text : texts) {
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) errno = 0;
+  }
+}
+
 }  // namespace
 
 std::string shown(const Wording& words) {
@@ -55,7 +63,11 @@ void print(std::string_view before, const Message& message) {
 
 void print(std::string_view before, const std::string& text, const std::string& hint) {
   std::cerr << before << without_passwords(text) << '\n';
-  if (!hint.empty()) std::cerr << "hint: " << without_passwords(hint) << '\n';
+  if (!hint.empty()) print_hint(hint);
+}
+
+void print_hint(const std::string& hint) {
+  std::cerr << "hint: " << without_passwords(hint) << '\n';
 }
 
 void print(std::string_view before, const Error& error) {
@@ -64,11 +76,11 @@ void print(std::string_view before, const Error& error) {
 }
 
 void print_lack_of_memory(std::string_view what) noexcept {
-  for (const std::string_view text :
-       {std::string_view("thiessen: error: not enough memory"),
-        std::string_view(what.empty() ? "" : " "), what, std::string_view("\n")}) {
-    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) errno = 0;
-  }
+  write_plainly({"thiessen: error: not enough memory", what.empty() ? "" : " ", what, "\n"});
+}
+
+void print_last_words(std::string_view words) noexcept {
+  write_plainly({"thiessen: error: ", words, "\n"});
 }
 
 void print(Warnings& warnings) {

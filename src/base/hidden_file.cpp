@@ -47,6 +47,26 @@ bool is_backup_of(const std::string& backup, const std::string& path) {
          std::string_view(name).substr(fresh_name_length() + 1) == told_part(path);
 }
 
+constexpr int folder_flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+
+/// Calls `visit` with the name of everything in an open folder. Takes no memory. Returns whether
+/// all could be read.
+template <typename Visit>
+bool for_each_in(int folder, Visit visit) {
+  if (::lseek(folder, 0, SEEK_SET) != 0) return false;
+  alignas(dirent64) char entries[4096];
+  for (;;) {
+    const long bytes = ::syscall(SYS_getdents64, folder, entries, sizeof entries);
+    if (bytes <= 0) return bytes == 0;
+    for (long at = 0; at < bytes;) {
+      const auto* const entry = reinterpret_cast<const dirent64*>(entries + at);
+      const std::string_view name = entry->d_name;
+      if (name != "." && name != "..") visit(entry->d_name);
+      at += entry->d_reclen;
+    }
+  }
+}
+
 enum class Left { nothing, only_copy };
 
 /// Removes what lies under a hidden name, unless it is another user's, or an older file without
@@ -55,7 +75,7 @@ Left remove_leftover(const std::string& path) {
   struct stat status = {};
   if (::lstat(path.c_str(), &status) != 0 || status.st_uid != ::geteuid()) return Left::nothing;
   if (S_ISDIR(status.st_mode)) {
-    remove_folder_of_files(path);
+    remove_folder_of_files(path, {});
     return Left::nothing;
   }
   const bool is_backup = !is_fresh_name(name_in_folder(path));
@@ -149,21 +169,25 @@ void FolderInUse::forget(const std::string& path) noexcept {
   }
 }
 
-void remove_folder_of_files(const std::string& folder) noexcept {
-  const int opened = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (opened >= 0) {
-    alignas(dirent64) char entries[4096];
-    for (;;) {
-      const long bytes = ::syscall(SYS_getdents64, opened, entries, sizeof entries);
-      if (bytes <= 0) break;
-      for (long at = 0; at < bytes;) {
-        const auto* const entry = reinterpret_cast<const dirent64*>(entries + at);
-        if (::unlinkat(opened, entry->d_name, 0) != 0 && errno == EISDIR)
-          ::unlinkat(opened, entry->d_name, AT_REMOVEDIR);
-        at += entry->d_reclen;
-      }
-    }
-    ::close(opened);
+std::vector<std::string> names_in(const Descriptor& folder, const std::string& path) {
+  std::vector<std::string> names;
+  const bool is_read =
+      for_each_in(folder.number(), [&](const char* name) { names.emplace_back(name); });
+  if (!is_read) throw system_error(path, "cannot write", errno);
+  return names;
+}
+
+void remove_folder_of_files(const std::string& folder, const Descriptor& opened) noexcept {
+  const auto remove = [](int in) {
+    for_each_in(in, [in](const char* name) {
+      if (::unlinkat(in, name, 0) != 0 && errno == EISDIR) ::unlinkat(in, name, AT_REMOVEDIR);
+    });
+  };
+  if (opened.is_open()) {
+    remove(opened.number());
+  } else if (const int own = ::open(folder.c_str(), folder_flags); own >= 0) {
+    remove(own);
+    ::close(own);
   }
   ::rmdir(folder.c_str());
 }

@@ -34,7 +34,12 @@ class FolderInUse {
   std::vector<std::string> only_copies_;
 };
 
-/// Removes a folder and the files in it. Takes no memory, which may be what is lacking.
-void remove_folder_of_files(const std::string& folder) noexcept;
+/// The names of what lies in an open folder, in the order in which the system tells them. Throws
+/// Error where it cannot be read, in which `path` is the file that cannot be written for it.
+std::vector<std::string> names_in(const Descriptor& folder, const std::string& path);
+
+/// Removes a folder, which is open or not, and the files in it. Takes no memory, and where it is
+/// open no other file: they may be what is lacking.
+void remove_folder_of_files(const std::string& folder, const Descriptor& opened) noexcept;
 
 }  // namespace thiessen

@@ -2,9 +2,16 @@
 
 #include <sys/mman.h>
 
+#include <atomic>
 #include <cerrno>
 
 namespace thiessen {
+
+namespace {
+
+std::atomic<bool> has_lacked = false;
+
+}  // namespace
 
 bool can_have(std::size_t bytes) noexcept {
   if (bytes == 0) return true;
@@ -15,6 +22,18 @@ bool can_have(std::size_t bytes) noexcept {
   if (is_had) ::munmap(place, bytes);
   errno = before;
   return is_had;
+}
+
+void note_lack_of_memory() noexcept {
+  has_lacked.store(true, std::memory_order_relaxed);
+}
+
+bool has_lacked_memory() noexcept {
+  return has_lacked.load(std::memory_order_relaxed);
+}
+
+void forget_lack_of_memory() noexcept {
+  has_lacked.store(false, std::memory_order_relaxed);
 }
 
 }  // namespace thiessen

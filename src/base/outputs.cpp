@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <mutex>
 #include <system_error>
 #include <utility>
 
@@ -94,10 +95,33 @@ void sync_folder(const std::string& folder) {
   if (opened.is_open() && ::fsync(opened.number()) != 0) errno = 0;  // the files are safe already
 }
 
+std::mutex living_mutex;
+Outputs* first_living = nullptr;  // each tells the next
+
 }  // namespace
 
+Outputs::Outputs(OutputRules rules) : rules_(std::move(rules)) {
+  const std::lock_guard lock(living_mutex);
+  next_ = std::exchange(first_living, this);
+}
+
 Outputs::~Outputs() {
-  if (!committed_) discard();
+  if (!committed_) {
+    files_.clear();
+    abandon();
+  }
+  const std::lock_guard lock(living_mutex);
+  Outputs** link = &first_living;
+  while (*link != this) link = &(*link)->next_;
+  *link = next_;
+}
+
+void Outputs::abandon_all() noexcept {
+  const std::unique_lock lock(living_mutex, std::try_to_lock);
+  if (!lock.owns_lock()) return;  // then a later run takes away what is left
+  for (Outputs* outputs = first_living; outputs != nullptr; outputs = outputs->next_) {
+    if (!outputs->committed_) outputs->abandon();
+  }
 }
 
 /// Opens the file without a name, else under a hidden one.
@@ -174,6 +198,8 @@ std::string Outputs::add_foreign(const std::string& path) {
   foreign.path = path;
   make_hidden(path, foreign.folder,
               [](const std::string& name) { return ::mkdir(name.c_str(), 0700) == 0; });
+  foreign.opened = open_descriptor(foreign.folder, O_RDONLY | O_DIRECTORY | O_NOFOLLOW);
+  if (!foreign.opened.is_open()) throw system_error(path, "cannot write", errno);
   return foreign.folder + "/" + name_in_folder(path);
 }
 
@@ -253,15 +279,12 @@ void Outputs::refuse_twice(const std::string& path) const {
 void Outputs::collect_foreign_files() {
   for (const Foreign& foreign : foreign_) {
     const std::size_t before = staged_.size();
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(foreign.folder, error)) {
-      const std::string name = entry.path().filename().string();
-      const std::string folder = folder_of(foreign.path);
+    const std::string folder = folder_of(foreign.path);
+    for (const std::string& name : names_in(foreign.opened, foreign.path)) {
       const bool whole = name == name_in_folder(foreign.path);
       staged_.push_back(
           {whole ? foreign.path : folder + "/" + name, foreign.folder + "/" + name, {}});
     }
-    if (error) throw system_error(foreign.path, "cannot write", error.value());
     if (staged_.size() == before) throw system_error(foreign.path, "cannot write", ENOENT);
   }
 }
@@ -395,15 +418,14 @@ void Outputs::roll_back() noexcept {
   }
 }
 
-void Outputs::discard() noexcept {
+void Outputs::abandon() noexcept {
   roll_back();  // what was thrown between two renames may have come from a lack of memory
-  files_.clear();
   for (const Staged& staged : staged_) {
     if (!staged.hidden.empty()) ::unlink(staged.hidden.c_str());
     if (!staged.backup.empty() && !staged.is_kept) ::unlink(staged.backup.c_str());
   }
   for (const Foreign& foreign : foreign_) {
-    if (!foreign.folder.empty()) remove_folder_of_files(foreign.folder);
+    if (!foreign.folder.empty()) remove_folder_of_files(foreign.folder, foreign.opened);
   }
   for (auto folder = new_folders_.rbegin(); folder != new_folders_.rend(); ++folder) {
     if (folder->is_made) ::rmdir(folder->path.c_str());

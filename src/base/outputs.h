@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/destination.h"
 #include "base/file.h"
 #include "base/hidden_file.h"
@@ -33,7 +34,7 @@ namespace thiessen {
 /// during the run.
 class Outputs {
  public:
-  explicit Outputs(OutputRules rules) : rules_(std::move(rules)) {}
+  explicit Outputs(OutputRules rules);
   Outputs(const Outputs&) = delete;
   Outputs& operator=(const Outputs&) = delete;
   ~Outputs();
@@ -69,6 +70,10 @@ class Outputs {
   /// before the first rename. Nothing can be added afterwards.
   void commit();
 
+  /// Takes away what all objects that live have put under hidden names and not yet committed, and
+  /// what they have renamed. For a program that ends at once, whatever it is at: takes no memory.
+  static void abandon_all() noexcept;
+
  private:
   struct Staged {
     std::string path;
@@ -87,6 +92,7 @@ class Outputs {
   struct Foreign {
     std::string path;
     std::string folder;
+    Descriptor opened = {};  ///< the folder: it can be read where no more files can be opened
   };
   struct NewFolder {
     std::string path;
@@ -108,7 +114,7 @@ class Outputs {
   std::string kept_files() const;
   void clear_up() noexcept;
   void roll_back() noexcept;
-  void discard() noexcept;
+  void abandon() noexcept;
 
   OutputRules rules_;
   OutputFile::Care stream_care_ = OutputFile::Care::held;
@@ -121,6 +127,7 @@ class Outputs {
   std::map<std::string, FolderInUse> folders_;
   bool has_standard_output_ = false;
   bool committed_ = false;
+  Outputs* next_ = nullptr;  ///< among those that live
 };
 
 }  // namespace thiessen

@@ -18,6 +18,21 @@ unsigned available_threads() {
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
+bool can_start_threads(unsigned count) {
+  std::atomic<bool> is_over{false};
+  std::vector<std::thread> started;
+  try {
+    started.reserve(count);
+    while (started.size() < count) started.emplace_back([&] { is_over.wait(false); });
+  } catch (const std::system_error&) {  // those that have started tell how many can be had
+  } catch (const std::bad_alloc&) {
+  }
+  is_over = true;
+  is_over.notify_all();
+  for (std::thread& thread : started) thread.join();
+  return started.size() == count;
+}
+
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t, std::size_t)>& work) {
   const std::size_t workers = std::min<std::size_t>(std::max(1u, threads), count);

@@ -8,6 +8,10 @@ namespace thiessen {
 /// How many threads the machine runs at once; at least 1.
 unsigned available_threads();
 
+/// Whether so many threads more can be had at this moment. For libraries that wait for ever where a
+/// thread of theirs cannot start.
+bool can_start_threads(unsigned count);
+
 /// Calls work(worker, i) once for every i below `count`, shared among up to `threads` workers
 /// numbered from 0. Throws Interrupted where a signal came. Where calls throw, it rethrows one of
 /// their exceptions once all workers have stopped.

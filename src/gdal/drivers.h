@@ -10,6 +10,11 @@ namespace thiessen {
 /// FlatGeobuf, KML, spreadsheets, PostGIS). Nothing is fetched over a network, and the user's
 /// environment has no effect, because variables of GDAL's and PROJ's own options are removed from
 /// it. Call it before threads start, since the environment is changed.
+///
+/// A host in whose process this runs (the module for Python: the library of study/thiessen.h has no
+/// GDAL) finds changed, for all that use the same GDAL: those variables are gone, from the host's
+/// children as well; spreadsheets are read as text, folders are not listed when files are opened,
+/// curves become lines in steps of 0.1 degrees, and neither GDAL nor PROJ fetches anything.
 void start_gdal();
 
 /// Starts GDAL, and registers its drivers of all formats but of those that need another machine or

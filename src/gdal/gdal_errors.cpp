@@ -1,31 +1,36 @@
 #include "gdal/gdal_errors.h"
 
 #include <cpl_error.h>
+#include <sqlite3.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstring>
 #include <utility>
 
+#include "base/memory.h"
+
 namespace thiessen {
 namespace {
 
 std::atomic<void (*)() noexcept> end_of_program = nullptr;
 
-/// Of a fatal lack of memory GDAL has no number: its words tell it.
-void end_where_fatal(CPLErr severity, const char* message) {
+/// Of some fatal lacks of memory GDAL has no number: its words tell them.
+void end_where_fatal(CPLErr severity, CPLErrorNum number, const char* message) {
+  const bool is_lack = number == CPLE_OutOfMemory || std::strstr(message, "emory") != nullptr;
+  if (number == CPLE_OutOfMemory) note_lack_of_memory();
   const auto end = end_of_program.load();
-  if (severity == CE_Fatal && end != nullptr && std::strstr(message, "emory") != nullptr) end();
+  if (severity == CE_Fatal && is_lack && end != nullptr) end();
 }
 
 /// Where nobody listens, an error is told as GDAL tells it.
 void CPL_STDCALL hear_alone(CPLErr severity, CPLErrorNum number, const char* message) {
-  end_where_fatal(severity, message);
+  end_where_fatal(severity, number, message);
   CPLDefaultErrorHandler(severity, number, message);
 }
 
-void CPL_STDCALL keep(CPLErr severity, CPLErrorNum, const char* message) {
-  end_where_fatal(severity, message);
+void CPL_STDCALL keep(CPLErr severity, CPLErrorNum number, const char* message) {
+  end_where_fatal(severity, number, message);
   auto* errors = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
   if (severity == CE_Failure || severity == CE_Fatal) errors->hear(true, message);
   if (severity == CE_Warning) errors->hear(false, message);
@@ -36,14 +41,25 @@ std::string on_one_line(std::string text) {
   while (!text.empty() && (text.back() == '.' || text.back() == ' ')) text.pop_back();
   // What a library of GDAL's caught tells its C++ name, and GDAL itself a line of its source.
   for (const char* words : {"std::bad_alloc", "annot allocate", "ut of memory"})
-    if (text.find(words) != std::string::npos) return "not enough memory";
+    if (text.find(words) != std::string::npos) {
+      note_lack_of_memory();
+      return "not enough memory";
+    }
   return text;
+}
+
+/// SQLite tells its log of an allocation that failed. GDAL and PROJ call it, and tell its failure
+/// as what they could not do.
+void hear_sqlite(void*, int code, const char*) {
+  if (code == SQLITE_NOMEM) note_lack_of_memory();
 }
 
 }  // namespace
 
 void when_gdal_lacks_memory(void (*end)() noexcept) {
   end_of_program = end;
+  sqlite3_config(SQLITE_CONFIG_LOG, hear_sqlite,
+                 nullptr);  // in vain where SQLite is in use already
   CPLSetErrorHandler(hear_alone);
   CPLErrorReset();  // makes what GDAL keeps of errors, for which there may be no memory later
 }

@@ -7,7 +7,8 @@
 namespace thiessen {
 
 /// What is called where GDAL is about to end the program, as it does where it lacks memory. Without
-/// it the program is aborted.
+/// it the program is aborted. From then on a lack of memory in GDAL and in SQLite is noted
+/// (base/memory) where they go on.
 void when_gdal_lacks_memory(void (*end)() noexcept);
 
 /// Catches GDAL's messages on this thread for as long as it lives, so that nothing is printed.

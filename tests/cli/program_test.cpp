@@ -11,6 +11,7 @@
 #include "base/complaints.h"
 #include "base/interrupt.h"
 #include "base/temporary_folder.h"
+#include "cli/lacking_memory.h"
 
 namespace thiessen::cli {
 namespace {

@@ -39,6 +39,26 @@ class FaultsTest(unittest.TestCase):
     def test_a_library_that_writes(self):
         self.assert_none(["raster"], ["write", "mkdir", "rename"], 2)
 
+    def assert_no_fault(self, job, kind, numbers, lasts=True):
+        trial = faults.Trial(MACHINE, job)
+        self.assertEqual({number: trial.faults(kind, number, lasts) for number in numbers}, {number: [] for number in numbers})
+
+    def test_a_library_that_waits_for_its_threads(self):
+        """GDAL waits for ever for a thread that could not start."""
+        self.assert_no_fault("raster", "thread", [1])
+
+    def test_no_file_can_be_opened_while_a_library_writes(self):
+        count = faults.Trial(MACHINE, "raster").count("open")
+        self.assert_no_fault("raster", "open", range(count - 9, count + 1, 2))
+
+    def test_what_a_library_has_written_cannot_be_read(self):
+        count = faults.Trial(MACHINE, "raster").count("read")
+        self.assert_no_fault("raster", "read", [count - 29, count - 28, count])
+
+    def test_a_library_tells_a_lack_of_memory_as_something_else(self):
+        count = faults.Trial(MACHINE, "cells").count("malloc")
+        self.assert_no_fault("cells", "malloc", [round(count * share) for share in (0.5, 0.77, 0.95, 0.97)], lasts=False)
+
 
 class KilledTest(unittest.TestCase):
     def test_a_run_that_is_killed_leaves_the_old_files_and_nothing_else(self):

@@ -3,6 +3,8 @@
 #include <cpl_error.h>
 #include <gtest/gtest.h>
 
+#include "base/memory.h"
+
 namespace thiessen {
 namespace {
 
@@ -33,6 +35,16 @@ TEST(GdalErrors, are_sentences_of_one_line_without_a_full_stop) {
   const GdalErrors errors;
   CPLError(CE_Failure, CPLE_AppDefined, "line one.\nline two. .. ");
   EXPECT_EQ(errors.text(), "line one. line two");
+}
+
+TEST(GdalErrors, note_a_lack_of_memory_that_GDAL_goes_on_after) {
+  forget_lack_of_memory();
+  const GdalErrors errors;
+  CPLError(CE_Failure, CPLE_AppDefined, "wrong");
+  EXPECT_FALSE(has_lacked_memory());
+  CPLError(CE_Warning, CPLE_OutOfMemory, "no room");
+  EXPECT_TRUE(has_lacked_memory());
+  forget_lack_of_memory();
 }
 
 TEST(GdalErrors, may_be_cleared) {

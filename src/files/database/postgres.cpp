@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cctype>
+#include <chrono>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <utility>
@@ -112,10 +114,46 @@ void Postgres::wait_for_answer(Hears hears) {
   }
 }
 
+/// How long the user has a server waited for at most; 0 is as long as the network does.
+int Postgres::patience_seconds() const {
+  const std::unique_ptr<PQconninfoOption, void (*)(PQconninfoOption*)> options(
+      PQconninfo(connection_->handle), PQconninfoFree);
+  constexpr std::string_view wanted = "connect_timeout";
+  for (const PQconninfoOption* option = options.get();
+       option != nullptr && option->keyword != nullptr; ++option) {
+    if (option->keyword == wanted && option->val != nullptr) return std::atoi(option->val);
+  }
+  return 0;
+}
+
+// Ctrl-C is heard while a server is waited for. The library itself minds its limit of time only
+// where it is waited for without.
+void Postgres::wait_for_connection() {
+  constexpr int pause = 100;  // milliseconds
+  const std::chrono::seconds patience(patience_seconds());
+  const auto begin = std::chrono::steady_clock::now();
+  for (PostgresPollingStatusType next = PGRES_POLLING_WRITING;;) {
+    throw_if_interrupted();
+    if (patience.count() > 0 && std::chrono::steady_clock::now() - begin > patience) {
+      throw Error(Message{without_password(path_),
+                          0,
+                          "the database cannot be reached: no answer within " +
+                              std::to_string(patience.count()) + " s",
+                          {}});
+    }
+    const short event = next == PGRES_POLLING_READING ? POLLIN : POLLOUT;
+    pollfd waiting{PQsocket(connection_->handle), event, 0};
+    if (::poll(&waiting, 1, pause) <= 0) continue;
+    next = PQconnectPoll(connection_->handle);
+    if (next == PGRES_POLLING_OK || next == PGRES_POLLING_FAILED) return;
+  }
+}
+
 Postgres::Postgres(const std::string& path) : path_(path) {
   const LibpqConnection wanted = libpq_connection(path);
-  connection_ = std::make_unique<Connection>(PQconnectdb(wanted.words.c_str()));
+  connection_ = std::make_unique<Connection>(PQconnectStart(wanted.words.c_str()));
   if (connection_->handle == nullptr) throw std::bad_alloc();
+  if (PQstatus(connection_->handle) != CONNECTION_BAD) wait_for_connection();
   if (PQstatus(connection_->handle) != CONNECTION_OK) {
     throw Error(
         Message{without_password(path_),

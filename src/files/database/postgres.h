@@ -53,6 +53,8 @@ class Postgres {
   enum class Hears { interrupts, nothing };
 
   Answer ask(const std::string& sql, Hears hears = Hears::interrupts);
+  int patience_seconds() const;
+  void wait_for_connection();
   void wait_for_answer(Hears hears = Hears::interrupts);
   [[noreturn]] void fail(const char* reason, const char* state) const;
 

@@ -8,29 +8,39 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <mutex>
+#include <new>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "base/descriptor.h"
+#include "base/destination.h"
 #include "base/error.h"
+#include "base/hidden_file.h"
+#include "base/last_words.h"
+#include "base/memory.h"
 #include "gdal/drivers.h"
 
 namespace thiessen {
 
 struct DiskFile::Watched {
+  explicit Watched(std::string path) : path(std::move(path)) {}
+
+  std::string path;                 ///< where it is to lie in the end
   std::atomic<int> why_failed = 0;  ///< errno of the first failure
 
-  void note_failure(int why) {
+  /// What GDAL cannot read of what it has just written it crashes over.
+  void note_failure(int why) noexcept {
     int none = 0;
     why_failed.compare_exchange_strong(none, why == 0 ? EIO : why);
+    try {
+      note_last_words(failure().messages().front().sentence());
+    } catch (const std::bad_alloc&) {
+      note_lack_of_memory();
+    }
   }
+  Error failure() const { return system_error(path, "cannot write", why_failed); }
 };
 
 namespace {
@@ -137,11 +147,13 @@ std::size_t read_bytes(void* handle, void* buffer, std::size_t size, std::size_t
   OpenFile& file = opened(handle);
   std::size_t done = 0;
   while (done < size * count) {
+    errno = 0;
     const std::size_t moved = moved_by([&] {
       return ::pread(file.file.number(), static_cast<char*>(buffer) + done, size * count - done,
                      file.at);
     });
     if (moved == 0) {
+      if (errno != 0 && file.watched) file.watched->note_failure(errno);
       file.is_at_end = true;
       break;
     }
@@ -210,10 +222,20 @@ bool install_handler() {
   return done;
 }
 
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (!in.good() && !in.eof()) throw system_error(file.string(), "cannot be read", EIO);
+/// The bytes of a file. `path` is the output in whose Error they are missed.
+std::string content_of(const std::string& file, const std::string& path) {
+  const Descriptor opened = open_descriptor(file, O_RDONLY | O_NOFOLLOW);
+  struct stat status = {};
+  if (!opened.is_open() || ::fstat(opened.number(), &status) != 0)
+    throw system_error(path, "cannot write", errno);
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  for (std::size_t done = 0; done < bytes.size();) {
+    errno = 0;
+    const std::size_t moved =
+        moved_by([&] { return ::read(opened.number(), bytes.data() + done, bytes.size() - done); });
+    if (moved == 0) throw system_error(path, "cannot write", errno == 0 ? EIO : errno);
+    done += moved;
+  }
   return bytes;
 }
 
@@ -223,7 +245,7 @@ DiskFile::DiskFile(std::string file, std::string path)
     : file_(std::move(file)),
       path_(std::move(path)),
       name_for_gdal_(prefix + file_),
-      watched_(std::make_shared<Watched>()) {
+      watched_(std::make_shared<Watched>(path_)) {
   start_gdal();
   static const bool installed = install_handler();
   if (!installed) throw Error(Message{path_, 0, "GDAL takes no way to write files", {}});
@@ -235,26 +257,25 @@ DiskFile::~DiskFile() {
 }
 
 void DiskFile::check() const {
-  if (const int why = watched_->why_failed; why != 0)
-    throw system_error(path_, "cannot write", why);
+  if (watched_->why_failed != 0) throw watched_->failure();
 }
 
 std::vector<EncodedFile> DiskFile::take() const {
   check();
   std::vector<EncodedFile> files{{path_, {}}};
-  const std::filesystem::path own = std::filesystem::path(file_);
-  std::vector<std::filesystem::path> sides;
-  for (const auto& entry : std::filesystem::directory_iterator(own.parent_path())) {
-    if (entry.path().filename() != own.filename()) sides.push_back(entry.path());
-  }
-  std::sort(sides.begin(), sides.end());
-  for (const std::filesystem::path& side : sides) {
-    const std::string name = side.filename().string();
-    const std::string own_name = own.filename().string();
-    if (!name.starts_with(own_name))
+  const std::string folder = folder_of(file_);
+  const Descriptor opened = open_descriptor(folder, O_RDONLY | O_DIRECTORY);
+  if (!opened.is_open()) throw system_error(path_, "cannot write", errno);
+  std::vector<std::string> names = names_in(opened, path_);
+  std::sort(names.begin(), names.end());
+  const std::string own = name_in_folder(file_);
+  for (const std::string& name : names) {
+    if (name == own) continue;
+    if (!name.starts_with(own))
       throw Error(Message{path_, 0, "GDAL wrote a file that is not expected: " + name, {}});
-    files.push_back({path_ + name.substr(own_name.size()), content_of(side)});
-    std::filesystem::remove(side);
+    const std::string side = folder + "/" + name;
+    files.push_back({path_ + name.substr(own.size()), content_of(side, path_)});
+    if (::unlink(side.c_str()) != 0) throw system_error(path_, "cannot write", errno);
   }
   return files;
 }

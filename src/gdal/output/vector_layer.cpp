@@ -1,5 +1,6 @@
 #include "gdal/output/vector_layer.h"
 
+#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
@@ -121,7 +122,10 @@ class LayerWriter {
     }
   }
 
+  /// Options need no proof, for which GDAL reads JSON files by a library that crashes where there
+  /// is no memory.
   std::unique_ptr<GDALDataset> create(GDALDriver& driver) const {
+    const CPLConfigOptionSetter no_proof("GDAL_VALIDATE_CREATION_OPTIONS", "NO", false);
     std::unique_ptr<GDALDataset> dataset(
         driver.Create(folder_.file().c_str(), 0, 0, 0, GDT_Unknown,
                       file_options(layer_, driver.GetDescription()).List()));

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/interrupt.h"
+#include "base/parallel.h"
 #include "gdal/crs/crs_definition.h"
 #include "gdal/output/compact_xml.h"
 
@@ -76,7 +77,9 @@ void GeoTiffWriter::create(int bands) {
   GDALDriver& driver = geotiff_driver();
   CPLStringList options;
   set_compression(options, output_, driver);
-  options.SetNameValue("NUM_THREADS", std::to_string(output_.threads).c_str());
+  // GDAL waits for ever for what a thread should compress that could not start.
+  if (output_.threads > 1 && can_start_threads(output_.threads))
+    options.SetNameValue("NUM_THREADS", std::to_string(output_.threads).c_str());
   options.SetNameValue("TILED", "YES");
   options.SetNameValue("INTERLEAVE", "BAND");
   options.SetNameValue("BIGTIFF", "IF_SAFER");

@@ -11,6 +11,7 @@
 #include <string>
 #include <thread>
 
+#include "base/complaints.h"
 #include "base/interrupt.h"
 #include "base/temporary_folder.h"
 
@@ -21,7 +22,9 @@ namespace {
 /// last command Ctrl-C comes, and it is long about that.
 class Server {
  public:
-  explicit Server(const TemporaryFolder& folder) {
+  enum class Answers { all, nothing };
+
+  explicit Server(const TemporaryFolder& folder, Answers answers = Answers::all) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
     const std::string path = folder.path(".s.PGSQL.5432");
@@ -30,7 +33,7 @@ class Server {
     listening_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
     is_ready_ = ::bind(listening_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0 &&
                 ::listen(listening_, 4) == 0;
-    if (is_ready_) thread_ = std::thread([this] { serve(); });
+    if (is_ready_ && answers == Answers::all) thread_ = std::thread([this] { serve(); });
   }
   ~Server() {
     if (thread_.joinable()) thread_.join();
@@ -86,6 +89,25 @@ TEST(Postgres, ends_a_transaction_though_Ctrl_C_comes_meanwhile) {
   }
   EXPECT_NE(interrupt_signal(), 0) << "whoever asks next hears of it";
   forget_interrupt();
+}
+
+TEST(Postgres, a_server_that_answers_nothing_is_waited_for_until_Ctrl_C_comes_or_the_time_is_up) {
+  const TemporaryFolder folder;
+  const Server server(folder, Server::Answers::nothing);
+  ASSERT_TRUE(server.is_ready());
+  const std::string path =
+      "PG:host=" + folder.path() + " dbname=d user=u sslmode=disable gssencmode=disable";
+  const auto begin = std::chrono::steady_clock::now();
+  std::thread user([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    ask_to_stop();
+  });
+  EXPECT_THROW(Postgres{path}, Interrupted);
+  user.join();
+  forget_interrupt();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  EXPECT_EQ(complaint_of([&] { Postgres{path + " connect_timeout=1"}; }),
+            path + " connect_timeout=1: the database cannot be reached: no answer within 1 s");
 }
 
 TEST(Postgres, a_connection_begins_with_PG) {
