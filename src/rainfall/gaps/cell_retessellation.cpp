@@ -16,24 +16,6 @@ namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
-/// Puts weights that are ordered by basin in turn: the first of each basin, then the second of
-/// each.
-std::vector<CellWeight> in_turn(const std::vector<CellWeight>& weights) {
-  std::vector<std::pair<std::size_t, CellWeight>> turns;
-  turns.reserve(weights.size());
-  std::size_t turn = 0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    turn = i > 0 && weights[i].basin == weights[i - 1].basin ? turn + 1 : 0;
-    turns.emplace_back(turn, weights[i]);
-  }
-  std::stable_sort(turns.begin(), turns.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<CellWeight> result;
-  result.reserve(turns.size());
-  for (const auto& [_, weight] : turns) result.push_back(weight);
-  return result;
-}
-
 /// The full network's weights as relative readings count: weight x normal.
 std::vector<CellWeight> bearing(const Handovers& handovers, std::size_t figure) {
   std::vector<CellWeight> weights = handovers.full();
@@ -52,9 +34,9 @@ CellRetessellation::CellRetessellation(const Handovers& handovers, HandoverCache
       month_(month),
       figure_(place_of(handovers.normals(), month)),
       counts_gauges_(counts_gauges),
-      full_(handovers.full_weights(month)),
-      full_in_turn_(in_turn(bearing(handovers, figure_))) {
+      full_(handovers.full_weights(month)) {
   keep_parts();
+  keep_turns(bearing(handovers, figure_));
   if (handovers.normals() == nullptr) return;
   std::size_t stations = 0;
   for (std::uint32_t p = 0; p < handovers.adjacency().cells(); ++p)
@@ -76,9 +58,36 @@ void CellRetessellation::keep_parts() {
   basins_.resize(parts.size());
   for (const CellWeight& part : parts) basins_[next[index(part.cell)]++] = part.basin;
   for (std::uint32_t c = 0; c < next.size(); ++c) {
-    if (handovers_.cells().stations_of(PlaceIndex{c}).size() > 1)
-      shared_cells_.push_back(PlaceIndex{c});
+    const auto stations = handovers_.cells().stations_of(PlaceIndex{c});
+    if (stations.size() > 1) shared_cells_.push_back(PlaceIndex{c});
+    if (stations.size() != 1) continue;
+    single_cells_.push_back(PlaceIndex{c});
+    single_stations_.push_back(stations.front());
   }
+}
+
+/// Requires weights by basin.
+void CellRetessellation::keep_turns(const std::vector<CellWeight>& weights) {
+  std::vector<std::size_t> first(full_.size() + 1, 0);
+  for (const CellWeight& weight : weights) ++first[weight.basin + 1];
+  const std::vector<std::size_t> counts(first.begin() + 1, first.end());
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> basins(full_.size());
+  std::iota(basins.begin(), basins.end(), 0U);
+  std::stable_sort(basins.begin(), basins.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return counts[a] > counts[b]; });
+  sum_of_.resize(basins.size());
+  for (std::uint32_t i = 0; i < basins.size(); ++i) sum_of_[basins[i]] = i;
+  const std::size_t turns = basins.empty() ? 0 : counts[basins.front()];
+  for (std::size_t turn = 0; turn < turns; ++turn) {
+    first_in_turn_.push_back(static_cast<std::uint32_t>(weights_in_turn_.size()));
+    for (const std::uint32_t basin : basins) {
+      if (counts[basin] <= turn) break;
+      weights_in_turn_.push_back(weights[first[basin] + turn].weight);
+      cells_in_turn_.push_back(weights[first[basin] + turn].cell);
+    }
+  }
+  first_in_turn_.push_back(static_cast<std::uint32_t>(weights_in_turn_.size()));
 }
 
 std::vector<double> CellRetessellation::cell_readings(std::span<const double> readings) const {
@@ -99,19 +108,27 @@ double CellRetessellation::reading_of(std::span<const StationIndex> stations,
   return mean_reading(stations, relative);
 }
 
+void CellRetessellation::read_cells(std::span<const double> readings,
+                                    std::vector<double>& of_cell) const {
+  for (std::size_t i = 0; i < single_cells_.size(); ++i) {
+    const std::size_t station = index(single_stations_[i]);
+    of_cell[index(single_cells_[i])] =
+        at_gauges_.empty() ? readings[station] : readings[station] / at_gauges_[station];
+  }
+  for (const PlaceIndex cell : shared_cells_)
+    of_cell[index(cell)] = reading_of(handovers_.cells().stations_of(cell), readings);
+}
+
 CellRetessellation::State CellRetessellation::state_of(std::span<const double> readings) const {
-  const NetworkCells& cells = handovers_.cells();
   State state;
   state.of_cell.assign(handovers_.adjacency().cells(), no_value);
+  read_cells(readings, state.of_cell);
   std::vector<PlaceIndex> silent;
   for (std::uint32_t p = 0; p < state.of_cell.size(); ++p) {
-    const auto stations = cells.stations_of(PlaceIndex{p});
-    if (stations.empty()) continue;
-    state.of_cell[p] = reading_of(stations, readings);
-    if (std::isnan(state.of_cell[p])) {
-      silent.push_back(PlaceIndex{p});
-    } else {
+    if (!std::isnan(state.of_cell[p])) {
       state.any = true;
+    } else if (!handovers_.cells().stations_of(PlaceIndex{p}).empty()) {
+      silent.push_back(PlaceIndex{p});
     }
   }
   if (!state.any) return state;
@@ -131,8 +148,9 @@ std::vector<BasinRainfall> CellRetessellation::rainfall(const State& state,
     add_in_parts(state, parts(state), sums);
   }
   std::vector<BasinRainfall> result;
-  result.reserve(sums.size());
-  for (const LongSum& sum : sums) result.push_back({state.any ? sum.value() : no_value, 0, 0});
+  result.reserve(sum_of_.size());
+  for (const std::uint32_t sum : sum_of_)
+    result.push_back({state.any ? sums[sum].value() : no_value, 0, 0});
   if (counts_gauges_) count_gauges(state, readings, result);
   return result;
 }
@@ -168,19 +186,27 @@ void CellRetessellation::count_gauges(const State& state, std::span<const double
 }
 
 void CellRetessellation::add_linearly(const State& state, std::vector<LongSum>& sums) const {
-  for (const CellWeight& full : full_in_turn_) {
-    const double reading = state.of_cell[index(full.cell)];
-    if (!std::isnan(reading)) sums[full.basin].add(full.weight * reading);
+  // To add 0 changes nothing.
+  std::vector<double> terms(weights_in_turn_.size());
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const double reading = state.of_cell[index(cells_in_turn_[i])];
+    terms[i] = std::isnan(reading) ? 0 : weights_in_turn_[i] * reading;
+  }
+  for (std::size_t turn = 0; turn + 1 < first_in_turn_.size(); ++turn) {
+    const std::size_t first = first_in_turn_[turn];
+    const std::size_t count = first_in_turn_[turn + 1] - first;
+    for (std::size_t i = 0; i < count; ++i) sums[i].add(terms[first + i]);
   }
   for (const auto& handover : state.handovers) {
     if (handover->weighted.months == 0) {
       for (const CellWeight& share : *handover)
-        sums[share.basin].add(share.weight * state.of_cell[index(share.cell)]);
+        sums[sum_of_[share.basin]].add(share.weight * state.of_cell[index(share.cell)]);
       continue;
     }
     for (std::size_t i = 0; i < handover->size(); ++i) {
       const CellWeight& share = (*handover)[i];
-      sums[share.basin].add(handover->weighted.at(i, figure_) * state.of_cell[index(share.cell)]);
+      sums[sum_of_[share.basin]].add(handover->weighted.at(i, figure_) *
+                                     state.of_cell[index(share.cell)]);
     }
   }
 }
@@ -194,7 +220,8 @@ double CellRetessellation::normal_of(const CellPart& part) const {
 void CellRetessellation::add_in_parts(const State& state, const std::vector<CellPart>& parts,
                                       std::vector<LongSum>& sums) const {
   for (const CellPart& p : parts)
-    sums[p.part.basin].add(p.part.weight * normal_of(p) * state.of_cell[index(p.part.cell)]);
+    sums[sum_of_[p.part.basin]].add(p.part.weight * normal_of(p) *
+                                    state.of_cell[index(p.part.cell)]);
 }
 
 CellRetessellation::CellPart CellRetessellation::part_of(const CellWeight& weight,

@@ -50,11 +50,13 @@ class CellRetessellation : public Retessellation {
   };
 
   State state_of(std::span<const double> readings) const;
+  void read_cells(std::span<const double> readings, std::vector<double>& of_cell) const;
   double reading_of(std::span<const StationIndex> stations, std::span<const double> readings) const;
   std::vector<BasinRainfall> rainfall(const State& state, std::span<const double> readings) const;
   void count_gauges(const State& state, std::span<const double> readings,
                     std::vector<BasinRainfall>& result) const;
   void keep_parts();
+  void keep_turns(const std::vector<CellWeight>& weights);
   /// The basins in which a cell weighs when all gauges report.
   std::span<const std::uint32_t> basins_of(PlaceIndex cell) const {
     const std::size_t first = first_basin_[index(cell)];
@@ -76,15 +78,22 @@ class CellRetessellation : public Retessellation {
   std::vector<double> at_gauges_;  // the normals by station; empty without
   bool counts_gauges_;
   std::vector<BasinWeights> full_;
-  /// The full network's weights of cells: the first one of each basin, then the second of each, and
-  /// so on. In this order an addition need not wait for the one before it, for they are to
-  /// different sums. With normals these are weight x normal.
-  std::vector<CellWeight> full_in_turn_;
+  /// By basin: where its sum stands, those of the basins with the most weights first.
+  std::vector<std::uint32_t> sum_of_;
+  /// The full network's weights of cells in turns: the first one of each basin, then the second of
+  /// each that has one, and so on, each in the order of the sums. So a turn is added to sums side
+  /// by side, none of which waits for another. With normals these are weight x normal.
+  std::vector<double> weights_in_turn_;
+  std::vector<PlaceIndex> cells_in_turn_;
+  std::vector<std::uint32_t> first_in_turn_;  // where each turn begins, and the last one ends
   /// The basins in which each cell weighs when all gauges report: those of a cell begin at its
   /// entry in first_basin_.
   std::vector<std::uint32_t> basins_;
   std::vector<std::size_t> first_basin_;
   std::vector<PlaceIndex> shared_cells_;  ///< those of several stations
+  /// The cells of one station, and those stations.
+  std::vector<PlaceIndex> single_cells_;
+  std::vector<StationIndex> single_stations_;
   std::vector<std::size_t> full_gauges_;  ///< by basin: how many weigh when all report
 };
 

@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "earth/cells/chart_diagram.h"
 #include "geometry/long_sum.h"
+#include "rainfall/gaps/known_edges.h"
 
 namespace thiessen {
 namespace {
@@ -243,6 +244,22 @@ void Handovers::add_normals(WeightedNormals& weighted, std::uint32_t basin,
   }
 }
 
+// The edges of a region in charts are the same in all of them; in a plane they are those of its
+// ground.
+std::span<const double> Handovers::edge_figures_of(const Region& region) const {
+  EdgeFigures& edges = *region.edges;
+  std::call_once(edges.once, [&] {
+    const BasinNormals& normals = this->normals()->in(region.basin);
+    if (region.shape) {
+      const GnomonicChart chart(region.shape->centre());
+      edges.figures = figures_of_edges(region.shape->in_chart(chart), *normals.measure_in(chart));
+    } else {
+      edges.figures = figures_of_edges(region.ground, *normals.measure());
+    }
+  });
+  return edges.figures;
+}
+
 Handovers::Borders Handovers::share(const SharedRegions& regions, std::span<const PlaceIndex> heirs,
                                     const Take& take) const {
   std::vector<Point> positions;
@@ -290,7 +307,9 @@ std::optional<Handovers::Borders> Handovers::share_in_chart(const SharedRegions&
     } else {
       auto& measure = measures[region->basin];
       if (!measure) measure = normals()->in(region->basin).measure_in(chart);
-      shares = clipper.shares(region->shape->in_chart(chart), *measure, taken.figures);
+      const Basin ground = region->shape->in_chart(chart);
+      shares = clipper.shares(ground, KnownEdges(ground, edge_figures_of(*region), *measure),
+                              taken.figures);
     }
     double whole = 0;
     for (const CellShare& share : shares) whole += share.area;
@@ -318,8 +337,15 @@ Handovers::Borders Handovers::share_on_surface(const SharedRegions& regions,
     throw_if_interrupted();
     MeasuredShares taken;
     const GroundMeasure* const measure = measure_of(normals(), region->basin);
-    taken.shares = measure == nullptr ? clipper.shares(region->ground)
-                                      : clipper.shares(region->ground, *measure, taken.figures);
+    if (measure == nullptr) {
+      taken.shares = clipper.shares(region->ground);
+    } else if (region->shape) {
+      taken.shares = clipper.shares(region->ground, *measure, taken.figures);
+    } else {
+      taken.shares = clipper.shares(region->ground,
+                                    KnownEdges(region->ground, edge_figures_of(*region), *measure),
+                                    taken.figures);
+    }
     take(*region, taken);
   }
   return std::move(diagram.neighbours);

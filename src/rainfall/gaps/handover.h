@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <utility>
@@ -82,7 +84,8 @@ struct Handover {
 class Handovers {
  public:
   /// Tessellates the full network and clips its cells to the basins. The weighing must outlive this
-  /// object. Memory: the vertices of the cells within the basins.
+  /// object. Memory: the vertices of the cells within the basins, and with normals their figures on
+  /// each edge of the ground that is handed over.
   Handovers(const Weighing& weighing, unsigned threads);
 
   const NetworkCells& cells() const { return cells_; }
@@ -115,6 +118,11 @@ class Handovers {
   std::vector<std::uint32_t> regions_of(PlaceIndex cell) const;
 
  private:
+  /// What normals' measures say of the edges of a region, once it is handed over.
+  struct EdgeFigures {
+    std::once_flag once;
+    std::vector<double> figures;
+  };
   /// The part of a cell that lies in a basin.
   struct Region {
     std::uint32_t basin;
@@ -122,6 +130,7 @@ class Handovers {
     double area;
     std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
     std::size_t number;                // its place in full_
+    std::unique_ptr<EdgeFigures> edges = std::make_unique<EdgeFigures>();
   };
   using SharedRegions = std::vector<const Region*>;
   using Borders = std::vector<std::pair<PlaceIndex, PlaceIndex>>;
@@ -145,6 +154,7 @@ class Handovers {
   void add_normals(const std::vector<Clipped>& clipped);
   void add_normals(WeightedNormals& weighted, std::uint32_t basin,
                    const MeasuredGround& ground) const;
+  std::span<const double> edge_figures_of(const Region& region) const;
   Borders share(const SharedRegions& regions, std::span<const PlaceIndex> heirs,
                 const Take& take) const;
   std::optional<Borders> share_in_chart(const SharedRegions& regions, std::span<const Point> heirs,

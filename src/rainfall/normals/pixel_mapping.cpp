@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace thiessen {
 namespace {
@@ -17,7 +18,10 @@ struct Cubic {
 
 Cubic cubic_at(double position, std::size_t intervals) {
   const double last = static_cast<double>(intervals - 3);
-  const double first = std::clamp(std::floor(position) - 1, 0.0, last);
+  // As std::floor gives it, without a call.
+  const auto before =
+      static_cast<double>(static_cast<std::int64_t>(std::clamp(position, 1.0, last + 1)));
+  const double first = before - 1;
   const double t = position - first;
   return {static_cast<std::size_t>(first),
           {-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2,

@@ -9,8 +9,9 @@
 
 namespace thiessen {
 
-/// The values of a raster's window, band by band, rows from the top; NaN where a pixel has none.
-/// They take four bytes each, or eight where `is_wide` says that four do not hold the raster's.
+/// The values of a raster's window, pixel by pixel, rows from the top; NaN where a pixel has none.
+/// Those of a pixel's bands lie side by side, for who follows an edge wants all of them. They take
+/// four bytes each, or eight where `is_wide` says that four do not hold the raster's.
 class WindowValues {
  public:
   WindowValues(std::size_t columns, std::size_t rows, std::size_t bands, bool is_wide)
@@ -30,15 +31,18 @@ class WindowValues {
   double least() const { return least_; }
   double largest() const { return largest_; }
   double at(std::size_t band, std::size_t row, std::size_t column) const {
-    return at(first_of(band, row) + column);
-  }
-  /// The value of a pixel by its place among all of them.
-  double at(std::size_t i) const {
+    const std::size_t i = place_of(row, column) + band;
     return wide_.empty() ? static_cast<double>(narrow_[i]) : wide_[i];
   }
-  /// The place of a row's first pixel; those of its other columns follow.
-  std::size_t first_of(std::size_t band, std::size_t row) const {
-    return (band * rows_ + row) * columns_;
+  /// Where the first band of a pixel stands among all values; its others follow, and then those of
+  /// the next column.
+  std::size_t place_of(std::size_t row, std::size_t column) const {
+    return (row * columns_ + column) * bands_;
+  }
+  /// Calls back with all values, which are floats or doubles.
+  template <typename Take>
+  void visit(const Take& take) const {
+    wide_.empty() ? take(narrow_.data()) : take(wide_.data());
   }
   /// Gives a pixel its value; each is to be given one once at most.
   void set(std::size_t band, std::size_t row, std::size_t column, double value) {
@@ -46,17 +50,17 @@ class WindowValues {
   }
   /// Gives pixels of a row from a column on their values; NaN is none.
   void set(std::size_t band, std::size_t row, std::size_t column, std::span<const double> values) {
-    const std::size_t first = first_of(band, row) + column;
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    std::size_t at = place_of(row, column) + band;
+    for (std::size_t i = 0; i < values.size(); ++i, at += bands_) {
       const double value = values[i];
       if (std::isnan(value)) continue;
       ++given_;
       least_ = std::min(least_, value);
       largest_ = std::max(largest_, value);
       if (wide_.empty()) {
-        narrow_[first + i] = static_cast<float>(value);
+        narrow_[at] = static_cast<float>(value);
       } else {
-        wide_[first + i] = value;
+        wide_[at] = value;
       }
     }
   }

@@ -155,6 +155,43 @@ TEST(PixelIntegrals, of_triangles_are_those_of_every_pixel) {
 }
 
 // Law: there and back add up to nothing, bit for bit.
+// More bands than are summed at once, of which all, or all but one pixel's, have values.
+TEST(PixelIntegrals, of_many_bands_are_those_of_each_alone) {
+  constexpr std::size_t columns = 20;
+  constexpr std::size_t rows = 9;
+  constexpr std::size_t bands = 14;
+  for (const bool has_hole : {false, true}) {
+    for (const bool is_wide : {false, true}) {
+      const auto value = [&](std::size_t band, std::size_t r, std::size_t c) {
+        if (has_hole && band == 13 && r == 4 && c == 9) return none;
+        return static_cast<double>((7 * r + 3 * c + 5 * band) % 11);
+      };
+      WindowValues all(columns, rows, bands, is_wide);
+      std::vector<double> references;
+      for (std::size_t band = 0; band < bands; ++band) {
+        references.push_back(static_cast<double>(band));
+        for (std::size_t r = 0; r < rows; ++r) {
+          for (std::size_t c = 0; c < columns; ++c) all.set(band, r, c, value(band, r, c));
+        }
+      }
+      const PixelIntegrals pixels(std::move(all), references, std::make_unique<EqualPixels>(1));
+      // One side lies beyond the window.
+      const Ring ring{{3.25, 8.5}, {23, 6.75}, {14.5, 0.25}, {-2, 1.5}};
+      const std::vector<double> together = figures_of(pixels, ring);
+      for (std::size_t band = 0; band < bands; ++band) {
+        const auto alone = figures_of(
+            plane_of(values_of(columns, rows,
+                               [&](std::size_t r, std::size_t c) { return value(band, r, c); }),
+                     references[band]),
+            ring);
+        EXPECT_EQ(together[0], alone[0]);
+        EXPECT_EQ(together[PixelIntegrals::excess_of(band)], alone[1]);
+        EXPECT_EQ(together[PixelIntegrals::covered_of(band)], alone[2]);
+      }
+    }
+  }
+}
+
 TEST(PixelIntegrals, of_an_edge_back_have_the_other_sign) {
   Seeded seeded;
   const PixelIntegrals pixels = plane_of(
