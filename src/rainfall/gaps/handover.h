@@ -81,6 +81,15 @@ struct Handover {
 /// weights plus one handover for each component.
 class Handovers {
  public:
+  /// The part of a cell that lies in a basin.
+  struct Region {
+    std::uint32_t basin;
+    Basin ground;
+    double area;
+    std::optional<SphereShape> shape;  ///< the ground once more, for charts; only on the Earth
+    std::size_t number;                ///< its place among full()
+  };
+
   /// Tessellates the full network and clips its cells to the basins. The weighing must outlive this
   /// object. Memory: the vertices of the cells within the basins.
   Handovers(const Weighing& weighing, unsigned threads);
@@ -95,6 +104,9 @@ class Handovers {
   const NormalField* normals() const { return weighing_.normals(); }
   /// Whether a cell of the full network has a part in any basin.
   bool has_ground(PlaceIndex cell) const { return !regions_[index(cell)].empty(); }
+  /// The parts of a cell of the full network in the basins.
+  std::span<const Region> ground_of(PlaceIndex cell) const { return regions_[index(cell)]; }
+  const Weighing& weighing() const { return weighing_; }
   /// The full network's weights by station, as Weighing::weights gives them when all report, with
   /// the factors of a month or of the year.
   std::vector<BasinWeights> full_weights(const NormalMonth& month = {}) const;
@@ -115,14 +127,6 @@ class Handovers {
   std::vector<std::uint32_t> regions_of(PlaceIndex cell) const;
 
  private:
-  /// The part of a cell that lies in a basin.
-  struct Region {
-    std::uint32_t basin;
-    Basin ground;
-    double area;
-    std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
-    std::size_t number;                // its place in full_
-  };
   using SharedRegions = std::vector<const Region*>;
   using Borders = std::vector<std::pair<PlaceIndex, PlaceIndex>>;
   /// Takes the shares of the heirs in one of the regions; it is called region by region. Places are
