@@ -199,6 +199,7 @@ CsvReader::RowKind CsvReader::read_row(std::vector<std::string_view>& fields) {
       if (!blank && !is_after_blank(at)) store(text_.between(field_, at), false);
       const RowKind kind = end_row(at);
       if (!blank) return kind;
+      if (after_return_) pass_line_feed();
       begin_row(next_row_);
     } else if (at != field_) {
       return skip_rest_of_line(at + 1, "a quote stands inside field", field_count_ + 1);

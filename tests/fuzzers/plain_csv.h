@@ -57,7 +57,8 @@ class PlainCsv {
   bool pass_blank_line() {
     const std::size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
     const std::string_view line = rest_.substr(0, end);
-    if (line.find(separator_) != std::string_view::npos || !trimmed(line).empty()) return false;
+    const bool parts = !blank_separates() && line.find(separator_) != std::string_view::npos;
+    if (parts || !trimmed(line).empty()) return false;
     rest_.remove_prefix(end);
     pass_line_end();
     return true;
@@ -69,8 +70,15 @@ class PlainCsv {
     ++line_;
   }
 
+  /// Of blanks that separate, several are as one, and those at a row's ends are none.
+  bool blank_separates() const { return separator_ == ' '; }
+
   bool read_row() {
     for (;;) {
+      while (blank_separates() && rest_.starts_with(' ')) rest_.remove_prefix(1);
+      if (blank_separates() && !rows_.back().fields.empty() &&
+          (rest_.empty() || ends_line(rest_[0])))
+        break;
       if (!(rest_.starts_with('"') ? read_quoted() : read_bare())) return false;
       if (rest_.empty() || ends_line(rest_[0])) break;
       if (rest_[0] != separator_) return false;

@@ -15,6 +15,9 @@ class GnomonicChart {
   explicit GnomonicChart(Direction centre);
 
   Direction centre() const { return centre_; }
+  /// The axes of the coordinates: unit vectors at right angles to the centre.
+  Direction east() const { return east_; }
+  Direction north() const { return north_; }
   /// The point of the chart for a direction. What is counter-clockwise seen from outside the sphere
   /// stays counter-clockwise. Requires a direction less than a quarter of a turn from the centre.
   Point project(Direction p) const {

@@ -83,6 +83,21 @@ struct Handover {
 /// weights plus one handover for each component.
 class Handovers {
  public:
+  /// What normals' measures say of the edges of a region, once it is handed over.
+  struct EdgeFigures {
+    std::once_flag once;
+    std::vector<double> figures;
+  };
+  /// The part of a cell that lies in a basin.
+  struct Region {
+    std::uint32_t basin;
+    Basin ground;
+    double area;
+    std::optional<SphereShape> shape;  ///< the ground once more, for charts; only on the Earth
+    std::size_t number;                ///< its place among full()
+    std::unique_ptr<EdgeFigures> edges = std::make_unique<EdgeFigures>();
+  };
+
   /// Tessellates the full network and clips its cells to the basins. The weighing must outlive this
   /// object. Memory: the vertices of the cells within the basins, and with normals their figures on
   /// each edge of the ground that is handed over.
@@ -98,6 +113,9 @@ class Handovers {
   const NormalField* normals() const { return weighing_.normals(); }
   /// Whether a cell of the full network has a part in any basin.
   bool has_ground(PlaceIndex cell) const { return !regions_[index(cell)].empty(); }
+  /// The parts of a cell of the full network in the basins.
+  std::span<const Region> ground_of(PlaceIndex cell) const { return regions_[index(cell)]; }
+  const Weighing& weighing() const { return weighing_; }
   /// The full network's weights by station, as Weighing::weights gives them when all report, with
   /// the factors of a month or of the year.
   std::vector<BasinWeights> full_weights(const NormalMonth& month = {}) const;
@@ -118,20 +136,6 @@ class Handovers {
   std::vector<std::uint32_t> regions_of(PlaceIndex cell) const;
 
  private:
-  /// What normals' measures say of the edges of a region, once it is handed over.
-  struct EdgeFigures {
-    std::once_flag once;
-    std::vector<double> figures;
-  };
-  /// The part of a cell that lies in a basin.
-  struct Region {
-    std::uint32_t basin;
-    Basin ground;
-    double area;
-    std::optional<SphereShape> shape;  // the ground once more, for charts; only on the Earth
-    std::size_t number;                // its place in full_
-    std::unique_ptr<EdgeFigures> edges = std::make_unique<EdgeFigures>();
-  };
   using SharedRegions = std::vector<const Region*>;
   using Borders = std::vector<std::pair<PlaceIndex, PlaceIndex>>;
   /// Takes the shares of the heirs in one of the regions; it is called region by region. Places are

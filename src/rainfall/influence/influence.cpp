@@ -14,12 +14,20 @@ namespace {
 // its cells asks for the same one when the others are silent.
 constexpr std::size_t few_silent = 2;
 
+// Sets of a cell and silent ones are looked at where at most one in so many of its neighbours is
+// silent, so many cells at most beside it and with it, and so many sets at most; for sets are many
+// where much is silent.
+constexpr std::size_t few_silent_in = 3;
+constexpr std::size_t most_silent = 12;
+constexpr std::size_t most_sets = 48;
+
 }  // namespace
 
 Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, unsigned threads)
     : handovers_(handovers),
-      remembered_(handovers, remembered_bytes / 2, handovers.normals() == nullptr),
-      departures_(handovers, remembered_bytes / 2),
+      remembered_(handovers, remembered_bytes / 4, handovers.normals() == nullptr),
+      departures_(handovers, remembered_bytes / 4),
+      nearest_(handovers, remembered_bytes / 2),
       threads_(std::max(1u, threads)),
       year_(place_of(handovers.normals(), {})),
       month_(year_),
@@ -27,6 +35,7 @@ Influence::Influence(const Handovers& handovers, std::size_t remembered_bytes, u
       readings_(handovers.cells(), handovers.adjacency()),
       cells_(handovers.adjacency().cells()),
       benches_(threads_) {
+  for (Bench& bench : benches_) bench.nearest = nearest_.bench();
   for (const NormalMonth& month : months_of(handovers.normals()))
     normals_.push_back(at_gauges(month));
   for (std::size_t i = 0; i < handovers.full().size(); ++i) {
@@ -152,16 +161,94 @@ void Influence::take_step(PlaceIndex cell, std::size_t step, Bench& bench) {
   for (std::size_t i = 0; i < stations.size(); ++i) {
     if (!std::isnan(rows_[step][index(stations[i])])) bench.here.push_back(i);
   }
-  find_components(cell, step, bench);
-  find_moments(cell, bench);
+  const bool is_by_sets = find_moments_by_sets(cell, step, bench);
+  if (!is_by_sets) {
+    find_components(cell, step, bench);
+    find_moments(cell, bench);
+  }
   if (bench.moments.empty()) return;
   if (bench.here.size() > 1) {
     for (const Moment& moment : bench.moments) share(cell, step, moment, bench.here);
   } else {
-    find_changes(cell, step, bench);
+    if (!is_by_sets) find_changes(cell, step, bench);
     for (const Moment& moment : bench.moments)
       part_of(cell, moment.basin).sums[bench.here.front()].add(moment.change);
   }
+}
+
+// Finds the cell's weights at the step, and what changes if it falls silent, by sets of the cell
+// and silent ones: see NearestSets. False where they would be many, or are not known.
+bool Influence::find_moments_by_sets(PlaceIndex cell, std::size_t step, Bench& bench) {
+  bench.moments.clear();
+  if (handovers_.normals() != nullptr || !begin_sets(cell, step, bench)) return false;
+  const double own = readings_.of(cell)[step];
+  for (std::size_t set = 0; set < bench.set_count; ++set) {
+    const auto shares = nearest_.of(bench.sets[set], bench.nearest);
+    if (!shares->is_known) return false;
+    const bool has_cell = std::binary_search(bench.sets[set].begin(), bench.sets[set].end(), cell);
+    for (const CellWeight& share : shares->weights) {
+      const double reading = readings_.of(share.cell)[step];
+      if (share.cell == cell || std::isnan(reading)) {
+        if (!add_set(set, share.cell, bench)) return false;
+      } else if (has_cell) {
+        add_change({share.basin, share.weight, share.weight * (reading - own)}, bench.moments);
+      }
+    }
+  }
+  return true;
+}
+
+void Influence::add_change(const Moment& change, std::vector<Moment>& moments) {
+  const auto at = std::lower_bound(
+      moments.begin(), moments.end(), change.basin,
+      [](const Moment& moment, std::uint32_t basin) { return moment.basin < basin; });
+  if (at != moments.end() && at->basin == change.basin) {
+    at->weight += change.weight;
+    at->change += change.change;
+  } else {
+    moments.insert(at, change);
+  }
+}
+
+// Begins with the cell and each silent one of the components beside it: ground in a silent cell may
+// come to it by way of sets without it, where those with it have no ground in a basin. False where
+// too many are silent, or none.
+bool Influence::begin_sets(PlaceIndex cell, std::size_t step, Bench& bench) const {
+  const auto neighbours = handovers_.adjacency().neighbours(cell);
+  std::size_t silent = 0;
+  bench.set_count = 0;
+  bench.beside.clear();
+  begin_set(cell, bench);
+  for (const PlaceIndex q : neighbours) {
+    if (!std::isnan(readings_.of(q)[step])) continue;
+    if (few_silent_in * ++silent > neighbours.size()) return false;
+    const std::vector<PlaceIndex>* component = &readings_.component_of(q, step);
+    if (std::find(bench.beside.begin(), bench.beside.end(), component) != bench.beside.end())
+      continue;
+    bench.beside.push_back(component);
+    if (bench.set_count + component->size() > most_silent) return false;
+    for (const PlaceIndex s : *component) begin_set(s, bench);
+  }
+  return silent > 0;
+}
+
+void Influence::begin_set(PlaceIndex cell, Bench& bench) {
+  if (bench.set_count == bench.sets.size()) bench.sets.emplace_back();
+  bench.sets[bench.set_count++].assign(1, cell);
+}
+
+// Adds a set of the bench with one more cell, if it is not there yet; false where there are too
+// many.
+bool Influence::add_set(std::size_t grown, PlaceIndex by, Bench& bench) {
+  if (bench.set_count == bench.sets.size()) bench.sets.emplace_back();
+  std::vector<PlaceIndex>& fresh = bench.sets[bench.set_count];
+  fresh = bench.sets[grown];
+  fresh.insert(std::lower_bound(fresh.begin(), fresh.end(), by), by);
+  const auto end = bench.sets.begin() + static_cast<std::ptrdiff_t>(bench.set_count);
+  if (std::find(bench.sets.begin(), end, fresh) != end) return true;
+  if (bench.set_count == most_sets) return false;
+  ++bench.set_count;
+  return true;
 }
 
 // Finds the silent components beside the cell, and what they hand over.

@@ -9,6 +9,7 @@
 #include "rainfall/gaps/departures.h"
 #include "rainfall/gaps/handover.h"
 #include "rainfall/gaps/handover_cache.h"
+#include "rainfall/gaps/nearest_sets.h"
 #include "rainfall/influence/cell_readings.h"
 
 namespace thiessen {
@@ -100,6 +101,9 @@ class Influence {
     std::vector<PlaceIndex> reporting;                         // the cell's neighbours that report
     std::vector<PlaceIndex> component;
     Departures::Bench departure;
+    NearestSets::Bench nearest;
+    std::vector<std::vector<PlaceIndex>> sets;  // of the cell and silent ones; some are spare
+    std::size_t set_count = 0;
     std::vector<Moment> moments;
     std::vector<std::size_t> here;  // positions in the cell of its stations that report
   };
@@ -111,6 +115,11 @@ class Influence {
   void find_gaps(PlaceIndex cell, Bench& bench) const;
   void take_steps_without_gaps(PlaceIndex cell, Bench& bench);
   void take_step(PlaceIndex cell, std::size_t step, Bench& bench);
+  bool find_moments_by_sets(PlaceIndex cell, std::size_t step, Bench& bench);
+  bool begin_sets(PlaceIndex cell, std::size_t step, Bench& bench) const;
+  static void begin_set(PlaceIndex cell, Bench& bench);
+  static void add_change(const Moment& change, std::vector<Moment>& moments);
+  static bool add_set(std::size_t grown, PlaceIndex by, Bench& bench);
   void find_components(PlaceIndex cell, std::size_t step, Bench& bench);
   void find_moments(PlaceIndex cell, Bench& bench) const;
   void find_changes(PlaceIndex cell, std::size_t step, Bench& bench);
@@ -127,6 +136,7 @@ class Influence {
   const Handovers& handovers_;
   HandoverCache remembered_;
   Departures departures_;
+  NearestSets nearest_;
   unsigned threads_;
   std::size_t year_;   // the place of the year among the months of the normals
   std::size_t month_;  // the place of the month of the steps at hand
