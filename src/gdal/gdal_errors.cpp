@@ -33,6 +33,7 @@ void CPL_STDCALL keep(CPLErr severity, CPLErrorNum number, const char* message) 
   end_where_fatal(severity, number, message);
   auto* errors = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
   if (severity == CE_Failure || severity == CE_Fatal) errors->hear(true, message);
+  if (severity == CE_Failure && number == CPLE_FileIO) errors->note_of_file();
   if (severity == CE_Warning) errors->hear(false, message);
 }
 
@@ -80,6 +81,7 @@ std::string GdalErrors::text() const {
 
 void GdalErrors::clear() {
   failed_ = false;
+  failed_to_read_ = false;
   error_.clear();
   warnings_.clear();
 }

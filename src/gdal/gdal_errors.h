@@ -20,6 +20,8 @@ class GdalErrors {
   GdalErrors& operator=(const GdalErrors&) = delete;
 
   bool failed() const { return failed_; }
+  /// Whether one of the errors was of bytes that a file should have.
+  bool failed_to_read() const { return failed_to_read_; }
   /// The first error, or the first warning where there is no error; on one line, without a full
   /// stop.
   std::string text() const;
@@ -29,9 +31,12 @@ class GdalErrors {
   void clear();
   /// Takes a message; GDAL calls it.
   void hear(bool error, const char* message);
+  /// Notes that the error heard last was of a file's bytes; GDAL calls it.
+  void note_of_file() { failed_to_read_ = true; }
 
  private:
   bool failed_ = false;
+  bool failed_to_read_ = false;
   std::string error_;
   std::vector<std::string> warnings_;
 };

@@ -7,6 +7,7 @@
 
 #include "base/number.h"
 #include "base/utf8.h"
+#include "text/last_line.h"
 
 namespace thiessen {
 namespace {
@@ -93,6 +94,7 @@ Point block_of(const RasterFrame& frame) {
 RasterGround::RasterGround(const std::string& file, const Study& study, const StudyFiles& files,
                            Warnings& warnings)
     : source_(file), study_(study), files_(files) {
+  for (const std::string& text : source_.texts()) tell_of_last_line(text, warnings);
   settle_crs(warnings);
 }
 

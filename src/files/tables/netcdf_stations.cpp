@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/number.h"
 #include "base/utf8.h"
-#include "files/tables/netcdf_length.h"
+#include "gdal/layers/netcdf_length.h"
 #include "text/field_names.h"
 #include "text/known_names.h"
 

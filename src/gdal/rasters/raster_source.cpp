@@ -22,6 +22,7 @@
 #include "gdal/crs/crs_definition.h"
 #include "gdal/drivers.h"
 #include "gdal/gdal_errors.h"
+#include "gdal/rasters/raster_wholeness.h"
 
 namespace thiessen {
 namespace {
@@ -192,6 +193,11 @@ RasterSource::RasterSource(const std::string& file) : file_(file), held_(std::ma
   }
   if (transform_[1] * transform_[5] - transform_[2] * transform_[4] == 0)
     refuse(file, "has pixels without area");
+  require_whole_raster(file, dataset);
+  if (errors.failed_to_read()) {
+    refuse(file, "cannot be read whole: " + errors.text(),
+           "a copy or a download was cut off: get it anew");
+  }
   const OGRSpatialReference* const system = dataset.GetSpatialRef();
   if (system == nullptr || system->IsEmpty()) return;
   OGRSpatialReference flat = *system;
@@ -210,6 +216,10 @@ std::size_t RasterSource::rows() const {
 
 std::size_t RasterSource::bands() const {
   return held_->bands.size();
+}
+
+std::vector<std::string> RasterSource::texts() const {
+  return texts_of_raster(*held_->dataset);
 }
 
 std::string RasterSource::unit() const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gdal/crs/crs.h"
 #include "geometry/point.h"
@@ -23,8 +24,8 @@ struct RasterPart {
 /// A raster of numbers that GDAL reads, of this machine.
 class RasterSource {
  public:
-  /// Throws Error where the file is missing, is no raster, or tells nothing of where its pixels
-  /// lie.
+  /// Throws Error where the file is missing, is no raster, is cut off, or tells nothing of where
+  /// its pixels lie.
   explicit RasterSource(const std::string& file);
   ~RasterSource();
   RasterSource(RasterSource&&) noexcept;
@@ -39,6 +40,8 @@ class RasterSource {
   /// The raster's coordinates of a position in pixels: x is [0] + column [1] + row [2], y is [3] +
   /// column [4] + row [5].
   const std::array<double, 6>& transform() const { return transform_; }
+  /// The files of it that are texts of lines: see texts_of_raster.
+  std::vector<std::string> texts() const;
   /// The unit that the first band names for its values; empty where it names none.
   std::string unit() const;
   /// Whether the values of some band need eight bytes.

@@ -1,4 +1,4 @@
-#include "files/tables/netcdf_length.h"
+#include "gdal/layers/netcdf_length.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,4 +1,4 @@
-#include "files/tables/netcdf_length.h"
+#include "gdal/layers/netcdf_length.h"
 
 #include <gtest/gtest.h>
 #include <netcdf.h>
