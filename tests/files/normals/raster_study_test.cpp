@@ -164,7 +164,7 @@ TEST(NormalsOfRaster, are_no_pictures) {
 
 TEST(NormalsOfRaster, of_a_file_that_is_cut_off_are_an_error) {
   const std::string text = faults_of("n.asc", grid(8, 4, slope + slope)).at(0);
-  EXPECT_TRUE(contains(text, "n.asc: cannot be read: ")) << text;
+  EXPECT_TRUE(contains(text, "n.asc: is cut off or no whole grid: row 3 of its 4 ")) << text;
 }
 
 // Of longitudes from 0 to 360 and a study west of Greenwich.
