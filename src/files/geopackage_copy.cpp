@@ -1,13 +1,18 @@
 #include "files/geopackage_copy.h"
 
 #include <sqlite3.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <fstream>
 #include <string_view>
+#include <thread>
+#include <utility>
 
 #include "base/error.h"
+#include "base/interrupt.h"
 
 namespace thiessen {
 namespace {
@@ -21,11 +26,19 @@ struct FreeBytes {
   void operator()(unsigned char* bytes) const { sqlite3_free(bytes); }
 };
 
+bool is_busy(int status) {
+  return status == SQLITE_BUSY || status == SQLITE_LOCKED;
+}
+
+/// So long a change by another program is waited for.
+constexpr std::chrono::seconds patience(10);
+
 [[noreturn]] void refuse(const std::string& path, int status) {
-  const bool busy = status == SQLITE_BUSY || status == SQLITE_LOCKED;
+  const bool busy = is_busy(status);
   throw Error(Message{
       path, 0,
-      busy ? "cannot be replaced: another program is using it"
+      busy ? "cannot be replaced: another program is using it, and goes on for more than " +
+                 std::to_string(patience.count()) + " seconds"
            : "its other layers cannot be kept: " + std::string(sqlite3_errstr(status)),
       busy ? "close it there, or give the output another name" : "give the output another name"});
 }
@@ -71,6 +84,36 @@ bool is_sqlite(const std::string& path) {
   return file && std::string_view(bytes.data(), bytes.size()) == magic;
 }
 
+/// Which file stands at a path: another one once an output has been renamed to it.
+std::pair<dev_t, ino_t> file_at(const std::string& path) {
+  struct stat status = {};
+  if (::stat(path.c_str(), &status) != 0) return {};
+  return {status.st_dev, status.st_ino};
+}
+
+/// Opens the database, locked against the changes of others. Another run of this program holds its
+/// lock until it puts a new file in the old one's place: that is waited for, and then the new file
+/// is the one to lock.
+Database open_locked(const std::string& path, const std::string& name) {
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds pause(20);
+  const auto until = Clock::now() + patience;
+  for (;;) {
+    throw_if_interrupted();
+    const auto file = file_at(path);
+    Database database = open(path, name, SQLITE_OPEN_READWRITE);
+    const int status =
+        sqlite3_exec(database.get(), "BEGIN IMMEDIATE", nullptr, nullptr, nullptr) & 0xFF;
+    if (!is_busy(status) || Clock::now() >= until) {
+      // Nobody else can write to a file that its owner may not write to.
+      if (status != SQLITE_READONLY) require(status, path);
+      if (file_at(path) == file) return database;
+    } else {
+      std::this_thread::sleep_for(pause);
+    }
+  }
+}
+
 }  // namespace
 
 struct GeoPackageCopy::Lock {
@@ -80,11 +123,7 @@ struct GeoPackageCopy::Lock {
 GeoPackageCopy::GeoPackageCopy(const std::string& path) : lock_(std::make_unique<Lock>()) {
   require_no_journal(path);
   const std::string name = path.starts_with('/') ? path : "./" + path;
-  lock_->database = open(path, name, SQLITE_OPEN_READWRITE);
-  const int locked =
-      sqlite3_exec(lock_->database.get(), "BEGIN IMMEDIATE", nullptr, nullptr, nullptr);
-  // Nobody else can write to a file that its owner may not write to.
-  if (locked != SQLITE_READONLY) require(locked, path);
+  lock_->database = open_locked(path, name);
   const Database source = open(path, name, SQLITE_OPEN_READONLY);
   const Database copy = open(path, ":memory:", SQLITE_OPEN_READWRITE);
   sqlite3_backup* backup = sqlite3_backup_init(copy.get(), "main", source.get(), "main");

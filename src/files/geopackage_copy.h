@@ -10,9 +10,10 @@ namespace thiessen {
 /// copy and the replacement.
 class GeoPackageCopy {
  public:
-  /// Copies the file by SQLite's own backup. Throws Error where another program holds a lock on it
-  /// or has left a log or a journal beside it, and where it is damaged. Memory: twice the file's
-  /// size.
+  /// Copies the file by SQLite's own backup. Where another program holds a lock on it, waits for it
+  /// up to ten seconds; where the file has been replaced by then, the new one is copied. Throws
+  /// Error where the lock lasts longer, where a log or a journal stands beside the file, and where
+  /// it is damaged. Memory: twice the file's size.
   explicit GeoPackageCopy(const std::string& path);
   ~GeoPackageCopy();
   GeoPackageCopy(const GeoPackageCopy&) = delete;

@@ -2,7 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <thread>
+#include <utility>
 
 #include "base/complaints.h"
 #include "base/temporary_folder.h"
@@ -38,6 +45,23 @@ TEST_F(GeoPackage, nobody_else_changes_it_meanwhile) {
   }
   sql("INSERT INTO a VALUES (1)");
   EXPECT_EQ(folder_.names(), std::set<std::string>{"a.gpkg"});
+}
+
+// As one run of the program that replaces the file is waited for by the next.
+TEST_F(GeoPackage, that_is_replaced_meanwhile_is_the_new_one) {
+  sql("CREATE TABLE old (b)");
+  auto first = std::make_unique<GeoPackageCopy>(file_);
+  const std::string earlier = std::exchange(file_, folder_.path("new.gpkg"));
+  sql("CREATE TABLE fresh (b)");
+  std::thread other([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    std::filesystem::rename(file_, earlier);
+    first.reset();
+  });
+  const GeoPackageCopy second(earlier);
+  other.join();
+  EXPECT_TRUE(contains(second.bytes(), "CREATE TABLE fresh"));
+  EXPECT_FALSE(contains(second.bytes(), "CREATE TABLE old"));
 }
 
 TEST_F(GeoPackage, with_changes_in_a_log_beside_it_is_in_use) {
