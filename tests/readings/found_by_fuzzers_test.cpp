@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/iso_time.h"
 #include "rainfall/network/network.h"
 #include "readings/readings_grammar.h"
 #include "readings/steps/mixed_steps.h"
+#include "readings/times/time_format.h"
 
 namespace thiessen {
 namespace {
@@ -38,6 +40,13 @@ TEST(MixedSteps, finding_6_counts_a_gauges_places_from_its_earliest_reading_to_i
     }
     EXPECT_FALSE(steps.fault("r.csv", stations));
   }
+}
+
+// The library of dates negates the least of all numbers, and converts seconds that it has not read.
+TEST(TimeFormat, finding_13_refuses_a_zone_without_digits_and_a_time_without_seconds) {
+  EXPECT_EQ(TimeFormat("%m-%Y %H %z %d").read("5-9999 2-x").fault, IsoTimeFault::form);
+  EXPECT_EQ(TimeFormat("%Y%m%d%H%M%S").read("99999999999").fault, IsoTimeFault::form);
+  EXPECT_EQ(TimeFormat("%Y-%m-%d %H:%M:%S").read("2020-01-01 10:00:").fault, IsoTimeFault::form);
 }
 
 }  // namespace

@@ -67,6 +67,18 @@ TEST(CsvReader, finding_9_counts_a_line_end_once_where_two_pieces_meet) {
   EXPECT_EQ(complaint_of(read), pipe.name() + ":2: not UTF-8 at byte 6 | save the file as UTF-8");
 }
 
+// A blank line ends in a CR, behind which a piece ends: the LF that follows is part of that line's
+// end.
+TEST(CsvReader, finding_12_counts_the_end_of_a_blank_line_once_where_two_pieces_meet) {
+  const fuzzers::MemoryPipe pipe("x\ny\n\r\nz\n", 5);
+  CsvReader reader(pipe.name(), {','});
+  Row row;
+  ASSERT_TRUE(reader.next(row));
+  EXPECT_EQ(row.line, 2U);
+  ASSERT_TRUE(reader.next(row));
+  EXPECT_EQ(row.line, 4U);
+}
+
 // RFC 7946, 7.1: a Feature must not have features.
 TEST(GeoJsonAudit, finding_11_refuses_features_of_a_feature) {
   EXPECT_EQ(complaint(R"({"type":"Feature","geometry":null,"features":[]})"),
