@@ -182,7 +182,8 @@ bool fewest_digits(double value, PlainDigits& found) {
   const std::uint64_t five = fives[static_cast<std::size_t>(decimals)];
   // The value in units is `whole` and `rest` of 2^shift parts; half a step is 2 * five parts.
   const int shift = 2 - exponent - decimals;
-  const auto scaled = Product{4 * mantissa} * five;
+  const std::uint64_t quarters = 4 * mantissa;
+  const auto scaled = Product{quarters} * five;
   const auto whole = static_cast<std::uint64_t>(scaled >> shift);
   const std::uint64_t unit = std::uint64_t{1} << shift;
   const std::uint64_t rest = static_cast<std::uint64_t>(scaled) & (unit - 1);
@@ -214,10 +215,10 @@ constexpr auto pairs_of_digits = [] {
 void write_eight(char* at, std::uint32_t number) {
   const std::uint32_t high = number / 10'000;
   const std::uint32_t low = number % 10'000;
-  std::memcpy(at, &pairs_of_digits[2 * (high / 100)], 2);
-  std::memcpy(at + 2, &pairs_of_digits[2 * (high % 100)], 2);
-  std::memcpy(at + 4, &pairs_of_digits[2 * (low / 100)], 2);
-  std::memcpy(at + 6, &pairs_of_digits[2 * (low % 100)], 2);
+  std::memcpy(at, &pairs_of_digits[std::size_t{2} * (high / 100)], 2);
+  std::memcpy(at + 2, &pairs_of_digits[std::size_t{2} * (high % 100)], 2);
+  std::memcpy(at + 4, &pairs_of_digits[std::size_t{2} * (low / 100)], 2);
+  std::memcpy(at + 6, &pairs_of_digits[std::size_t{2} * (low % 100)], 2);
 }
 
 constexpr int most_digits = 17;

@@ -93,6 +93,7 @@ void Study::warn_of_shared_places(Warnings& warnings) const {
     }
     if (stations.size() < 2 || ++shared > named_at_most) continue;
     std::vector<std::string> ids;
+    ids.reserve(stations.size());
     for (const StationIndex s : stations) ids.push_back(network_.stations()[index(s)].id);
     warnings.add(
         {parts_->stations_file, 0,

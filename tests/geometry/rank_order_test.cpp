@@ -17,7 +17,7 @@ TEST(RankOrder, is_that_of_a_comparison_of_ranks_which_keeps_the_order_of_equals
     for (const int bits : {1, 8, 10, 11, 20, 32}) {
       std::vector<RankedIndex> entries(count);
       for (std::size_t i = 0; i < count; ++i) {
-        const auto rank = static_cast<RankedIndex>(seeded.whole(0, (1ll << bits) - 1));
+        const auto rank = static_cast<RankedIndex>(seeded.whole(0, (std::int64_t{1} << bits) - 1));
         entries[i] = rank << ranked_index_bits | i;
       }
       std::vector<RankedIndex> expected = entries;

@@ -121,7 +121,8 @@ int Postgres::patience_seconds() const {
   constexpr std::string_view wanted = "connect_timeout";
   for (const PQconninfoOption* option = options.get();
        option != nullptr && option->keyword != nullptr; ++option) {
-    if (option->keyword == wanted && option->val != nullptr) return std::atoi(option->val);
+    if (option->keyword == wanted && option->val != nullptr)
+      return static_cast<int>(std::strtol(option->val, nullptr, 10));
   }
   return 0;
 }

@@ -92,6 +92,7 @@ Dataset open(const std::string& file, const Opening& opening, const GdalErrors& 
 
 std::string names_of(const std::vector<OGRLayer*>& layers) {
   std::vector<std::string> names;
+  names.reserve(layers.size());
   for (OGRLayer* layer : layers) names.emplace_back(layer->GetName());
   return names_up_to(20, names, 80);
 }

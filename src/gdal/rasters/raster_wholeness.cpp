@@ -101,7 +101,7 @@ std::int64_t told_of_block(GDALRasterBand& band, const char* what, int across, i
   const std::string item =
       std::string(what) + "_" + std::to_string(across) + "_" + std::to_string(down);
   const char* const told = band.GetMetadataItem(item.c_str(), "TIFF");
-  return told == nullptr ? 0 : std::atoll(told);
+  return told == nullptr ? 0 : std::strtoll(told, nullptr, 10);
 }
 
 void require_blocks(const std::string& file, GDALDataset& dataset) {

@@ -7,6 +7,7 @@ namespace thiessen {
 
 std::string named(const std::vector<std::string>& first, std::size_t count) {
   std::vector<std::string> names;
+  names.reserve(first.size());
   for (const std::string& name : first) names.push_back(quoted(name));
   return enumerated(names, count);
 }

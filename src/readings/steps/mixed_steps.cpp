@@ -77,6 +77,7 @@ std::optional<Message> MixedSteps::mixed_zones(const std::string& file) const {
 Message MixedSteps::mixed(const std::string& file, std::span<const Station> stations,
                           const std::vector<StationIndex>& coarse, const std::string& how) const {
   std::vector<std::string> all_ids;
+  all_ids.reserve(coarse.size());
   for (const StationIndex s : coarse) all_ids.push_back(stations[index(s)].id);
   const std::string ids = names_up_to(names_listed, all_ids, longest_time);
   const std::string subject =
